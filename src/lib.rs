@@ -1,0 +1,1 @@
+//! Closest reachable motions of spatial linkages.
