@@ -1,1 +1,8 @@
 //! Closest reachable motions of spatial linkages.
+
+pub mod chain;
+pub mod dh;
+pub mod joint;
+pub mod linalg;
+pub mod mechanism;
+pub mod pose;

@@ -1,0 +1,74 @@
+//! A workpiece and the chains that hold it: checks, size, mobility by count.
+
+use crate::chain::Chain;
+
+/// More chains than any linkage a person would enter; keeps a hostile document from costing time.
+pub const MAX_CHAINS: usize = 24;
+
+/// The chains that share a workpiece.
+#[derive(Clone, Debug)]
+pub struct Mechanism {
+    chains: Vec<Chain>,
+}
+
+/// Why chains do not make a mechanism.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum MechanismFault {
+    /// Nothing holds the workpiece.
+    NoChains,
+    /// More than [`MAX_CHAINS`].
+    TooManyChains { found: usize },
+}
+
+impl Mechanism {
+    /// One to [`MAX_CHAINS`] chains. Their mobility by count may be 0 or less: an overconstrained
+    /// linkage such as the planar 4R still moves.
+    ///
+    /// # Errors
+    /// Without a chain, or with too many.
+    pub fn new(chains: Vec<Chain>) -> Result<Self, MechanismFault> {
+        match chains.len() {
+            0 => Err(MechanismFault::NoChains),
+            found if found > MAX_CHAINS => Err(MechanismFault::TooManyChains { found }),
+            _ => Ok(Self { chains }),
+        }
+    }
+
+    /// The chains, in the document's order.
+    pub fn chains(&self) -> &[Chain] {
+        &self.chains
+    }
+
+    /// Number of joint variables of all chains: the length of every joint vector, chain by chain.
+    pub fn variables(&self) -> usize {
+        self.chains.iter().map(Chain::freedoms).sum()
+    }
+
+    /// Mobility M = 6 − ΣU (Eq. 10): the count, which the rank may exceed.
+    pub fn mobility_count(&self) -> i32 {
+        6 - self.chains.iter().map(|c| 6 - c.freedoms() as i32).sum::<i32>()
+    }
+
+    /// A length typical of the mechanism, for tolerances: the longest chain, or the span of the
+    /// bases if that is more; 1 for a mechanism without lengths.
+    pub fn size(&self) -> f64 {
+        let origin = self.chains[0].base().translation.vector;
+        let span = |c: &Chain| (c.base().translation.vector - origin).norm();
+        let size = self.chains.iter().map(|c| c.reach().max(span(c))).fold(0.0, f64::max);
+        if size > 0.0 { size } else { 1.0 }
+    }
+
+    /// The same mechanism in another unit of length: every length times `factor`.
+    pub fn scaled(&self, factor: f64) -> Self {
+        Self { chains: self.chains.iter().map(|c| c.scaled(factor)).collect() }
+    }
+
+    /// The part of a joint vector that belongs to each chain.
+    pub fn split<'a>(&'a self, joints: &'a [f64]) -> impl Iterator<Item = (&'a Chain, &'a [f64])> {
+        self.chains.iter().scan(joints, |rest, chain| {
+            let (own, others) = rest.split_at(chain.freedoms());
+            *rest = others;
+            Some((chain, own))
+        })
+    }
+}
