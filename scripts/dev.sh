@@ -1,0 +1,199 @@
+#!/usr/bin/env bash
+# Builds, serves and tests the project from a machine that has rustup's cargo, node and npm.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+usage() {
+  cat <<'TXT'
+usage: scripts/dev.sh COMMAND
+
+  serve [VITE OPTIONS]  build the applet and serve it; edits in www/ show at once
+  test                  every check and every test
+  setup                 only install what the others need
+  build                 only build: the wasm package (www/pkg) and the page (www/dist)
+  lint                  only rustfmt, clippy, rustdoc and tsc
+  bench                 benchmarks; native against wasm
+
+environment: CHROMIUM, CHROMEDRIVER  the browser and its driver, where they are not on the PATH
+             SYNTHETICA_CACHE        where the wasm tools are kept (default ~/.cache/synthetica)
+TXT
+}
+
+say() { printf '\n== %s\n' "$*"; }
+fail() { printf 'dev.sh: %s\n' "$*" >&2; exit 1; }
+has() { command -v "$1" >/dev/null 2>&1; }
+
+# --- what is needed -------------------------------------------------------------------------------
+
+setup_rust() {
+  has cargo && has rustup || fail "needs rustup's cargo: see https://rustup.rs"
+  # Adds the wasm target to the toolchain of rust-toolchain.toml, or installs that toolchain whole.
+  local state
+  state=$(rustup target list --installed 2>/dev/null; rustup component list --installed 2>/dev/null) || true
+  if ! grep -qx wasm32-unknown-unknown <<<"$state" || ! grep -q ^clippy <<<"$state" || ! grep -q ^rustfmt <<<"$state"; then
+    say "Rust toolchain of rust-toolchain.toml"
+    rustup target add wasm32-unknown-unknown 2>/dev/null && rustup component add rustfmt clippy \
+      || rustup toolchain install --no-self-update
+  fi
+}
+
+# wasm-pack and wasm-bindgen, built once for every clone with the same tools/ and toolchain.
+setup_wasm_tools() {
+  local cache=${SYNTHETICA_CACHE:-${XDG_CACHE_HOME:-$HOME/.cache}/synthetica} key tool
+  key=$(cat rust-toolchain.toml tools/Cargo.toml tools/Cargo.lock tools/src/bin/*.rs | git hash-object --stdin)
+  local root=$cache/tools-${key:0:12}
+  for tool in wasm-pack wasm-bindgen wasm-bindgen-test-runner; do
+    if [ ! -x "$root/bin/$tool" ]; then
+      say "wasm-pack and wasm-bindgen, into $root (about three minutes, once)"
+      cargo install --quiet --locked --path tools --root "$root" --target-dir "$cache/tools-build"
+      break
+    fi
+  done
+  export PATH=$root/bin:$PATH
+}
+
+setup_npm() {
+  has node && has npm || fail "needs node (20.19 or later) and npm"
+  if ! cmp -s tools/package-lock.json tools/node_modules/.installed-lock; then
+    say "npm packages of tools/"
+    npm ci --prefix tools --no-audit --no-fund
+    cp tools/package-lock.json tools/node_modules/.installed-lock
+  fi
+  # www/ and tests/ find the packages by walking up to here.
+  ln -sfn tools/node_modules node_modules
+}
+
+find_browser() {
+  CHROMIUM=${CHROMIUM:-$(command -v chromium || command -v chromium-browser || command -v google-chrome || true)}
+  CHROMEDRIVER=${CHROMEDRIVER:-$(command -v chromedriver || true)}
+  [ -x "$CHROMIUM" ] && [ -x "$CHROMEDRIVER" ]
+}
+
+setup_browser() {
+  if ! find_browser && has apt-get && [ "$(id -u)" = 0 ]; then
+    say "Chromium and its driver, by apt-get"
+    { apt-get update -q && apt-get install -q -y --no-install-recommends chromium chromium-driver; } </dev/null
+    find_browser || true
+  fi
+  [ -x "$CHROMIUM" ] || fail "needs Chromium or Chrome: install it, or give its path in CHROMIUM"
+  [ -x "$CHROMEDRIVER" ] || fail "needs ChromeDriver of the browser's version: install it, or give its path in CHROMEDRIVER"
+  export CHROMIUM CHROMEDRIVER
+  # Tells wasm-bindgen's test runner which browser to start.
+  export WASM_BINDGEN_TEST_WEBDRIVER_JSON=$PWD/tools/node_modules/.webdriver.json
+  printf '{"goog:chromeOptions": {"binary": "%s"}}\n' "$CHROMIUM" >"$WASM_BINDGEN_TEST_WEBDRIVER_JSON"
+}
+
+# --- what is done ---------------------------------------------------------------------------------
+
+build_package() {
+  say "wasm package, into www/pkg"
+  wasm-pack build --mode no-install --release --target web --out-dir www/pkg . -- --locked
+}
+
+build_page() {
+  say "page, into www/dist"
+  vite build --config tools/vite.config.js
+}
+
+# The formatting, every lint and the documentation of both builds; no warning passes.
+lint_rust() {
+  say "rustfmt"
+  cargo fmt --check
+  cargo fmt --check --manifest-path tools/Cargo.toml
+  local target
+  for target in "$(rustc -vV | sed -n 's/^host: //p')" wasm32-unknown-unknown; do
+    say "clippy and rustdoc, $target"
+    cargo clippy --locked --all-targets --all-features --target "$target" -- -D warnings
+    RUSTDOCFLAGS="-D warnings" cargo doc --locked --no-deps --all-features --target "$target"
+  done
+}
+
+# The page's types, which include those of the built package.
+lint_page() {
+  say "tsc"
+  tsc -p www
+}
+
+test_rust() {
+  say "tests, native"
+  cargo test --locked --all-features
+}
+
+# Each runner skips the other's files and says nothing: both are needed.
+test_wasm() {
+  # Seconds; the defaults (20 and 5) are short of a slow suite and a loaded machine.
+  export WASM_BINDGEN_TEST_TIMEOUT=300 WASM_BINDGEN_TEST_DRIVER_TIMEOUT=60
+  say "tests as WebAssembly, node"
+  wasm-pack test --mode no-install --node . -- --locked
+  say "tests as WebAssembly, Chromium"
+  wasm-pack test --mode no-install --headless --chrome --chromedriver "$CHROMEDRIVER" . -- --locked
+}
+
+# The bytes that a visitor's browser loads for the planner.
+check_size() {
+  local limit=150000 size # bytes after gzip
+  size=$(cat www/pkg/synthetica_bg.wasm www/pkg/synthetica.js | gzip -9 | wc -c)
+  say "wasm package: $size bytes after gzip, at most $limit"
+  [ "$size" -le "$limit" ]
+}
+
+test_page() {
+  shopt -s failglob # a missing suite is an error
+  say "page, units"
+  node --test tests/page/*.test.mjs
+  say "page, end to end in Chromium"
+  node --test tests/e2e/*.test.mjs
+}
+
+# --- commands -------------------------------------------------------------------------------------
+
+command=${1:-}
+[ $# -eq 0 ] || shift
+case $command in
+  serve | setup | build | lint | bench | test) ;;
+  *) usage >&2; exit 2 ;;
+esac
+
+setup_rust
+setup_wasm_tools
+setup_npm
+PATH=$PWD/tools/node_modules/.bin:$PATH
+
+case $command in
+  setup)
+    setup_browser
+    say "all there"
+    ;;
+  serve)
+    build_package
+    exec vite --config tools/vite.config.js "$@"
+    ;;
+  build)
+    build_package
+    build_page
+    check_size
+    ;;
+  lint)
+    lint_rust
+    build_package
+    lint_page
+    ;;
+  bench)
+    setup_browser
+    cargo bench --locked
+    build_package
+    node scripts/wasm-ratio.mjs
+    ;;
+  test)
+    setup_browser
+    lint_rust
+    test_rust
+    test_wasm
+    build_package
+    check_size
+    lint_page
+    build_page
+    test_page
+    say "every check and every test passed, in $((SECONDS / 60)) min $((SECONDS % 60)) s"
+    ;;
+esac
