@@ -2,6 +2,7 @@
 
 pub mod chain;
 pub mod dh;
+pub mod enumerate;
 pub mod joint;
 pub mod linalg;
 pub mod mechanism;
