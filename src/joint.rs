@@ -96,6 +96,28 @@ impl Limits {
     pub const NONE: Self = Self { min: f64::NEG_INFINITY, max: f64::INFINITY };
 }
 
+/// The limit at which a joint is held.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stop {
+    /// Free to move.
+    None,
+    /// Held at its smallest value.
+    Min,
+    /// Held at its largest value.
+    Max,
+}
+
+impl Stop {
+    /// The value at which the joint is held; NaN for a free joint.
+    pub fn bound(self, limits: &Limits) -> f64 {
+        match self {
+            Self::None => f64::NAN,
+            Self::Min => limits.min,
+            Self::Max => limits.max,
+        }
+    }
+}
+
 /// One joint with its rows: the link before it and its constant offsets.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Joint {
