@@ -21,7 +21,9 @@ const KINDS: usize = JointKind::ALL.len();
 
 /// The category's number as the paper writes it, I to IV; `None` for other numbers of constraints.
 pub fn category_name(constraints: usize) -> Option<&'static str> {
-    ["I", "II", "III", "IV"].get(constraints.checked_sub(1)?).copied()
+    ["I", "II", "III", "IV"]
+        .get(constraints.checked_sub(1)?)
+        .copied()
 }
 
 /// The chains with the same joints in any order: a line of Table 2.
@@ -51,12 +53,24 @@ fn fill_class(
     if freedoms == 0 {
         found.push(ChainClass { joints });
     } else if kind < KINDS {
-        let (f, p) = (JointKind::ALL[kind].freedoms(), JointKind::ALL[kind].prismatics());
-        let most = (0..=freedoms / f).rev().find(|n| n * p <= prismatics).unwrap_or(0);
+        let (f, p) = (
+            JointKind::ALL[kind].freedoms(),
+            JointKind::ALL[kind].prismatics(),
+        );
+        let most = (0..=freedoms / f)
+            .rev()
+            .find(|n| n * p <= prismatics)
+            .unwrap_or(0);
         for n in (0..=most).rev() {
             let mut joints = joints;
             joints[kind] = n;
-            fill_class(joints, kind + 1, freedoms - n * f, prismatics - n * p, found);
+            fill_class(
+                joints,
+                kind + 1,
+                freedoms - n * f,
+                prismatics - n * p,
+                found,
+            );
         }
     }
 }
@@ -164,7 +178,9 @@ pub fn chain_index(joints: &[JointKind]) -> Option<(usize, u64)> {
     let place = classes.iter().position(|&c| c == class)?;
     let mut k = classes[..place].iter().map(ChainClass::count).sum();
     for &joint in joints {
-        k += (0..joint as usize).map(|kind| orders_from(&left, kind)).sum::<u64>();
+        k += (0..joint as usize)
+            .map(|kind| orders_from(&left, kind))
+            .sum::<u64>();
         left[joint as usize] -= 1;
     }
     Some((constraints, k))
@@ -208,14 +224,17 @@ fn fill_assembly(
 impl AssemblyCategory {
     /// As printed in Table 3: 2I-1III.
     pub fn name(&self) -> String {
-        let part = |(constraints, n): (usize, usize)| Some(format!("{n}{}", category_name(constraints)?));
+        let part =
+            |(constraints, n): (usize, usize)| Some(format!("{n}{}", category_name(constraints)?));
         self.parts().filter_map(part).collect::<Vec<_>>().join("-")
     }
 
     /// How many assemblies (Eq. 11, for each category of chains): chains are combined with
     /// repetition, their order does not count.
     pub fn count(&self) -> u64 {
-        self.parts().map(|(constraints, n)| combinations(chain_count(constraints), n)).product()
+        self.parts()
+            .map(|(constraints, n)| combinations(chain_count(constraints), n))
+            .product()
     }
 
     /// Assembly `k` of the category; chains of the lower category come first, equal ones together.
@@ -245,7 +264,10 @@ impl AssemblyCategory {
 /// How many assemblies impose so many constraints: 139; 9,781; 464,417; 16,734,569 and 487,990,859
 /// for 1 to 5.
 pub fn assembly_count(constraints: usize) -> u64 {
-    assembly_categories(constraints).iter().map(AssemblyCategory::count).sum()
+    assembly_categories(constraints)
+        .iter()
+        .map(AssemblyCategory::count)
+        .sum()
 }
 
 /// Assembly `k` with so many constraints, category by category.
@@ -270,7 +292,9 @@ pub fn assembly_index<C: AsRef<[JointKind]>>(chains: &[C]) -> Option<(usize, u64
         members[constraints - 1].push(index);
         total += constraints;
     }
-    let category = AssemblyCategory { chains: std::array::from_fn(|i| members[i].len()) };
+    let category = AssemblyCategory {
+        chains: std::array::from_fn(|i| members[i].len()),
+    };
     let categories = assembly_categories(total);
     let place = categories.iter().position(|&c| c == category)?;
     let mut k = 0;
@@ -280,7 +304,13 @@ pub fn assembly_index<C: AsRef<[JointKind]>>(chains: &[C]) -> Option<(usize, u64
         members.sort_unstable();
         k = k * combinations(chains, n) + combination_index(chains, members);
     }
-    Some((total, k + categories[..place].iter().map(AssemblyCategory::count).sum::<u64>()))
+    Some((
+        total,
+        k + categories[..place]
+            .iter()
+            .map(AssemblyCategory::count)
+            .sum::<u64>(),
+    ))
 }
 
 /// Choices of `size` of `n` things, with repetition (Eq. 11).
@@ -316,7 +346,9 @@ fn combination_index(n: u64, members: &[u64]) -> u64 {
     let (mut k, mut first) = (0, 0);
     for (place, &member) in members.iter().enumerate() {
         let left = members.len() - place - 1;
-        k += (first..member).map(|m| combinations(n - m, left)).sum::<u64>();
+        k += (first..member)
+            .map(|m| combinations(n - m, left))
+            .sum::<u64>();
         first = member;
     }
     k

@@ -2,8 +2,8 @@
 
 use std::collections::HashSet;
 use synthetica::enumerate::{
-    assembly, assembly_categories, assembly_count, assembly_index, category_name, chain, chain_count,
-    chain_index, classes,
+    assembly, assembly_categories, assembly_count, assembly_index, category_name, chain,
+    chain_count, chain_index, classes,
 };
 use synthetica::joint::JointKind;
 
@@ -12,7 +12,9 @@ fn word(chain: &[JointKind]) -> String {
 }
 
 fn words(constraints: usize) -> Vec<String> {
-    (0..chain_count(constraints)).map(|k| word(&chain(constraints, k).expect("below the count"))).collect()
+    (0..chain_count(constraints))
+        .map(|k| word(&chain(constraints, k).expect("below the count")))
+        .collect()
 }
 
 /// From the paper (Table 2), with the missing 5R of category I added.
@@ -21,7 +23,11 @@ fn classes_are_those_of_table_2() {
     let printed = [
         (4, "2R RP 2P C T", 6),
         (3, "3R 2RP R2P RC RT 3P PC PT S E", 18),
-        (2, "4R 3RP 2R2P 2RC 2RT R3P RPC RPT RS RE 2PC 2PT PS PE 2C CT 2T", 51),
+        (
+            2,
+            "4R 3RP 2R2P 2RC 2RT R3P RPC RPT RS RE 2PC 2PT PS PE 2C CT 2T",
+            51,
+        ),
         (
             1,
             "5R 4RP 3R2P 3RC 3RT 2R3P 2RPC 2RPT 2RS 2RE R2PC R2PT RPS RPE R2C RCT R2T 3PT 2PS P2C \
@@ -41,10 +47,14 @@ fn classes_are_those_of_table_2() {
 #[test]
 fn chains_are_those_of_table_2() {
     let line = |constraints, name: &str| -> HashSet<String> {
-        let class = classes(constraints).into_iter().find(|c| c.name() == name).expect(name);
+        let class = classes(constraints)
+            .into_iter()
+            .find(|c| c.name() == name)
+            .expect(name);
         class.chains().map(|c| word(&c)).collect()
     };
-    let printed = |text: &str| -> HashSet<String> { text.split_whitespace().map(String::from).collect() };
+    let printed =
+        |text: &str| -> HashSet<String> { text.split_whitespace().map(String::from).collect() };
     assert_eq!(line(4, "RP"), printed("RP PR"));
     assert_eq!(line(3, "2RP"), printed("RRP RPR PRR"));
     assert_eq!(line(2, "2R2P"), printed("RRPP RPPR PPRR PRRP RPRP PRPR"));
@@ -98,7 +108,10 @@ fn numbering_meets_every_chain_once() {
 #[test]
 fn assemblies_are_those_of_table_3() {
     let names = |constraints| -> String {
-        let names: Vec<_> = assembly_categories(constraints).iter().map(|c| c.name()).collect();
+        let names: Vec<_> = assembly_categories(constraints)
+            .iter()
+            .map(|c| c.name())
+            .collect();
         names.join(" ")
     };
     assert_eq!(names(5), "5I 3I-1II 2I-1III 1I-2II 1I-1IV 1II-1III");
@@ -107,7 +120,10 @@ fn assemblies_are_those_of_table_3() {
     assert_eq!(names(2), "2I 1II");
     assert_eq!(names(1), "1I");
     let counts: Vec<_> = assembly_categories(5).iter().map(|c| c.count()).collect();
-    assert_eq!(counts, [464_306_843, 23_322_810, 175_140, 184_314, 834, 918]);
+    assert_eq!(
+        counts,
+        [464_306_843, 23_322_810, 175_140, 184_314, 834, 918]
+    );
     assert_eq!(assembly_categories(4)[0].count(), 16_234_505);
     let totals = [1, 2, 3, 4, 5].map(assembly_count);
     assert_eq!(totals, [139, 9_781, 464_417, 16_734_569, 487_990_859]);
@@ -133,36 +149,76 @@ fn random_assemblies_round_trip() {
         let mut indices = vec![0, count - 1];
         for _ in 0..2_000 {
             // Knuth's MMIX generator; its upper bits are the good ones.
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
             indices.push((state >> 20) % count);
         }
         for k in indices {
             let mut chains = assembly(constraints, k).expect("below the count");
-            let total: usize = chains.iter().map(|c| 6 - c.iter().map(|j| j.freedoms()).sum::<usize>()).sum();
+            let total: usize = chains
+                .iter()
+                .map(|c| 6 - c.iter().map(|j| j.freedoms()).sum::<usize>())
+                .sum();
             assert_eq!(total, constraints);
             assert_eq!(assembly_index(&chains), Some((constraints, k)));
             chains.reverse();
-            assert_eq!(assembly_index(&chains), Some((constraints, k)), "the order of chains does not count");
+            assert_eq!(
+                assembly_index(&chains),
+                Some((constraints, k)),
+                "the order of chains does not count"
+            );
         }
     }
 }
 
 #[test]
 fn what_is_not_listed_is_none() {
-    for (constraints, k) in [(0, 0), (1, 139), (2, 51), (3, 18), (4, 6), (5, 0), (6, 0), (1, u64::MAX)] {
+    for (constraints, k) in [
+        (0, 0),
+        (1, 139),
+        (2, 51),
+        (3, 18),
+        (4, 6),
+        (5, 0),
+        (6, 0),
+        (1, u64::MAX),
+    ] {
         assert_eq!(chain(constraints, k), None);
     }
-    for (constraints, k) in [(0, 0), (1, 139), (5, 487_990_859), (5, u64::MAX), (6, 0), (usize::MAX, 0)] {
+    for (constraints, k) in [
+        (0, 0),
+        (1, 139),
+        (5, 487_990_859),
+        (5, u64::MAX),
+        (6, 0),
+        (usize::MAX, 0),
+    ] {
         assert_eq!(assembly(constraints, k), None);
     }
     assert_eq!(classes(0), []);
     assert_eq!(classes(5), []);
-    assert_eq!([0, 1, 4, 5].map(category_name), [None, Some("I"), Some("IV"), None]);
+    assert_eq!(
+        [0, 1, 4, 5].map(category_name),
+        [None, Some("I"), Some("IV"), None]
+    );
     // Too few freedoms for a category, too many, too many sliders, none at all.
     use JointKind::{C, E, P, R, S};
-    for joints in [&[R][..], &[S, S], &[E, C, C, R], &[P, P, P, P], &[E, E], &[R; 9], &[]] {
+    for joints in [
+        &[R][..],
+        &[S, S],
+        &[E, C, C, R],
+        &[P, P, P, P],
+        &[E, E],
+        &[R; 9],
+        &[],
+    ] {
         assert_eq!(chain_index(joints), None, "{joints:?}");
     }
     assert_eq!(assembly_index::<Vec<JointKind>>(&[]), None);
-    assert_eq!(assembly_index(&[vec![R, R], vec![R, R]]), None, "eight constraints");
+    assert_eq!(
+        assembly_index(&[vec![R, R], vec![R, R]]),
+        None,
+        "eight constraints"
+    );
 }
