@@ -1,0 +1,169 @@
+/**
+ * Pure functions from document to document, one per user action.
+ *
+ * @typedef {import('./types.js').MechanismDocument} MechanismDocument
+ * @typedef {import('./types.js').Entry} Entry
+ * @typedef {import('./types.js').Joint} Joint
+ * @typedef {import('./types.js').Chain} Chain
+ * @typedef {import('./types.js').KeyFrame} KeyFrame
+ */
+import { withValueAt } from './path.js';
+
+const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
+
+/**
+ * What was typed, as a document keeps it: a number if it is one, else the text itself.
+ * @param {string} text
+ * @returns {Entry}
+ */
+export function entry(text) {
+  const plain = text.trim().replace(/^[−–]/, '-');
+  const number = NUMBER.test(plain) ? Number(plain) : NaN;
+  return Number.isFinite(number) ? number : plain;
+}
+
+/**
+ * @param {MechanismDocument} document
+ * @param {string} path
+ * @param {unknown} value undefined removes it
+ */
+export const setValue = (document, path, value) => withValueAt(document, path, value);
+
+/** @template T @param {T[]} list @param {number} index @param {T[]} items */
+const insert = (list, index, ...items) => [...list.slice(0, index), ...items, ...list.slice(index)];
+
+/** @template T @param {T[]} list @param {number} index */
+const without = (list, index) => list.filter((_, i) => i !== index);
+
+/**
+ * A new name of the form "chain 4" that no item has yet.
+ * @param {string} word
+ * @param {{name?: string}[]} items
+ */
+function freshName(word, items) {
+  const taken = new Set(items.map((item) => item.name));
+  let number = items.length + 1;
+  while (taken.has(`${word} ${number}`)) number++;
+  return `${word} ${number}`;
+}
+
+/**
+ * Replaces a chain's joints. Its start values belonged to the old joints, so they go: the planner finds new ones.
+ * @param {MechanismDocument} document
+ * @param {number} chain
+ * @param {(joints: Joint[]) => Joint[]} change
+ */
+function changeJoints(document, chain, change) {
+  const { start: _, ...rest } = document.chains[chain];
+  const chains = [...document.chains];
+  chains[chain] = { ...rest, joints: change(rest.joints) };
+  return { ...document, chains };
+}
+
+/** @param {MechanismDocument} document @param {number} chain @param {number} joint @param {Joint} fresh */
+export const setJoint = (document, chain, joint, fresh) =>
+  changeJoints(document, chain, (joints) => joints.map((old, i) => (i === joint ? fresh : old)));
+
+/** @param {MechanismDocument} document @param {number} chain @param {Joint} fresh */
+export const addJoint = (document, chain, fresh) => changeJoints(document, chain, (joints) => [...joints, fresh]);
+
+/** @param {MechanismDocument} document @param {number} chain @param {number} joint */
+export const removeJoint = (document, chain, joint) => changeJoints(document, chain, (joints) => without(joints, joint));
+
+/** @param {MechanismDocument} document @param {Chain} fresh */
+export const addChain = (document, fresh) => ({
+  ...document,
+  chains: [...document.chains, { ...fresh, name: freshName('chain', document.chains) }],
+});
+
+/** @param {MechanismDocument} document @param {number} chain */
+export const duplicateChain = (document, chain) => ({
+  ...document,
+  chains: insert(document.chains, chain + 1, { ...document.chains[chain], name: freshName('chain', document.chains) }),
+});
+
+/** @param {MechanismDocument} document @param {number} chain */
+export const removeChain = (document, chain) => ({ ...document, chains: without(document.chains, chain) });
+
+/**
+ * @param {MechanismDocument} document
+ * @param {number} chain
+ * @param {number} index
+ * @param {Entry} value
+ * @param {number[]} current the values in use, which fill the places where the document gives none
+ */
+export function setStart(document, chain, index, value, current) {
+  const start = [...(document.chains[chain].start ?? current)];
+  start[index] = value;
+  return withValueAt(document, `chains[${chain}].start`, start);
+}
+
+/** @param {MechanismDocument} document @param {number} chain */
+export const clearStart = (document, chain) => withValueAt(document, `chains[${chain}].start`, undefined);
+
+/**
+ * @param {MechanismDocument} document
+ * @param {{chain: number, joint: number, freedom: number, freedoms: number}} at
+ * @param {'min' | 'max'} bound
+ * @param {Entry | undefined} value undefined opens the bound
+ */
+export function setLimit(document, { chain, joint, freedom, freedoms }, bound, value) {
+  const old = document.chains[chain].joints[joint].limits;
+  const limits = Array.from({ length: freedoms }, (_, i) => old?.[i] ?? null);
+  const { [bound]: _, ...rest } = limits[freedom] ?? {};
+  const limit = value === undefined ? rest : { ...rest, [bound]: value };
+  limits[freedom] = Object.values(limit).some((v) => v !== null) ? limit : null;
+  const path = `chains[${chain}].joints[${joint}].limits`;
+  return withValueAt(document, path, limits.every((l) => l === null) ? undefined : limits);
+}
+
+/** @param {MechanismDocument} document @param {KeyFrame[]} keys */
+const withKeys = (document, keys) => ({ ...document, motion: { ...document.motion, key_frames: keys } });
+
+/**
+ * Adds a key frame at the end; where the others have times it comes one unit after the last.
+ * @param {MechanismDocument} document
+ * @param {KeyFrame} fresh
+ */
+export function addKeyFrame(document, fresh) {
+  const keys = document.motion.key_frames;
+  return duplicateTime(withKeys(document, [...keys, { ...fresh, name: freshName('key', keys) }]), keys.length);
+}
+
+/** @param {MechanismDocument} document @param {number} key */
+export function duplicateKeyFrame(document, key) {
+  const keys = document.motion.key_frames;
+  return duplicateTime(withKeys(document, insert(keys, key + 1, { ...keys[key], name: freshName('key', keys) })), key + 1);
+}
+
+/**
+ * Gives the new key frame at `index` a time between its neighbours, if key frames have times.
+ * @param {MechanismDocument} document
+ * @param {number} index
+ */
+function duplicateTime(document, index) {
+  const keys = document.motion.key_frames;
+  const before = keys[index - 1]?.time;
+  if (typeof before !== 'number') return document;
+  const after = keys[index + 1]?.time;
+  const time = typeof after === 'number' ? (before + after) / 2 : before + 1;
+  return withValueAt(document, `motion.key_frames[${index}].time`, time);
+}
+
+/** @param {MechanismDocument} document @param {number} key */
+export const removeKeyFrame = (document, key) => withKeys(document, without(document.motion.key_frames, key));
+
+/**
+ * Sets one key frame's time. Either all have a time or none: the first one typed gives the others 0, 1, 2, …,
+ * and clearing one clears all.
+ * @param {MechanismDocument} document
+ * @param {number} key
+ * @param {Entry | undefined} value
+ */
+export function setTime(document, key, value) {
+  const keys = document.motion.key_frames.map(({ time, ...rest }, index) => {
+    if (value === undefined) return rest;
+    return { ...rest, time: index === key ? value : (time ?? index) };
+  });
+  return withKeys(document, keys);
+}

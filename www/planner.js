@@ -1,0 +1,124 @@
+/**
+ * The page's planner: promises in front of a worker. The latest edit wins; a planner that fails or hangs is
+ * discarded and a new one made, and the document survives.
+ *
+ * @typedef {import('./types.js').Motion} Motion
+ * @typedef {import('./types.js').Fault} Fault
+ * @typedef {import('./types.js').Defaults} Defaults
+ * @typedef {import('./planner.worker.js').Answer} Answer
+ * @typedef {'plan' | 'normalise' | 'find_start' | 'defaults'} Call
+ * @typedef {{id: number, call: Call, text: string, resolve: (value: any) => void, reject: (reason: Error) => void}} Job
+ */
+
+/** How long a plan may hold up a newer edit before its worker is ended, in milliseconds. */
+const PATIENCE = 4000;
+
+/** The document is at fault, and a person can mend it. */
+export class DocumentFault extends Error {
+  /** @param {Fault} fault */
+  constructor(fault) {
+    super(fault.message);
+    this.fault = fault;
+  }
+}
+
+/** A newer plan took this one's place; its answer would have been out of date. */
+export class Superseded extends Error {}
+
+/** The planner itself failed: our mistake, not the document's. */
+export class PlannerFailure extends Error {}
+
+export class Planner {
+  /** @type {Worker | null} */
+  #worker = null;
+  /** @type {Job[]} */
+  #waiting = [];
+  /** @type {Job | null} */
+  #running = null;
+  #lastId = 0;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  #timer;
+
+  /** @param {string} text a document @returns {Promise<Motion>} */
+  plan(text) {
+    const old = this.#waiting.find((job) => job.call === 'plan');
+    if (old) {
+      this.#waiting = this.#waiting.filter((job) => job !== old);
+      old.reject(new Superseded());
+    }
+    return this.#ask('plan', text);
+  }
+
+  /** The document with every default written out. @param {string} text @returns {Promise<string>} */
+  normalise(text) {
+    return this.#ask('normalise', text);
+  }
+
+  /** The document with start values that close its loops. @param {string} text @returns {Promise<string>} */
+  findStart(text) {
+    return this.#ask('find_start', text);
+  }
+
+  /** @returns {Promise<Defaults>} */
+  defaults() {
+    return this.#ask('defaults', '');
+  }
+
+  /** @param {Call} call @param {string} text @returns {Promise<any>} */
+  #ask(call, text) {
+    return new Promise((resolve, reject) => {
+      this.#waiting.push({ id: ++this.#lastId, call, text, resolve, reject });
+      this.#next();
+    });
+  }
+
+  #start() {
+    const worker = new Worker(new URL('./planner.worker.js', import.meta.url), { type: 'module' });
+    worker.onmessage = ({ data }) => this.#receive(data);
+    worker.onerror = (event) => {
+      event.preventDefault();
+      this.#discard(event.message || 'the planner could not be loaded');
+    };
+    return worker;
+  }
+
+  #next() {
+    if (this.#running) {
+      this.#timer ??= setTimeout(() => this.#discard('a plan took too long and was given up'), PATIENCE);
+      return;
+    }
+    const job = this.#waiting.shift();
+    if (!job) return;
+    this.#running = job;
+    this.#worker ??= this.#start();
+    this.#worker.postMessage({ id: job.id, call: job.call, text: job.text });
+    if (this.#waiting.length) this.#next();
+  }
+
+  /** @param {Answer} answer */
+  #receive(answer) {
+    const job = this.#running;
+    if (!job || answer.id !== job.id) return;
+    if (answer.kind === 'failure') return this.#discard(answer.message);
+    this.#settle();
+    if (answer.kind === 'fault') job.reject(new DocumentFault(answer.fault));
+    else job.resolve(answer.value);
+    this.#next();
+  }
+
+  /** Ends the worker and fails its job; the next job makes a new one. @param {string} reason */
+  #discard(reason) {
+    this.#worker?.terminate();
+    this.#worker = null;
+    const job = this.#running;
+    this.#settle();
+    job?.reject(new PlannerFailure(reason));
+    this.#next();
+  }
+
+  #settle() {
+    clearTimeout(this.#timer);
+    this.#timer = undefined;
+    this.#running = null;
+  }
+}

@@ -1,0 +1,40 @@
+/**
+ * The worker behind planner.js: one request in, one answer out, in order.
+ *
+ * @typedef {{id: number, kind: 'value', value: unknown}
+ *   | {id: number, kind: 'fault', fault: import('./types.js').Fault}
+ *   | {id: number, kind: 'failure', message: string}} Answer
+ */
+import init, { defaults, find_start, normalise, plan } from './pkg/synthetica.js';
+
+const calls = { plan, normalise, find_start, defaults: (/** @type {string} */ _) => defaults() };
+
+// Set at once: a message that arrives before the handler exists would be lost.
+const ready = init();
+onmessage = async ({ data: { id, call, text } }) => {
+  try {
+    await ready;
+    const value = calls[/** @type {keyof typeof calls} */ (call)](text);
+    answer({ id, kind: 'value', value });
+  } catch (error) {
+    if (isFault(error)) answer({ id, kind: 'fault', fault: error });
+    else answer({ id, kind: 'failure', message: String(error) });
+  }
+};
+
+/** @param {Answer} message */
+function answer(message) {
+  const columns = message.kind === 'value' ? buffers(message.value) : [];
+  postMessage(message, { transfer: columns });
+}
+
+/** The typed columns' memory, which moves to the page instead of being copied. @param {unknown} value */
+function buffers(value) {
+  if (typeof value !== 'object' || value === null) return [];
+  return Object.values(value)
+    .filter((column) => ArrayBuffer.isView(column))
+    .map((column) => column.buffer);
+}
+
+/** @param {unknown} error @returns {error is import('./types.js').Fault} */
+const isFault = (error) => typeof error === 'object' && error !== null && !(error instanceof Error) && 'where' in error;

@@ -1,0 +1,149 @@
+/**
+ * The playhead, in the media element's language, and the page's one animation loop, which draws only when
+ * something changed.
+ *
+ * @typedef {import('./store.js').Store} Store
+ */
+
+/** Seconds that a motion without times takes from its first to its last key frame. */
+const UNTIMED_SECONDS = 5;
+
+/** Longest step of the playhead in milliseconds; after a pause of the page it goes on where it was. */
+const MAX_STEP = 100;
+
+export class Player {
+  #store;
+  #draw;
+  #request = 0;
+  #dirty = false;
+  #last = 0;
+  #forwards = true;
+  /** Playhead in the motion's own time. */
+  #time = 0;
+
+  /** @param {Store} store @param {() => void} draw */
+  constructor(store, draw) {
+    this.#store = store;
+    this.#draw = draw;
+    store.subscribe('result', () => this.#keepPlace());
+    document.addEventListener('visibilitychange', () => this.#schedule());
+  }
+
+  get paused() {
+    return !this.#store.view.playing;
+  }
+
+  get duration() {
+    const [from, to] = this.#range();
+    return to - from;
+  }
+
+  get currentTime() {
+    return this.#time - this.#range()[0];
+  }
+
+  set currentTime(time) {
+    const [from, to] = this.#range();
+    this.#time = Math.min(to, Math.max(from, from + time));
+    this.#store.setView({ frame: this.#frameAt(this.#time) });
+    this.invalidate();
+  }
+
+  get frame() {
+    return this.#store.view.frame;
+  }
+
+  set frame(frame) {
+    const motion = this.#store.result.motion;
+    if (!motion) return;
+    const kept = Math.min(motion.frames - 1, Math.max(0, Math.round(frame)));
+    this.#time = motion.time[kept];
+    this.#store.setView({ frame: kept });
+    this.invalidate();
+  }
+
+  play() {
+    this.#store.setView({ playing: true });
+    this.#schedule();
+  }
+
+  pause() {
+    this.#store.setView({ playing: false });
+  }
+
+  /** Something that is drawn has changed. */
+  invalidate() {
+    this.#dirty = true;
+    this.#schedule();
+  }
+
+  #schedule() {
+    const busy = this.#dirty || !this.paused;
+    if (busy && !this.#request && !document.hidden) this.#request = requestAnimationFrame((now) => this.#step(now));
+    if (!busy) this.#last = 0;
+  }
+
+  /** @param {number} now */
+  #step(now) {
+    this.#request = 0;
+    if (!this.paused) this.#advance(Math.min(MAX_STEP, this.#last ? now - this.#last : 0) / 1000);
+    this.#last = this.paused ? 0 : now;
+    if (this.#dirty) {
+      this.#dirty = false;
+      this.#draw();
+    }
+    this.#schedule();
+  }
+
+  /** To the last frame and back again. @param {number} seconds */
+  #advance(seconds) {
+    const [from, to] = this.#range();
+    const length = to - from;
+    if (!(length > 0)) return;
+    const timed = this.#store.result.document?.motion.key_frames[0]?.time != null;
+    const step = (seconds * (timed ? 1 : length / UNTIMED_SECONDS)) % (2 * length);
+    let time = this.#time + (this.#forwards ? step : -step);
+    if (time > to) {
+      time = 2 * to - time;
+      this.#forwards = false;
+    }
+    if (time < from) {
+      time = 2 * from - time;
+      this.#forwards = true;
+    }
+    this.#time = Math.min(to, Math.max(from, time));
+    const frame = this.#frameAt(this.#time);
+    if (frame === this.frame) return;
+    this.#store.setView({ frame });
+    this.#dirty = true;
+  }
+
+  /** A new motion: the same moment of it. */
+  #keepPlace() {
+    const motion = this.#store.result.motion;
+    if (!motion) return;
+    const [from, to] = this.#range();
+    this.#time = Math.min(to, Math.max(from, this.#time));
+    this.#store.setView({ frame: this.#frameAt(this.#time) });
+    this.invalidate();
+  }
+
+  /** @returns {[number, number]} */
+  #range() {
+    const time = this.#store.result.motion?.time;
+    return time?.length ? [time[0], time[time.length - 1]] : [0, 0];
+  }
+
+  /** The frame nearest to a time: times grow with the frames. @param {number} time */
+  #frameAt(time) {
+    const times = this.#store.result.motion?.time ?? new Float64Array(1);
+    let low = 0;
+    let high = times.length - 1;
+    while (high - low > 1) {
+      const middle = (low + high) >> 1;
+      if (times[middle] <= time) low = middle;
+      else high = middle;
+    }
+    return time - times[low] <= times[high] - time ? low : high;
+  }
+}

@@ -1,0 +1,129 @@
+/**
+ * The page's three kinds of state: the document (saved, undoable), the result (a function of the document)
+ * and the view (neither). Knows no DOM and no planner.
+ *
+ * @typedef {import('./types.js').MechanismDocument} MechanismDocument
+ * @typedef {import('./types.js').Result} Result
+ * @typedef {import('./types.js').View} View
+ * @typedef {'document' | 'result' | 'view'} Part
+ * @typedef {ReturnType<typeof createStore>} Store
+ */
+
+/** Steps that undo keeps; a document is a few kilobytes and shares most of them with its neighbours. */
+const MAX_UNDO = 500;
+
+/** @param {MechanismDocument} first */
+export function createStore(first) {
+  let document = first;
+  /** @type {MechanismDocument[]} */
+  let past = [];
+  /** @type {MechanismDocument[]} */
+  let future = [];
+  /** Edits with the same mark make one undo step. */
+  let mark = '';
+  /** @type {Result} */
+  let result = { motion: null, document: null, fault: null, trouble: '' };
+  /** @type {View} */
+  let view = { frame: 0, playing: false };
+  /** @type {Record<Part, Set<() => void>>} */
+  const listeners = { document: new Set(), result: new Set(), view: new Set() };
+
+  /** @param {Part} part */
+  const tell = (part) => {
+    for (const listener of [...listeners[part]]) listener();
+  };
+
+  /** @param {MechanismDocument} next */
+  const show = (next) => {
+    document = next;
+    tell('document');
+  };
+
+  return {
+    get document() {
+      return document;
+    },
+    get result() {
+      return result;
+    },
+    get view() {
+      return view;
+    },
+    get canUndo() {
+      return past.length > 0;
+    },
+    get canRedo() {
+      return future.length > 0;
+    },
+
+    /** @param {Part} part @param {() => void} listener @returns {() => void} ends it */
+    subscribe(part, listener) {
+      listeners[part].add(listener);
+      return () => listeners[part].delete(listener);
+    },
+
+    /**
+     * @param {(document: MechanismDocument) => MechanismDocument} change
+     * @param {string} [merge] edits in a row with the same mark are undone together
+     */
+    edit(change, merge = '') {
+      const next = change(document);
+      if (next === document || same(next, document)) return;
+      if (!merge || merge !== mark) {
+        past = [...past.slice(1 - MAX_UNDO), document];
+      } else if (same(next, past[past.length - 1])) {
+        // Typed and taken back: nothing is left to undo.
+        past = past.slice(0, -1);
+        mark = '';
+        future = [];
+        return show(next);
+      }
+      mark = merge;
+      future = [];
+      show(next);
+    },
+
+    undo() {
+      const previous = past.at(-1);
+      if (!previous) return;
+      past = past.slice(0, -1);
+      future = [document, ...future];
+      mark = '';
+      show(previous);
+    },
+
+    redo() {
+      const [next, ...rest] = future;
+      if (!next) return;
+      future = rest;
+      past = [...past, document];
+      mark = '';
+      show(next);
+    },
+
+    /** Another document: a new history. @param {MechanismDocument} next */
+    open(next) {
+      past = [];
+      future = [];
+      mark = '';
+      show(next);
+    },
+
+    /** @param {Partial<Result>} change */
+    setResult(change) {
+      result = { ...result, ...change };
+      tell('result');
+    },
+
+    /** @param {Partial<View>} change */
+    setView(change) {
+      const keys = /** @type {(keyof View)[]} */ (Object.keys(change));
+      if (keys.every((key) => view[key] === change[key])) return;
+      view = { ...view, ...change };
+      tell('view');
+    },
+  };
+}
+
+/** @param {MechanismDocument | undefined} a @param {MechanismDocument} b */
+const same = (a, b) => JSON.stringify(a) === JSON.stringify(b);

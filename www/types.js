@@ -1,0 +1,33 @@
+/**
+ * The page's types. What Rust returns is typed by the built package; what a person may have typed is here.
+ *
+ * @typedef {import('./pkg/synthetica.js').Motion} Motion
+ * @typedef {import('./pkg/synthetica.js').Report} Report
+ * @typedef {import('./pkg/synthetica.js').Fault} Fault
+ *
+ * A number as typed: text that is no number stays text, so that Rust can refuse it by name and
+ * the person can mend it.
+ * @typedef {number | string} Entry
+ *
+ * @typedef {'R' | 'P' | 'C' | 'T' | 'S' | 'E'} JointType
+ * @typedef {{alpha?: Entry, a?: Entry, theta?: Entry, d?: Entry}} Row  degrees, length
+ * @typedef {{min?: Entry | null, max?: Entry | null}} Limit
+ * @typedef {{type: JointType, rows?: Row[], limits?: (Limit | null)[] | null}} Joint
+ * @typedef {{x?: Entry, y?: Entry, z?: Entry, longitude?: Entry, latitude?: Entry, roll?: Entry}} Frame
+ * @typedef {{name?: string, base?: Frame, joints: Joint[], gripper?: Frame, start?: Entry[] | null}} Chain
+ * @typedef {Frame & {name?: string, time?: Entry | null}} KeyFrame
+ * @typedef {{key_frames: KeyFrame[], interpolation?: string, frames?: Entry, radius?: Entry | null}} MotionSpec
+ * @typedef {{method?: string, metric_length?: Entry, max_iterations?: Entry}} PlannerSpec
+ * @typedef {{version: number, name?: string, about?: string, length_unit?: string, chains: Chain[],
+ *   motion: MotionSpec, planner?: PlannerSpec}} MechanismDocument
+ *
+ * What Rust offers as a start for new things.
+ * @typedef {{document: string, joints: Record<JointType, Joint>, frame: Frame, key_frame: KeyFrame, chain: Chain,
+ *   motion: Partial<MotionSpec>, planner: PlannerSpec}} Defaults
+ *
+ * The last good motion with the document that it belongs to; the fault, if the present document has one;
+ * `trouble`, if the planner itself failed.
+ * @typedef {{motion: Motion | null, document: MechanismDocument | null, fault: Fault | null, trouble: string}} Result
+ * @typedef {{frame: number, playing: boolean}} View
+ */
+export {};

@@ -1,0 +1,143 @@
+/**
+ * Editable cells: inputs bound to places of the document. A cell shows a short number and gives the whole one
+ * when entered; it plans while one types; text that is no number is kept as typed; Escape restores.
+ *
+ * @typedef {import('../store.js').Store} Store
+ * @typedef {import('../types.js').MechanismDocument} MechanismDocument
+ * @typedef {object} CellSpec
+ * @property {string} path place in the document, as a fault names it
+ * @property {string} label name for screen readers: "chain 2, row 3, α in degrees"
+ * @property {boolean} [optional] empty means absent
+ * @property {boolean} [text] any text, not a number
+ * @property {number} [decimals] of the short number; 4 unless told
+ * @property {() => number | undefined} [fallback] what holds where the document gives nothing; shown as a hint
+ * @property {(document: MechanismDocument, value: import('../types.js').Entry | undefined) => MechanismDocument} [write]
+ */
+import { entry, setValue } from '../edits.js';
+import { short } from '../format.js';
+import { valueAt } from '../path.js';
+import { element } from './dom.js';
+
+/** @param {Store} store */
+export function createCells(store) {
+  /** @type {Map<string, {input: HTMLInputElement | HTMLSelectElement, show: () => void}>} */
+  const cells = new Map();
+  let visits = 0;
+
+  /** @param {CellSpec} spec */
+  function input(spec) {
+    const field = element('input', {
+      type: 'text',
+      inputmode: spec.text ? 'text' : 'decimal',
+      autocomplete: 'off',
+      spellcheck: 'false',
+      'data-path': spec.path,
+      'aria-label': spec.label,
+      class: spec.text ? 'cell text' : 'cell',
+    });
+    /** Names the stay in the cell: what is typed in one stay is undone in one step. */
+    let visit = '';
+    /** Typed since the cell last showed the document. */
+    let touched = false;
+    /** Values of the document: when the cell was entered, and when it was last typed in. @type {any} */
+    let before;
+    /** @type {any} */
+    let seen;
+    let writing = false;
+
+    const value = () => valueAt(store.document, spec.path);
+    const write = spec.write ?? ((document, next) => setValue(document, spec.path, next));
+    const editing = () => document.activeElement === field;
+    const typed = () => {
+      if (spec.text) return field.value;
+      return field.value.trim() === '' && spec.optional ? undefined : entry(field.value);
+    };
+
+    const show = () => {
+      const now = value();
+      const whole = now == null ? '' : String(now);
+      // One's own typing stays as typed; another's change (undo, a sample) shows even in the cell being edited.
+      if (touched && editing() && (writing || now === seen)) return;
+      touched = false;
+      field.value = editing() || typeof now !== 'number' ? whole : short(now, spec.decimals).replace('−', '-');
+      field.title = typeof now === 'number' && field.value !== whole ? whole : '';
+      const hint = spec.fallback?.();
+      field.placeholder = hint !== undefined ? short(hint, spec.decimals) : spec.optional ? '–' : '';
+    };
+
+    /** @param {boolean} final whether the person has finished: while "-" or "1e" is typed, nothing is wrong yet */
+    const commit = (final) => {
+      if (!touched) return;
+      const next = typed();
+      if (!final && !spec.text && typeof next !== 'number') return;
+      writing = true;
+      store.edit((document) => write(document, next), visit);
+      writing = false;
+      seen = value();
+    };
+
+    field.addEventListener('focus', () => {
+      visit = `visit ${++visits}`;
+      before = seen = value();
+      show();
+      field.select();
+    });
+    field.addEventListener('input', () => {
+      touched = true;
+      commit(false);
+    });
+    field.addEventListener('blur', () => {
+      commit(true);
+      touched = false;
+      show();
+    });
+    field.addEventListener('keydown', (event) => {
+      if (event.key === 'Enter') commit(true);
+      if (event.key !== 'Escape') return;
+      // A cell that was already at fault when it was entered goes back to its last good value.
+      const faulty = field.getAttribute('aria-invalid') === 'true' && value() === before;
+      const good = faulty ? valueAt(store.result.document, spec.path) : before;
+      touched = false;
+      store.edit((document) => write(document, good ?? undefined), visit);
+      show();
+      field.select();
+    });
+    cells.set(spec.path, { input: field, show });
+    show();
+    return field;
+  }
+
+  /**
+   * @param {{path: string, label: string, options: [string, string][], write?: (document: MechanismDocument, value: string) => MechanismDocument}} spec
+   */
+  function select({ path, label, options, write }) {
+    const field = element(
+      'select',
+      { 'data-path': path, 'aria-label': label, class: 'cell' },
+      ...options.map(([value, text]) => element('option', { value }, text)),
+    );
+    const show = () => {
+      field.value = String(valueAt(store.document, path) ?? '');
+    };
+    field.addEventListener('change', () => {
+      store.edit((document) => (write ?? ((d, value) => setValue(d, path, value)))(document, field.value));
+    });
+    cells.set(path, { input: field, show });
+    show();
+    return field;
+  }
+
+  return {
+    input,
+    select,
+    /** Forgets all cells: their elements are about to be replaced. */
+    clear: () => cells.clear(),
+    /** Shows the document's present values. */
+    refresh() {
+      for (const cell of cells.values()) cell.show();
+    },
+    /** @param {string} path */
+    find: (path) => cells.get(path)?.input,
+    all: () => [...cells.values()].map((cell) => cell.input),
+  };
+}

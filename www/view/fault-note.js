@@ -1,0 +1,80 @@
+/**
+ * The fault of the document, written beside the cell that caused it.
+ *
+ * @typedef {import('../types.js').Fault} Fault
+ */
+import { covers } from '../path.js';
+import { element } from './dom.js';
+
+const ID = 'fault-note';
+
+/**
+ * @param {HTMLElement} root holds the elements with a `data-path`
+ * @returns {{show: (fault: Fault | null) => HTMLElement | null}} `show` gives the element at fault
+ */
+export function createFaultNote(root) {
+  /** @type {Element | null} */
+  let note = null;
+  /** @type {Element | null} */
+  let marked = null;
+
+  const clear = () => {
+    note?.remove();
+    note = null;
+    marked?.removeAttribute('aria-invalid');
+    marked?.removeAttribute('aria-describedby');
+    marked = null;
+  };
+
+  return {
+    show(fault) {
+      clear();
+      if (!fault) return null;
+      const text = element(
+        'div',
+        { id: ID, class: 'fault' },
+        element('strong', {}, sentence(fault.message)),
+        fault.accepted ? element('span', {}, ` Accepted: ${fault.accepted}.`) : '',
+      );
+      const place = closest(root, fault.where);
+      if (!place) {
+        note = text;
+        root.prepend(text);
+        return null;
+      }
+      const row = place.closest('tr');
+      if (row) {
+        note = element('tr', { class: 'fault-row' }, element('td', { colspan: row.cells.length }, text));
+        row.after(note);
+      } else {
+        note = text;
+        const container = place.closest('.field');
+        if (container) container.append(text);
+        else place.prepend(text);
+      }
+      if (place.matches('input, select')) place.setAttribute('aria-invalid', 'true');
+      place.setAttribute('aria-describedby', ID);
+      marked = place;
+      return place;
+    },
+  };
+}
+
+/**
+ * The cell of that place, or the smallest thing around it.
+ * @param {HTMLElement} root
+ * @param {string} where
+ */
+function closest(root, where) {
+  /** @type {HTMLElement | null} */
+  let best = null;
+  for (const candidate of root.querySelectorAll('[data-path]')) {
+    if (!(candidate instanceof HTMLElement)) continue;
+    const path = candidate.dataset.path ?? '';
+    if (covers(path, where) > (best ? covers(best.dataset.path ?? '', where) : 0)) best = candidate;
+  }
+  return best;
+}
+
+/** @param {string} text */
+export const sentence = (text) => text.charAt(0).toUpperCase() + text.slice(1) + (/[.!?]$/.test(text) ? '' : '.');

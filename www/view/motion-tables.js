@@ -1,0 +1,140 @@
+/**
+ * The goal motion and the planner's settings as tables.
+ *
+ * @typedef {import('../store.js').Store} Store
+ * @typedef {import('../types.js').Defaults} Defaults
+ */
+import * as edits from '../edits.js';
+import { lengthUnit, plural } from '../format.js';
+import { element } from './dom.js';
+import { coordinateCells, coordinateHeads } from './frame-table.js';
+
+/**
+ * @param {HTMLElement} panel
+ * @param {Store} store
+ * @param {ReturnType<typeof import('./cells.js').createCells>} cells
+ * @param {Defaults} defaults
+ */
+export function createMotionTables(panel, store, cells, defaults) {
+  const unit = () => store.document.length_unit;
+
+  function keyTable() {
+    const keys = store.document.motion.key_frames;
+    const rows = keys.map((_, index) => {
+      const path = `motion.key_frames[${index}]`;
+      const label = `key frame ${index + 1}`;
+      const name = cells.input({ path: `${path}.name`, label: `name of ${label}`, text: true });
+      const time = cells.input({
+        path: `${path}.time`,
+        label: `${label}, time`,
+        optional: true,
+        write: (document, value) => edits.setTime(document, index, value),
+      });
+      name.dataset.column = 'name';
+      time.dataset.column = 'time';
+      const button = (/** @type {string} */ text, /** @type {string} */ what, /** @type {() => void} */ act, disabled = false) =>
+        element('button', { class: 'quiet', 'aria-label': `${what} ${label}`, title: `${what} this key frame`, disabled, click: act }, text);
+      return element(
+        'tbody',
+        { 'data-path': path, class: 'key' },
+        element(
+          'tr',
+          {},
+          element('th', { scope: 'rowgroup', colspan: 2 }, name),
+          element('td', { colspan: 2, class: 'time' }, element('span', {}, 'time', time)),
+          element(
+            'td',
+            { colspan: 2, class: 'act' },
+            button('duplicate', 'Duplicate', () => store.edit((document) => edits.duplicateKeyFrame(document, index))),
+            button('×', 'Remove', () => store.edit((document) => edits.removeKeyFrame(document, index)), keys.length <= 2),
+          ),
+        ),
+        element('tr', {}, ...coordinateCells(cells, path, label, unit())),
+      );
+    });
+    return element(
+      'div',
+      { class: 'scroller', 'data-path': 'motion.key_frames' },
+      element(
+        'table',
+        { class: 'frames keys' },
+        element('caption', { class: 'sr' }, 'Key frames'),
+        element('thead', {}, element('tr', {}, ...coordinateHeads(unit()))),
+        ...rows,
+      ),
+    );
+  }
+
+  /** @param {string} label @param {string} note @param {HTMLElement} field */
+  const setting = (label, note, field) =>
+    element('label', { class: 'field' }, element('span', {}, label), field, note ? element('small', {}, note) : '');
+
+  return {
+    /** Builds the tables anew: the document has another shape. */
+    rebuild() {
+      panel.replaceChildren(
+        element(
+          'div',
+          { class: 'title' },
+          element('h2', {}, 'Key frames'),
+          element('span', {}, plural(store.document.motion.key_frames.length, 'pose')),
+        ),
+        keyTable(),
+        element('button', { class: 'wide', click: () => store.edit((document) => edits.addKeyFrame(document, lastKey())) }, '+ key frame'),
+        element('div', { class: 'title' }, element('h2', {}, 'Goal motion')),
+        element(
+          'div',
+          { class: 'settings' },
+          setting(
+            'Interpolation',
+            '',
+            cells.select({
+              path: 'motion.interpolation',
+              label: 'interpolation',
+              options: [
+                ['bezier', 'double-quaternion Bézier'],
+                ['sclerp', 'screw motion (ScLERP)'],
+                ['straight', 'straight line and slerp'],
+              ],
+            }),
+          ),
+          setting('Frames', '', cells.input({ path: 'motion.frames', label: 'number of frames' })),
+          setting(
+            'Radius R',
+            `${lengthUnit(unit())}; empty: chosen from the key frames`,
+            cells.input({ path: 'motion.radius', label: `radius of the double quaternions in ${lengthUnit(unit())}`, optional: true }),
+          ),
+        ),
+        element('div', { class: 'title' }, element('h2', {}, 'Planner')),
+        element(
+          'div',
+          { class: 'settings' },
+          setting(
+            'Method',
+            '',
+            cells.select({
+              path: 'planner.method',
+              label: 'planning method',
+              options: [
+                ['newton', 'Newton on the constraint wrenches'],
+                ['gradient', "projected gradient (the paper's)"],
+              ],
+            }),
+          ),
+          setting(
+            'Metric length',
+            `${lengthUnit(unit())}; weighs turning against shifting`,
+            cells.input({ path: 'planner.metric_length', label: `characteristic length of the metric in ${lengthUnit(unit())}` }),
+          ),
+          setting('Iterations', 'at most, each frame', cells.input({ path: 'planner.max_iterations', label: 'largest number of iterations', optional: true })),
+        ),
+      );
+    },
+  };
+
+  /** A new key frame begins where the last one is, so that it can be seen and moved from there. */
+  function lastKey() {
+    const { time: _, ...last } = store.document.motion.key_frames.at(-1) ?? defaults.key_frame;
+    return last;
+  }
+}

@@ -1,0 +1,120 @@
+/**
+ * The info panel: the frame at the playhead in words and numbers, the motion as a whole, mobility, chains, warnings.
+ *
+ * @typedef {import('../store.js').Store} Store
+ * @typedef {import('../player.js').Player} Player
+ */
+import { angle, length, plural, scientific, short } from '../format.js';
+import { byId, element, setText } from './dom.js';
+import { sentence } from './fault-note.js';
+import { countStatuses, frameSentence, mobilitySentence, statusName, statusWords, worstFrame } from './words.js';
+
+/** Pause before the live region speaks, in milliseconds: while the motion plays it would never stop. */
+const SPEAK_AFTER = 600;
+
+/**
+ * @param {Store} store
+ * @param {Player} player
+ * @param {() => void} goToFault
+ */
+export function createStatus(store, player, goToFault) {
+  const numbers = {
+    translation: byId('gap-translation'),
+    rotation: byId('gap-rotation'),
+    metric: byId('metric'),
+    closure: byId('closure'),
+    sigma: byId('sigma'),
+    gradient: byId('gradient'),
+    iterations: byId('iterations'),
+  };
+  byId('go-to-fault').addEventListener('click', goToFault);
+
+  function showFrame() {
+    const { motion, document } = store.result;
+    if (!motion) return;
+    const { frame } = store.view;
+    const name = statusName(motion, frame);
+    const { sign, word, meaning } = statusWords(name);
+    byId('frame-status').dataset.status = name;
+    setText(byId('frame-sign'), sign);
+    setText(byId('frame-word'), word);
+    setText(byId('frame-meaning'), meaning);
+    setText(numbers.translation, length(motion.translation_gap[frame], document?.length_unit));
+    setText(numbers.rotation, angle(motion.rotation_gap[frame]));
+    setText(numbers.metric, scientific(motion.metric[frame]));
+    setText(numbers.closure, scientific(motion.closure[frame]));
+    setText(numbers.sigma, short(motion.sigma_min[frame]));
+    setText(numbers.gradient, scientific(motion.projected_gradient[frame]));
+    setText(numbers.iterations, String(motion.iterations[frame]));
+  }
+
+  /** @param {string} text @param {number} frame */
+  const jump = (text, frame) => element('button', { class: 'link', click: () => goTo(frame) }, text);
+
+  /** @param {number} frame */
+  function goTo(frame) {
+    player.pause();
+    player.frame = frame;
+  }
+
+  function showMotion() {
+    const { motion, document, fault, trouble } = store.result;
+    byId('fault-banner').hidden = !fault;
+    if (fault) setText(byId('fault-text'), `${sentence(fault.message)}${motion ? ' The last good motion is still shown.' : ''}`);
+    byId('trouble').hidden = !trouble;
+    setText(byId('trouble'), trouble);
+    if (!motion) return;
+    const { report } = motion;
+    const worst = worstFrame(motion.metric);
+    byId('motion-summary').replaceChildren(
+      `${plural(motion.frames, 'frame')}: ${countStatuses(motion)}. Largest gap `,
+      jump(`${length(motion.translation_gap[worst], document?.length_unit)}, ${angle(motion.rotation_gap[worst])}`, worst),
+      '.',
+    );
+    setText(byId('mobility-count'), String(report.mobility_count));
+    setText(byId('mobility-rank'), String(report.mobility_rank));
+    setText(byId('mobility-sentence'), mobilitySentence(report.mobility_count, report.mobility_rank));
+    byId('chain-rows').replaceChildren(
+      ...report.chains.map((chain) =>
+        element(
+          'tr',
+          {},
+          element('th', { scope: 'row' }, chain.name),
+          ...[chain.type, String(chain.freedoms), String(chain.constraints), chain.category].map((text) => element('td', {}, text)),
+        ),
+      ),
+    );
+    byId('warnings').hidden = report.warnings.length === 0;
+    byId('warning-list').replaceChildren(
+      ...report.warnings.map((warning) =>
+        element(
+          'li',
+          {},
+          `${sentence(warning.message)} `,
+          warning.first === undefined ? '' : jump(`Show frame ${warning.first + 1}`, warning.first),
+        ),
+      ),
+    );
+  }
+
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let speech;
+  function speak() {
+    clearTimeout(speech);
+    speech = setTimeout(() => {
+      const { motion, fault, trouble } = store.result;
+      if (store.view.playing && !fault && !trouble) return;
+      setText(byId('live'), fault ? sentence(fault.message) : trouble || (motion ? frameSentence(store) : ''));
+    }, SPEAK_AFTER);
+  }
+
+  store.subscribe('view', () => {
+    showFrame();
+    speak();
+  });
+  store.subscribe('result', () => {
+    showMotion();
+    showFrame();
+    speak();
+  });
+}

@@ -1,0 +1,71 @@
+/**
+ * The editable side of the page: keeps both panels of tables in step with the document and shows its fault.
+ *
+ * @typedef {import('../store.js').Store} Store
+ */
+import { createCells } from './cells.js';
+import { createChainTables } from './chain-tables.js';
+import { createFaultNote } from './fault-note.js';
+import { gridKeys } from './grid-keys.js';
+import { createMotionTables } from './motion-tables.js';
+
+/**
+ * @param {{root: HTMLElement, mechanism: HTMLElement, motion: HTMLElement}} place
+ * @param {Store} store
+ * @param {import('../types.js').Defaults} defaults
+ * @param {(panel: HTMLElement | null) => void} markFault told which panel holds the fault
+ */
+export function createTables({ root, mechanism, motion }, store, defaults, markFault) {
+  const cells = createCells(store);
+  const chains = createChainTables(mechanism, store, cells, defaults);
+  const keys = createMotionTables(motion, store, cells, defaults);
+  const note = createFaultNote(root);
+  let shape = '';
+  /** @type {HTMLElement | null} */
+  let culprit = null;
+
+  function showFault() {
+    culprit = note.show(store.result.fault);
+    const fold = culprit?.closest('details');
+    if (fold) fold.open = true;
+    markFault(culprit && (mechanism.contains(culprit) ? mechanism : motion));
+  }
+
+  function show() {
+    const next = shapeOf(store.document);
+    if (next === shape) return cells.refresh();
+    shape = next;
+    const focused = document.activeElement instanceof HTMLElement ? document.activeElement.dataset.path : undefined;
+    cells.clear();
+    chains.rebuild();
+    keys.rebuild();
+    chains.showNow();
+    showFault();
+    if (focused && !(document.activeElement instanceof HTMLElement && document.activeElement.dataset.path)) cells.find(focused)?.focus();
+  }
+
+  gridKeys(root);
+  store.subscribe('document', show);
+  store.subscribe('result', () => {
+    cells.refresh();
+    chains.showNow();
+    showFault();
+  });
+  store.subscribe('view', () => chains.showNow());
+  show();
+
+  return {
+    /** Goes to the cell at fault. @param {(panel: HTMLElement) => void} show brings its panel to the front */
+    focusFault(show) {
+      if (!culprit) return;
+      show(mechanism.contains(culprit) ? mechanism : motion);
+      const cell = culprit.matches('input, select') ? culprit : culprit.querySelector('input');
+      if (cell instanceof HTMLElement) cell.focus();
+    },
+  };
+}
+
+/** What the tables' elements depend on; all else is only shown in them. @param {import('../types.js').MechanismDocument} document */
+function shapeOf({ chains, motion, length_unit }) {
+  return JSON.stringify([chains.map((chain) => chain.joints.map((joint) => joint.type)), motion.key_frames.length, length_unit]);
+}

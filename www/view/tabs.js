@@ -1,0 +1,46 @@
+/**
+ * Tabs, by the ARIA pattern: arrow keys choose, Tab goes into the panel.
+ */
+
+/** @param {HTMLElement} list holds the tabs, each naming its panel by `aria-controls` */
+export function createTabs(list) {
+  const tabs = /** @type {HTMLElement[]} */ ([...list.querySelectorAll('[role=tab]')]);
+  const panel = (/** @type {HTMLElement} */ tab) => document.getElementById(tab.getAttribute('aria-controls') ?? '');
+
+  /** @param {HTMLElement} chosen */
+  function choose(chosen) {
+    for (const tab of tabs) {
+      const on = tab === chosen;
+      tab.setAttribute('aria-selected', String(on));
+      tab.tabIndex = on ? 0 : -1;
+      panel(tab)?.classList.toggle('shown', on);
+    }
+  }
+
+  list.addEventListener('click', (event) => {
+    const tab = tabs.find((candidate) => candidate.contains(/** @type {Node} */ (event.target)));
+    if (tab) choose(tab);
+  });
+  list.addEventListener('keydown', (event) => {
+    const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
+    const shown = tabs.filter((tab) => tab.offsetParent);
+    if (!step) return;
+    const at = shown.findIndex((tab) => tab.getAttribute('aria-selected') === 'true');
+    const next = shown[(at + step + shown.length) % shown.length];
+    choose(next);
+    next.focus();
+    event.preventDefault();
+  });
+
+  return {
+    /** @param {Element} shown a panel */
+    choosePanel(shown) {
+      const tab = tabs.find((candidate) => panel(candidate) === shown);
+      if (tab) choose(tab);
+    },
+    /** Marks the tab whose panel holds the fault. @param {Element | null} faulty */
+    mark(faulty) {
+      for (const tab of tabs) tab.classList.toggle('faulty', faulty !== null && panel(tab) === faulty);
+    },
+  };
+}

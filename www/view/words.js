@@ -1,0 +1,76 @@
+/**
+ * The planner's findings in words.
+ *
+ * @typedef {import('../types.js').Motion} Motion
+ */
+import { angle, length, plural, short } from '../format.js';
+
+/**
+ * How a frame ended: a sign that is told apart without colour, a word, and what it means.
+ * @type {Record<string, {sign: string, word: string, meaning: string}>}
+ */
+export const STATUS = {
+  reached: { sign: '●', word: 'Reached', meaning: 'The workpiece is at the goal.' },
+  closest: { sign: '◐', word: 'Closest', meaning: 'The goal is out of reach. No pose nearby comes closer.' },
+  at_limit: { sign: '◧', word: 'At a limit', meaning: 'A joint limit keeps the workpiece from coming closer.' },
+  stalled: { sign: '△', word: 'Stalled', meaning: 'The planner stopped before it could show that this is the closest pose.' },
+  closure_lost: { sign: '✕', word: 'Closure lost', meaning: 'The loops could not be closed here. Do not trust this frame.' },
+};
+
+/** @param {Motion} motion @param {number} frame */
+export const statusName = (motion, frame) => motion.report.statuses[motion.status[frame]] ?? '';
+
+/** @param {string} name */
+export const statusWords = (name) => STATUS[name] ?? { sign: '?', word: name, meaning: '' };
+
+/** How many frames ended in which way: "2 reached, 31 closest". @param {Motion} motion */
+export function countStatuses(motion) {
+  /** @type {Map<string, number>} */
+  const counts = new Map();
+  for (let frame = 0; frame < motion.frames; frame++) {
+    const name = statusName(motion, frame);
+    counts.set(name, (counts.get(name) ?? 0) + 1);
+  }
+  return [...counts].map(([name, count]) => `${count} ${statusWords(name).word.toLowerCase()}`).join(', ');
+}
+
+/** @param {ArrayLike<number>} column @returns {number} the frame of its largest value */
+export function worstFrame(column) {
+  let worst = 0;
+  for (let frame = 1; frame < column.length; frame++) if (column[frame] > column[worst]) worst = frame;
+  return worst;
+}
+
+/** Mobility in a sentence. @param {number} count by Eq. 10 @param {number} rank n − rank [A] at the first frame */
+export function mobilitySentence(count, rank) {
+  const free = rank === 0 ? 'The workpiece cannot move' : `The workpiece moves with ${plural(rank, 'freedom')}`;
+  if (count === rank) return `${free}, as the count says.`;
+  const reason =
+    rank > count
+      ? 'some of the chains’ constraints repeat each other (parallel or meeting axes, or a singular position)'
+      : 'some of the counted freedoms do not move the workpiece';
+  return `${free}, though counting gives ${count}: ${reason}.`;
+}
+
+/** The frame at the playhead in one sentence. @param {import('../store.js').Store} store */
+export function frameSentence(store) {
+  const { motion, document } = store.result;
+  if (!motion) return '';
+  const { frame } = store.view;
+  const { word } = statusWords(statusName(motion, frame));
+  const gap = `${length(motion.translation_gap[frame], document?.length_unit)} and ${angle(motion.rotation_gap[frame])}`;
+  return `Frame ${frame + 1} of ${motion.frames}: ${word.toLowerCase()}, ${gap} from the goal.`;
+}
+
+/** What the 3D view shows, as text. @param {import('../store.js').Store} store */
+export function describeScene(store) {
+  const { motion, document } = store.result;
+  if (!motion || !document) return '';
+  const at = (/** @type {Float64Array} */ column) =>
+    Array.from(column.subarray(store.view.frame * 7, store.view.frame * 7 + 3), (value) => short(value, 3)).join(', ');
+  const types = motion.report.chains.map((chain) => chain.type).join(', ');
+  return (
+    `${document.name || 'A linkage'}: ${plural(motion.report.chains.length, 'chain')} (${types}) carry one workpiece. ` +
+    `${frameSentence(store)} Workpiece at ${at(motion.pose)}; goal at ${at(motion.goal)}.`
+  );
+}
