@@ -25,9 +25,12 @@ const FLAT: f64 = 1e-8;
 const REACHED: f64 = 1e-8;
 /// Steps of the direct way; a warm start takes two or three.
 const DIRECT_STEPS: usize = 8;
-/// Largest joint motion (rad, or lengths in units of the size) of a guarded step: a rotation by 0.3
-/// still resembles its quadratic model.
+/// Largest rotation of a guarded step, rad, and its first radius: 0.3 still resembles the quadratic
+/// model.
 const STEP: f64 = 0.3;
+/// How far a slider may run in one frame, in units of the size. Without limits the objective can
+/// keep falling, ever more slowly, as a slider runs away; that is no answer.
+const FARTHEST: f64 = 100.0;
 /// Largest motion of a first direct step: further off, the prediction is not to be trusted.
 const DIRECT_STEP: f64 = 0.15;
 /// A step that is not below this fraction of the last one is not Newton's convergence.
@@ -48,6 +51,9 @@ pub enum End {
     MinimumAtLimit,
     /// Closed, but not certified.
     Stalled,
+    /// The objective kept falling while a slider without limits ran away; the joints are left where
+    /// they were.
+    Runaway,
     /// The loops could not be closed.
     Open,
 }
@@ -92,6 +98,8 @@ pub struct Solver {
     theta: Vec<f64>,
     trial: Vec<f64>,
     at: Vec<f64>,
+    /// Where the guarded way began.
+    origin: Vec<f64>,
     step: Vec<f64>,
     correction: Vec<f64>,
     slope: Vec<f64>,
@@ -128,6 +136,7 @@ impl Solver {
             theta: vec![0.0; n],
             trial: vec![0.0; n],
             at: vec![0.0; n],
+            origin: vec![0.0; n],
             step: vec![0.0; n],
             correction: Vec::new(),
             slope: Vec::new(),
@@ -302,6 +311,7 @@ impl Solver {
         if !self.close(theta, iterations) {
             return self.solved(End::Open, false, f64::INFINITY, *iterations);
         }
+        self.origin.copy_from_slice(theta);
         loop {
             self.tangent.factor(&self.stops, None, 0);
             // Fewer than thought: the start was in a singular position.
@@ -325,7 +335,14 @@ impl Solver {
             if gradient <= self.stationary && self.region.least() >= -self.flat {
                 return self.solved(self.minimum(), reached, gradient, *iterations);
             }
-            if !self.descend(goal, theta, &model, &mut radius, iterations) {
+            let stuck = !self.descend(goal, theta, &model, &mut radius, iterations);
+            let run = theta.iter().zip(&self.origin).map(|(t, o)| (t - o).abs()).fold(0.0, f64::max);
+            if run > FARTHEST {
+                theta.copy_from_slice(&self.origin);
+                self.stops.fill(Stop::None);
+                return self.solved(End::Runaway, reached, gradient, *iterations);
+            }
+            if stuck {
                 return self.solved(End::Stalled, reached, gradient, *iterations);
             }
         }
@@ -345,7 +362,12 @@ impl Solver {
         let mut taken = false;
         while !taken && *radius >= SMALLEST_STEP && *iterations < self.max_iterations {
             *iterations += 1;
-            let predicted = self.region.step(*radius, &mut self.step);
+            let mut predicted = self.region.step(*radius, &mut self.step);
+            let turn = self.largest_turn();
+            if turn > STEP {
+                *radius = self.region.length() * STEP / turn;
+                predicted = self.region.step(*radius, &mut self.step);
+            }
             let (share, hit) = self.share_within_limits(theta);
             for ((t, x), s) in trial.iter_mut().zip(&*theta).zip(&self.step) {
                 *t = x + share * s;
@@ -357,10 +379,12 @@ impl Solver {
             taken = self.close(&mut trial, iterations) && self.within_limits(&trial) && {
                 let value = self.model(goal).value;
                 let gain = model.value - value;
+                // f is known to within rounding, and the pull's work on what the loops are open.
+                let noise = 1e-15 * (1.0 + model.value) + self.closed * model.gradient.norm();
                 // At rounding level the gain says nothing; the model is trusted there.
-                let noise = 1e-15 * (1.0 + model.value);
-                if gain >= 0.7 * predicted && self.region.length() >= 0.9 * *radius {
-                    *radius = (2.0 * *radius).min(STEP);
+                let trusted = predicted <= 10.0 * noise || gain >= 0.7 * predicted;
+                if trusted && self.region.length() >= 0.9 * *radius {
+                    *radius = (2.0 * *radius).min(FARTHEST);
                 } else if gain < 0.25 * share * predicted - noise {
                     *radius *= 0.5;
                 }
@@ -473,6 +497,12 @@ impl Solver {
             }
         }
         first
+    }
+
+    /// The largest rotation in the step.
+    fn largest_turn(&self) -> f64 {
+        let turns = self.chains.iter().flat_map(Chain::turns);
+        self.step.iter().zip(turns).map(|(s, turns)| if turns { s.abs() } else { 0.0 }).fold(0.0, f64::max)
     }
 
     fn within_limits(&self, theta: &[f64]) -> bool {

@@ -95,6 +95,9 @@ pub fn plan(mechanism: &Mechanism, start: &[f64], goals: &[Goal], settings: &Set
             }
         };
         record(&mut t, mechanism, goal, &joints, &solved, settings.metric_length);
+        if solved.end == End::Runaway {
+            t.warnings.push(Warning::Runaway { frame });
+        }
     }
     survey(&mut t, mechanism, &reference, settings.metric_length);
     t
@@ -163,7 +166,7 @@ fn record(t: &mut Trajectory, mechanism: &Mechanism, goal: &Goal, joints: &[f64]
         // Written so that NaN is open.
         _ if !(opening <= closure::closed(mechanism.size())) => Status::ClosureLost,
         End::Open => Status::ClosureLost,
-        End::Stalled => Status::Stalled,
+        End::Stalled | End::Runaway => Status::Stalled,
         _ if solved.reached => Status::Reached,
         End::Minimum => Status::Closest,
         End::MinimumAtLimit => Status::AtLimit,

@@ -52,6 +52,8 @@ pub enum Warning {
     /// Frames `first` to `last` are close to a singular position: the smallest singular value falls
     /// to `smallest`.
     NearSingular { first: usize, last: usize, smallest: f64 },
+    /// At this frame the distance to the goal keeps falling while a slider without limits runs away.
+    Runaway { frame: usize },
     /// The mobility by rank differs from the count of Eq. 10.
     MobilityDiffers { count: i32, rank: usize },
 }

@@ -3,12 +3,15 @@
 use crate::linalg;
 use crate::tangent::Tangent;
 
+/// Slope, and curvature, as a share of the flat one, that are rounding.
+const LEVEL: f64 = 1e-2;
+
 /// A quadratic model over the free directions, diagonal in a basis that is orthonormal in the
 /// motion of twist and joints together, |ξ|² + |Δθ|²: near singular positions a small twist costs
 /// large joint motions, and the radius must see them.
 #[derive(Clone, Debug, Default)]
 pub struct TrustRegion {
-    /// Curvature below which a direction counts as flat; a slope below it is not followed there.
+    /// Curvature below which a direction counts as flat.
     flat: f64,
     eigenvalues: Vec<f64>,
     slopes: Vec<f64>,
@@ -129,8 +132,9 @@ impl TrustRegion {
         self.step.clear();
         for (&eigenvalue, &slope) in self.eigenvalues.iter().zip(&self.slopes) {
             let curvature = eigenvalue + shift;
-            let level = curvature < self.flat && slope.abs() <= self.flat;
-            self.step.push(if level { 0.0 } else { -slope / curvature.max(self.flat) });
+            // Rounding in a direction that does not matter is not followed.
+            let level = curvature < self.flat && slope.abs() <= LEVEL * self.flat;
+            self.step.push(if level { 0.0 } else { -slope / curvature.max(LEVEL * self.flat) });
         }
         self.length = self.step.iter().map(|x| x * x).sum::<f64>().sqrt();
         self.length
