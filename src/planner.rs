@@ -125,8 +125,9 @@ fn assemble(mechanism: &Mechanism, solver: &mut Solver, joints: &mut [f64], warn
     false
 }
 
-/// Extrapolates the joints from up to four frames: cubic where there are four.
-fn predict(history: &[f64], frame: usize, joints: &[f64], predicted: &mut [f64]) {
+/// Where the joints of frame `frame` are expected, extrapolated from the joint values `history` of up
+/// to four frames before it: cubically where there are four.
+pub fn predict(history: &[f64], frame: usize, joints: &[f64], predicted: &mut [f64]) {
     let n = joints.len();
     let coefficients: &[f64] = match frame {
         0 | 1 => &[1.0],

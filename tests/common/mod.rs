@@ -1,5 +1,7 @@
 //! Random linkages that are closed at a home pose, from a fixed seed.
 
+pub mod golden;
+
 use std::f64::consts::{FRAC_PI_2, PI};
 use synthetica::chain::Chain;
 use synthetica::dh::DhRow;
