@@ -13,7 +13,7 @@
 use crate::chain::{Chain, ChainState, MAX_FREEDOMS};
 use crate::joint::Stop;
 use crate::linalg::PivotedQr;
-use nalgebra::{Matrix6, Vector6};
+use nalgebra::{Matrix6, Vector3, Vector6};
 
 /// A joint whose twist is within this distance of the span of the others' (lengths in units of the
 /// mechanism's size, angles in rad) stays explicit. The answer does not depend on it: larger costs
@@ -328,13 +328,22 @@ impl Tangent {
         reduced.resize(n * n, 0.0);
         mixed.clear();
         mixed.resize(n, 0.0);
+        // A rotation ω of the workpiece turns the end of an open chain by ω + e + ½ ω × e: the
+        // moment acts on the last term too.
+        let mut swirl = Vector3::zeros();
+        for chain in &self.chains {
+            let e = chain.opening.fixed_rows::<3>(3).into_owned();
+            swirl += e.cross(&chain.wrench.fixed_rows::<3>(3)) * 0.5;
+        }
         for i in 0..n {
-            let pulled = hessian * self.twist(i);
+            let twist = self.twist(i);
+            let pulled = hessian * twist;
             for j in i..n {
                 reduced[i * n + j] = pulled.dot(&self.twist(j));
             }
             if let Some((correction, _)) = closing {
-                mixed[i] = pulled.dot(&Vector6::from_column_slice(&correction[..6]));
+                mixed[i] = pulled.dot(&Vector6::from_column_slice(&correction[..6]))
+                    - swirl.dot(&twist.fixed_rows::<3>(3));
             }
         }
         for chain in &self.chains {
