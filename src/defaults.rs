@@ -1,0 +1,85 @@
+//! What a page starts from: one of everything that can be added to a document.
+
+use crate::document::{
+    ChainEntry, Document, FrameEntry, JointEntry, KeyFrameEntry, MotionEntry, PlannerEntry,
+    VERSION, default_frames,
+};
+use crate::joint::{Joint, JointKind};
+use crate::keyframe::Interpolation;
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// Parts of documents with their default values.
+#[derive(Clone, Debug, Serialize)]
+pub struct Defaults {
+    /// A small document that plans, as text.
+    pub document: String,
+    /// A joint of each type, by its letter.
+    pub joints: BTreeMap<char, JointEntry>,
+    /// A frame.
+    pub frame: FrameEntry,
+    /// A key frame.
+    pub key_frame: KeyFrameEntry,
+    /// A chain.
+    pub chain: ChainEntry,
+    /// A motion.
+    pub motion: MotionEntry,
+    /// Settings.
+    pub planner: PlannerEntry,
+}
+
+/// The defaults of the format.
+pub fn defaults() -> Defaults {
+    let joint = |kind| JointEntry::from(&Joint::standard(kind));
+    let chain = ChainEntry {
+        name: String::new(),
+        base: FrameEntry::default(),
+        // An arm that turns and tilts; the workpiece at its end, one unit along x.
+        joints: vec![joint(JointKind::T)],
+        gripper: FrameEntry {
+            x: 1.0,
+            ..FrameEntry::default()
+        },
+        start: None,
+    };
+    let key_frame = KeyFrameEntry {
+        x: 1.0,
+        ..KeyFrameEntry::default()
+    };
+    let turned = KeyFrameEntry {
+        x: 0.0,
+        y: 1.0,
+        z: 0.5,
+        roll: 90.0,
+        ..KeyFrameEntry::default()
+    };
+    let motion = MotionEntry {
+        key_frames: vec![key_frame.clone(), turned],
+        interpolation: Interpolation::default(),
+        frames: default_frames(),
+        radius: None,
+    };
+    let document = Document {
+        version: VERSION,
+        name: "new mechanism".into(),
+        about: String::new(),
+        length_unit: String::new(),
+        chains: vec![ChainEntry {
+            name: "chain 1".into(),
+            ..chain.clone()
+        }],
+        motion: motion.clone(),
+        planner: PlannerEntry::default(),
+    };
+    Defaults {
+        document: document.text(),
+        joints: JointKind::ALL
+            .map(|kind| (kind.letter(), joint(kind)))
+            .into(),
+        frame: FrameEntry::default(),
+        key_frame: KeyFrameEntry::default(),
+        chain,
+        motion,
+        planner: PlannerEntry::default(),
+    }
+}

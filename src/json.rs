@@ -1,0 +1,368 @@
+//! Text to document and back: reading that says what is wrong, writing that a person can read.
+
+use crate::document::{
+    ChainEntry, Document, FrameEntry, JointEntry, KeyFrameEntry, LimitsEntry, MotionEntry,
+    PlannerEntry, RowEntry, VERSION,
+};
+use crate::fault::{Fault, FaultCode, Place, excerpt};
+use serde::de::{Deserialize, Deserializer, Visitor};
+use serde::ser::{Serialize, Serializer};
+use serde_path_to_error::Segment;
+
+/// Bytes of the longest text that is read at all: ten times what 500 key frames with names take.
+pub const MAX_TEXT: usize = 1_000_000;
+
+/// Reads a document; defaults are filled in. What its numbers mean is checked by
+/// [`crate::problem::Problem::new`].
+///
+/// # Errors
+/// Where the text is no document of this version.
+pub fn parse(text: &str) -> Result<Document, Fault> {
+    let whole = Place::default();
+    if text.len() > MAX_TEXT {
+        let what = format!("{} bytes of text are too many", text.len());
+        return Err(Fault::new(
+            FaultCode::TextTooLong,
+            &whole,
+            &what,
+            "up to 1,000,000 bytes",
+        ));
+    }
+    // Some editors put a byte-order mark before the text.
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    if text.trim().is_empty() {
+        let what = "there is no text";
+        return Err(Fault::new(
+            FaultCode::EmptyText,
+            &whole,
+            what,
+            "a mechanism document in JSON",
+        ));
+    }
+    check_version(text)?;
+    let mut reader = serde_json::Deserializer::from_str(text);
+    let mut document: Document = serde_path_to_error::deserialize(&mut reader)
+        .map_err(|e| fault(&place(e.path()), e.inner()))?;
+    reader.end().map_err(|e| fault(&whole, &e))?;
+    for (i, chain) in document.chains.iter_mut().enumerate() {
+        if chain.name.is_empty() {
+            chain.name = format!("chain {}", i + 1);
+        }
+    }
+    Ok(document)
+}
+
+/// A document of another version should not be blamed for fields that this one does not know.
+fn check_version(text: &str) -> Result<(), Fault> {
+    #[derive(serde::Deserialize)]
+    struct Head {
+        version: f64,
+    }
+    match serde_json::from_str(text) {
+        Ok(Head { version }) if (version - f64::from(VERSION)).abs() > 0.0 => {
+            let what = format!("this is version {version} of the format");
+            let place = Place::default().field("version");
+            Err(Fault::new(
+                FaultCode::UnknownVersion,
+                &place,
+                &what,
+                &VERSION.to_string(),
+            ))
+        }
+        // What is wrong otherwise is said where the whole is read.
+        _ => Ok(()),
+    }
+}
+
+/// Where the reader stopped.
+fn place(path: &serde_path_to_error::Path) -> Place {
+    path.iter()
+        .fold(Place::default(), |place, segment| match segment {
+            Segment::Seq { index } => place.item(*index),
+            Segment::Map { key } => place.field(key),
+            Segment::Enum { variant } => place.field(variant),
+            Segment::Unknown => place,
+        })
+}
+
+/// Puts the reader's message into the words of a [`Fault`].
+fn fault(place: &Place, error: &serde_json::Error) -> Fault {
+    let text = error.to_string();
+    // "… at line 3 column 7"
+    let text = text
+        .rsplit_once(" at line ")
+        .map_or(text.as_str(), |(message, _)| message);
+    let fault = explain(text, place);
+    if error.line() > 0 {
+        fault.at(error.line(), error.column())
+    } else {
+        fault
+    }
+}
+
+/// The fault that serde's message tells of; serde has no other form of it. The tests hold every case
+/// against the real messages.
+fn explain(message: &str, place: &Place) -> Fault {
+    const KINDS: [&str; 6] = [
+        "unknown field ",
+        "unknown variant ",
+        "duplicate field ",
+        "missing field ",
+        "invalid type: ",
+        "invalid value: ",
+    ];
+    let (found, expected) = message.rsplit_once(", expected ").unwrap_or((message, ""));
+    let kind = KINDS
+        .into_iter()
+        .find(|kind| found.starts_with(kind))
+        .unwrap_or(message);
+    let value = found.strip_prefix(kind).unwrap_or_default();
+    let word = excerpt(value.trim_matches('`'));
+    let (code, what, accepted) = match kind {
+        "unknown field " => (
+            FaultCode::UnknownField,
+            format!("there is no field \u{201c}{word}\u{201d} here"),
+            one_of(expected),
+        ),
+        "unknown variant " => (
+            FaultCode::UnknownValue,
+            format!("\u{201c}{word}\u{201d} is unknown"),
+            one_of(expected),
+        ),
+        "duplicate field " => (
+            FaultCode::DuplicateField,
+            format!("there are two fields \u{201c}{word}\u{201d}"),
+            format!("{word} once"),
+        ),
+        "missing field " => {
+            return Fault::new(
+                FaultCode::MissingField,
+                &place.field(&word),
+                "this is missing",
+                describe(&word),
+            );
+        }
+        "invalid type: " => (
+            FaultCode::WrongType,
+            format!("this is {}", found_value(value)),
+            expected_type(expected).into(),
+        ),
+        "invalid value: " => (
+            FaultCode::OutOfRange,
+            format!("this is {}", found_value(value)),
+            expected_type(expected).into(),
+        ),
+        "number out of range" => (
+            FaultCode::OutOfRange,
+            "a number is out of range".into(),
+            "numbers up to 1000000".into(),
+        ),
+        _ => (
+            FaultCode::Syntax,
+            format!("this is not JSON, {}", excerpt(message)),
+            "JSON text".into(),
+        ),
+    };
+    Fault::new(code, place, &what, &accepted)
+}
+
+/// "one of `a`, `b`" or "`a` or `b`", without the quotes.
+fn one_of(expected: &str) -> String {
+    let words = expected
+        .trim_start_matches("one of ")
+        .replace('`', "")
+        .replace(" or ", ", ");
+    if words.is_empty() {
+        "no field".to_owned()
+    } else {
+        format!("one of {words}")
+    }
+}
+
+/// What a field that must be there holds.
+fn describe(field: &str) -> &'static str {
+    match field {
+        "version" => "1",
+        "chains" => "a list of chains",
+        "joints" => "a list of joints",
+        "type" => "one of R, P, C, T, S, E",
+        "rows" => "a list of the joint's rows",
+        "motion" => "an object with key_frames",
+        "key_frames" => "a list of two or more key frames",
+        _ => "the field",
+    }
+}
+
+/// serde's words for what it found, as a person would say: integer `3`, string "a", sequence.
+fn found_value(value: &str) -> String {
+    let (kind, shown) = value.split_once(' ').unwrap_or((value, ""));
+    match kind {
+        "integer" | "floating" => format!(
+            "the number {}",
+            shown.trim_start_matches("point ").trim_matches('`')
+        ),
+        "boolean" => shown.trim_matches('`').to_owned(),
+        "string" => format!("the text {}", excerpt(shown)),
+        "sequence" => "a list".to_owned(),
+        "map" => "an object".to_owned(),
+        _ => excerpt(value),
+    }
+}
+
+/// serde's names of Rust's types, as a person would say.
+fn expected_type(expected: &str) -> &str {
+    match expected {
+        "f64" => "a number",
+        "u32" => "a whole number, 0 or more",
+        "a sequence" => "a list",
+        "a string" => "a text in quotes",
+        other if other.starts_with("struct ") => "an object in braces",
+        other => other,
+    }
+}
+
+/// serde's derived readers also take a list with the fields' values in order; a document does not.
+struct AsObject<D>(D);
+
+impl<'de, D: Deserializer<'de>> Deserializer<'de> for AsObject<D> {
+    type Error = D::Error;
+
+    fn deserialize_any<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, D::Error> {
+        self.0.deserialize_map(visitor)
+    }
+
+    serde::forward_to_deserialize_any! {
+        bool i8 i16 i32 i64 i128 u8 u16 u32 u64 u128 f32 f64 char str string bytes byte_buf option unit
+        unit_struct newtype_struct seq tuple tuple_struct map struct enum identifier ignored_any
+    }
+}
+
+/// The derived reader behind [`AsObject`], and the derived writer as it is.
+macro_rules! objects {
+    ($($entry:ty),*) => {$(
+        impl<'de> Deserialize<'de> for $entry {
+            fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+                <$entry>::deserialize(AsObject(deserializer))
+            }
+        }
+
+        impl Serialize for $entry {
+            fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+                <$entry>::serialize(self, serializer)
+            }
+        }
+    )*};
+}
+
+objects!(
+    Document,
+    ChainEntry,
+    JointEntry,
+    RowEntry,
+    LimitsEntry,
+    FrameEntry,
+    MotionEntry,
+    KeyFrameEntry,
+    PlannerEntry
+);
+
+impl Document {
+    /// The document as JSON with all its fields; what fits stays on one line, and numbers are as
+    /// short as they can be read back.
+    ///
+    /// # Panics
+    /// Never: the document holds nothing that JSON cannot.
+    pub fn text(&self) -> String {
+        layout(&serde_json::to_string(self).expect("plain data becomes JSON"))
+    }
+}
+
+/// Breaks compact JSON into lines.
+fn layout(json: &str) -> String {
+    /// Columns that a joint of two rows fits.
+    const WIDTH: usize = 140;
+    let mut out = String::with_capacity(2 * json.len());
+    let mut indent = 0;
+    // Inside an object or list that fits its line: how deep.
+    let mut inline = 0;
+    let mut rest = json;
+    while let Some(first) = rest.chars().next() {
+        let (token, after) = rest.split_at(token_length(rest));
+        match first {
+            '{' | '[' => {
+                let column = out.len() - out.rfind('\n').map_or(0, |n| n + 1);
+                out.push(first);
+                if inline > 0 || fits(rest, WIDTH.saturating_sub(column)) {
+                    inline += 1;
+                } else {
+                    indent += 1;
+                    new_line(&mut out, indent);
+                }
+            }
+            '}' | ']' => {
+                if inline > 0 {
+                    inline -= 1;
+                } else {
+                    indent -= 1;
+                    new_line(&mut out, indent);
+                }
+                out.push(first);
+            }
+            ',' if inline > 0 => out.push_str(", "),
+            ',' => {
+                out.push(',');
+                new_line(&mut out, indent);
+            }
+            ':' => out.push_str(": "),
+            '"' => out.push_str(token),
+            _ => out.push_str(match token.strip_suffix(".0").unwrap_or(token) {
+                "-0" => "0",
+                short => short,
+            }),
+        }
+        rest = after;
+    }
+    out.push('\n');
+    out
+}
+
+fn new_line(out: &mut String, indent: usize) {
+    out.push('\n');
+    out.extend(std::iter::repeat_n("  ", indent));
+}
+
+/// Bytes of the first token of compact JSON: a bracket, a comma, a colon, a string, or a word.
+fn token_length(json: &str) -> usize {
+    let bytes = json.as_bytes();
+    match bytes[0] {
+        b'"' => {
+            let mut end = 1;
+            while bytes[end] != b'"' {
+                end += if bytes[end] == b'\\' { 2 } else { 1 };
+            }
+            end + 1
+        }
+        b'{' | b'}' | b'[' | b']' | b',' | b':' => 1,
+        _ => json.find([',', '}', ']']).unwrap_or(json.len()),
+    }
+}
+
+/// Does the object or list that begins here fit into so many columns?
+fn fits(json: &str, columns: usize) -> bool {
+    let (mut width, mut depth, mut rest) = (0, 0, json);
+    while width <= columns {
+        let (token, after) = rest.split_at(token_length(rest));
+        width += token.len();
+        match token {
+            "{" | "[" => depth += 1,
+            "}" | "]" => depth -= 1,
+            "," | ":" => width += 1,
+            _ => {}
+        }
+        if depth == 0 {
+            return width <= columns;
+        }
+        rest = after;
+    }
+    false
+}

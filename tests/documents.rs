@@ -1,0 +1,665 @@
+//! Documents: what is read, what is refused with which words, and what is written.
+
+use serde_json::{Value, json};
+use std::fs;
+use std::time::Instant;
+use synthetica::defaults::defaults;
+use synthetica::document::Document;
+use synthetica::fault::{Fault, FaultCode};
+use synthetica::joint::JointKind;
+use synthetica::json::{MAX_TEXT, parse};
+use synthetica::planner::Settings;
+use synthetica::problem::{Problem, start_values};
+
+/// A document with every field: two chains, every kind of joint, times, limits, starts.
+const WHOLE: &str = r#"{
+  "version": 1, "name": "all", "about": "one of each", "length_unit": "m",
+  "chains": [
+    {
+      "name": "left leg", "base": {"x": 1, "longitude": 30},
+      "joints": [
+        {"type": "R", "rows": [{"alpha": 10, "a": 1, "theta": 20, "d": 0.5}], "limits": [{"min": -90, "max": 90}]},
+        {"type": "P", "rows": [{}], "limits": [{"max": 2}]},
+        {"type": "T", "rows": [{}, {"alpha": -90, "theta": 5, "d": 0.25}], "limits": [null, {"min": -10}]}
+      ],
+      "gripper": {"z": 1}, "start": [45, 0.9, -30, 0]
+    },
+    {"joints": [{"type": "C", "rows": [{}]}, {"type": "S", "rows": [{}, {"alpha": 90}, {"alpha": -90, "d": 1}]}]},
+    {"joints": [{"type": "E", "rows": [{"a": 1}, {"alpha": 90, "theta": 90}, {"alpha": 90}]}], "start": [1, 2, 90]}
+  ],
+  "motion": {
+    "key_frames": [{"name": "rest", "x": 1, "time": 0}, {"x": 1.5, "roll": 20, "time": 2}, {"name": "lift", "y": 1, "time": 3}],
+    "interpolation": "sclerp", "frames": 9, "radius": 40
+  },
+  "planner": {"method": "gradient", "metric_length": 2, "max_iterations": 100}
+}"#;
+
+fn read(text: &str) -> Result<Problem, Fault> {
+    Problem::new(&parse(text)?)
+}
+
+/// The whole document with one value replaced, or put there if the last step is a new field.
+fn with(pointer: &str, value: Value) -> String {
+    let mut document: Value = serde_json::from_str(WHOLE).expect("JSON");
+    let (parent, last) = pointer.rsplit_once('/').expect("a pointer");
+    match document.pointer_mut(parent).expect("a place") {
+        Value::Object(fields) => drop(fields.insert(last.into(), value)),
+        Value::Array(entries) => entries[last.parse::<usize>().expect("an index")] = value,
+        _ => panic!("{pointer} leads nowhere"),
+    }
+    document.to_string()
+}
+
+fn without(pointer: &str) -> String {
+    let mut document: Value = serde_json::from_str(WHOLE).expect("JSON");
+    let (parent, last) = pointer.rsplit_once('/').expect("a pointer");
+    let parent = document
+        .pointer_mut(parent)
+        .and_then(Value::as_object_mut)
+        .expect("an object");
+    parent.remove(last).expect("a field");
+    document.to_string()
+}
+
+fn samples() -> Vec<(String, String)> {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/www/mechanisms");
+    let index = fs::read_to_string(format!("{folder}/index.json")).expect("the samples' index");
+    let index: Vec<Value> = serde_json::from_str(&index).expect("a list");
+    let file = |entry: &Value| entry["file"].as_str().expect("a file's name").to_owned();
+    let text = |name: &String| fs::read_to_string(format!("{folder}/{name}")).expect("a sample");
+    index
+        .iter()
+        .map(file)
+        .map(|name| (name.clone(), text(&name)))
+        .collect()
+}
+
+#[test]
+fn a_whole_document_becomes_a_problem() {
+    let problem = read(WHOLE).expect("a document");
+    let chains = problem.mechanism.chains();
+    assert_eq!(
+        chains.iter().map(|c| c.type_name()).collect::<Vec<_>>(),
+        ["RPT", "CS", "E"]
+    );
+    assert_eq!(
+        chains.iter().map(|c| c.name()).collect::<Vec<_>>(),
+        ["left leg", "chain 2", "chain 3"]
+    );
+    assert_eq!(problem.start.len(), 3);
+    assert_eq!(
+        problem.start[0],
+        Some(vec![45_f64.to_radians(), 0.9, -30_f64.to_radians(), 0.0])
+    );
+    assert_eq!(problem.start[1], None);
+    assert_eq!(problem.start[2], Some(vec![1.0, 2.0, 90_f64.to_radians()]));
+    let limits: Vec<_> = chains[0].limits().map(|l| [l.min, l.max]).collect();
+    let (right, open) = (90_f64.to_radians(), f64::INFINITY);
+    assert_eq!(
+        limits,
+        [
+            [-right, right],
+            [-open, 2.0],
+            [-open, open],
+            [-10_f64.to_radians(), open]
+        ]
+    );
+    assert_eq!(problem.goals.len(), 9);
+    assert_eq!(problem.goals[8].time, 3.0);
+    assert_eq!(problem.settings.metric_length, 2.0);
+    assert_eq!(problem.settings.max_iterations, Some(100));
+    assert!((chains[0].base().rotation.angle().to_degrees() - 30.0).abs() < 1e-12);
+}
+
+#[test]
+fn fields_that_may_be_left_out_have_defaults() {
+    let text = r#"{"version": 1, "chains": [{"joints": [{"type": "R", "rows": [{}]}]}],
+                   "motion": {"key_frames": [{}, {"roll": 90}]}}"#;
+    let problem = read(text).expect("a document");
+    assert_eq!(problem.goals.len(), 33);
+    assert_eq!(problem.settings, Settings::default());
+    assert_eq!(problem.start, [None]);
+    // null stands for an optional field that is not given; a byte-order mark is no fault.
+    let nulls = text
+        .replace(r#""joints""#, r#""start": null, "joints""#)
+        .replace("[{}]", r#"[{}], "limits": null"#);
+    assert!(read(&format!("\u{feff}{nulls}")).is_ok());
+}
+
+#[test]
+fn the_default_document_plans_and_every_default_joint_fits() {
+    let defaults = defaults();
+    assert!(read(&defaults.document).is_ok());
+    assert_eq!(
+        parse(&defaults.document).expect("a document").text(),
+        defaults.document
+    );
+    for kind in JointKind::ALL {
+        let joint = serde_json::to_value(&defaults.joints[&kind.letter()]).expect("JSON");
+        assert_eq!(joint["type"], kind.letter().to_string());
+        let text = without("/chains/0/start");
+        let mut document: Value = serde_json::from_str(&text).expect("JSON");
+        document["chains"][0]["joints"] = json!([joint]);
+        assert!(read(&document.to_string()).is_ok(), "{kind:?}");
+    }
+}
+
+#[test]
+fn samples_are_read_and_stay_as_they_are() {
+    let samples = samples();
+    assert!(!samples.is_empty());
+    for (name, text) in samples {
+        let document = parse(&text).unwrap_or_else(|fault| panic!("{name}: {fault}"));
+        Problem::new(&document).unwrap_or_else(|fault| panic!("{name}: {fault}"));
+        let normal = document.text();
+        assert_eq!(
+            parse(&normal).expect("a normalised document"),
+            document,
+            "{name}"
+        );
+        assert_eq!(
+            parse(&normal).expect("a normalised document").text(),
+            normal,
+            "{name}"
+        );
+    }
+}
+
+#[test]
+fn writing_keeps_every_digit_and_wastes_none() {
+    let mut document = parse(WHOLE).expect("a document");
+    // Numbers that a sloppy reader gets wrong in the last place.
+    for (i, x) in [
+        0.1 + 0.2,
+        1.0 / 3.0,
+        123_456.789_012_345_67,
+        9.007_199_254_740_993e-5,
+        5e-324,
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        document.chains[i % 3].base.y = x;
+        document.chains[i % 3].gripper.roll = -x;
+        assert_eq!(parse(&document.text()).expect("a document"), document);
+    }
+    let normal = parse(WHOLE).expect("a document").text();
+    assert!(
+        normal.contains(r#"{"x": 1, "y": 0, "z": 0, "longitude": 30, "latitude": 0, "roll": 0}"#),
+        "{normal}"
+    );
+    assert!(normal.contains("\n  \"chains\": [\n"), "{normal}");
+    assert!(normal.lines().all(|line| line.len() <= 140), "{normal}");
+    let quoted = with("/name", json!("a \"b\" \\ {[,:]} \u{e4}\n-0.0"));
+    assert_eq!(
+        parse(&parse(&quoted).expect("a document").text())
+            .expect("again")
+            .name,
+        "a \"b\" \\ {[,:]} \u{e4}\n-0.0"
+    );
+    let zero = parse(&with("/motion/key_frames/0/x", json!(-0.0)))
+        .expect("a document")
+        .text();
+    assert!(!zero.contains("-0,"), "{zero}");
+}
+
+#[test]
+fn a_found_start_is_written_in_the_documents_units() {
+    let mut document = parse(WHOLE).expect("a document");
+    let mechanism = Problem::new(&document).expect("a problem").mechanism;
+    let degrees = [[45.0, 0.9, -30.0, 0.0], [12.345_678_901, 2.0, 30.0, 60.0]];
+    let joints = [
+        45_f64.to_radians(),
+        0.9,
+        -30_f64.to_radians(),
+        0.0,
+        12.345_678_901_f64.to_radians(),
+        2.0,
+        30_f64.to_radians(),
+        60_f64.to_radians(),
+        90_f64.to_radians(),
+        1.0,
+        2.0,
+        180_f64.to_radians(),
+    ];
+    document.set_start(&mechanism, &joints);
+    assert_eq!(document.chains[0].start.as_deref(), Some(&degrees[0][..]));
+    assert_eq!(
+        document.chains[1].start,
+        Some([&degrees[1][..], &[90.0]].concat())
+    );
+    assert_eq!(document.chains[2].start, Some(vec![1.0, 2.0, 180.0]));
+    let again = read(&document.text()).expect("a document");
+    let values: Vec<f64> = again.start.iter().flatten().flatten().copied().collect();
+    assert!(
+        values
+            .iter()
+            .zip(joints)
+            .all(|(a, b)| (a - b).abs() < 1e-14)
+    );
+    assert_eq!(
+        start_values(&mechanism, &values),
+        document
+            .chains
+            .iter()
+            .map(|c| c.start.clone().expect("set"))
+            .collect::<Vec<_>>()
+    );
+}
+
+/// A bad document: its text, the fault's code and path, words of the message, words of `accepted`.
+type Case = (String, FaultCode, &'static str, &'static str, &'static str);
+
+fn check((text, code, place, words, accepted): Case) {
+    let shown: String = text.chars().take(200).collect();
+    let fault = read(&text)
+        .err()
+        .unwrap_or_else(|| panic!("{place} was accepted: {shown}"));
+    assert_eq!(
+        (fault.code, fault.place.as_str()),
+        (code, place),
+        "{fault:?} for {shown}"
+    );
+    assert!(
+        fault.message.contains(words),
+        "“{}” has no “{words}”",
+        fault.message
+    );
+    assert!(
+        fault.accepted.contains(accepted),
+        "“{}” has no “{accepted}”",
+        fault.accepted
+    );
+    assert!(
+        fault
+            .message
+            .ends_with(&format!("Accepted: {}.", fault.accepted)),
+        "{}",
+        fault.message
+    );
+    assert!(fault.message.len() < 600, "{}", fault.message);
+}
+
+#[test]
+fn texts_that_are_no_document_are_refused() {
+    use FaultCode::{
+        EmptyText, MissingField, OutOfRange, Syntax, TextTooLong, UnknownField, UnknownVersion,
+        WrongType,
+    };
+    let deep = |open: &str| format!(r#"{{"version": 1, "x": {}"#, open.repeat(100_000));
+    // One case a line.
+    #[rustfmt::skip]
+    let cases: Vec<Case> = vec![
+        (String::new(), EmptyText, "", "The document", "JSON"),
+        (" \n\u{feff}".into(), Syntax, "", "Line 2, column 1. The document", "JSON"),
+        ("\u{feff} \n".into(), EmptyText, "", "The document", "JSON"),
+        (" ".repeat(MAX_TEXT + 1), TextTooLong, "", "1000001 bytes", "1,000,000"),
+        ("nonsense".into(), Syntax, "", "not JSON", "JSON"),
+        ("<html>".into(), Syntax, "", "Line 1, column 1", "JSON"),
+        ("null".into(), WrongType, "", "null", "object"),
+        ("[]".into(), WrongType, "", "a list", "object"),
+        ("3".into(), WrongType, "", "the number 3", "object"),
+        ("{}".into(), MissingField, "version", "Version", "1"),
+        (WHOLE[..WHOLE.len() - 40].into(), Syntax, "planner", "EOF", "JSON"),
+        (format!("{WHOLE} {{}}"), Syntax, "", "trailing", "JSON"),
+        (format!("{WHOLE}\0"), Syntax, "", "trailing", "JSON"),
+        (WHOLE.replacen("\"x\": 1,", "\"x\": NaN,", 1), Syntax, "chains[0].base.x", "not JSON", "JSON"),
+        (WHOLE.replacen("\"x\": 1,", "\"x\": Infinity,", 1), Syntax, "chains[0].base.x", "Chain 1, base frame, x", "JSON"),
+        (WHOLE.replacen("\"x\": 1,", "\"x\": -Infinity,", 1), Syntax, "chains[0].base.x", "Line 5", "JSON"),
+        (WHOLE.replacen("\"x\": 1,", "\"x\": 1e999,", 1), OutOfRange, "chains[0].base.x", "Chain 1, base frame, x", "1000000"),
+        (WHOLE.replacen("\"x\": 1,", "\"x\": 01,", 1), Syntax, "chains[0].base.x", "not JSON", "JSON"),
+        (WHOLE.replacen("\"x\": 1,", "\"x\": 1,,", 1), Syntax, "chains[0].base", "Line 5", "JSON"),
+        (WHOLE.replacen("\"m\"", "'m'", 1), Syntax, "length_unit", "Length unit", "JSON"),
+        (deep("["), UnknownField, "x", "there is no field \u{201c}x\u{201d} here", "chains"),
+        (deep("{\"x\":"), UnknownField, "x", "there is no field", "chains"),
+        ("[".repeat(500_000), WrongType, "", "a list", "object"),
+        (with("/version", json!(2)), UnknownVersion, "version", "version 2", "1"),
+        (r#"{"version": 7, "linkage": {"new": true}}"#.into(), UnknownVersion, "version", "version 7", "1"),
+        (with("/version", json!("1")), WrongType, "version", "the text \"1\"", "whole number"),
+        (with("/version", json!(-1)), UnknownVersion, "version", "version -1", "1"),
+    ];
+    cases.into_iter().for_each(check);
+}
+
+#[test]
+fn fields_that_are_wrong_are_refused() {
+    use FaultCode::{
+        DuplicateField, MissingField, OutOfRange, UnknownField, UnknownValue, WrongType,
+    };
+    let long = "x".repeat(100_000);
+    // One case a line.
+    #[rustfmt::skip]
+    let cases: Vec<Case> = vec![
+        (with("/colour", json!("red")), UnknownField, "colour", "there is no field", "chains"),
+        (with("/chains/1/color", json!(1)), UnknownField, "chains[1].color", "Chain 2, color", "gripper"),
+        (with("/chains/0/base/X", json!(1)), UnknownField, "chains[0].base.X", "base frame", "longitude"),
+        (with("/chains/0/joints/2/kind", json!(1)), UnknownField, "chains[0].joints[2].kind", "Chain 1, joint 3, kind", "type"),
+        (with("/chains/0/joints/2/rows/1/r", json!(1)), UnknownField, "chains[0].joints[2].rows[1].r", "row 2", "alpha, a, theta, d"),
+        (with("/chains/0/joints/2/limits/1/low", json!(1)), UnknownField, "chains[0].joints[2].limits[1].low", "limits of freedom 2", "min, max"),
+        (with("/motion/key_frames/2/pitch", json!(1)), UnknownField, "motion.key_frames[2].pitch", "Key frame 3", "latitude"),
+        (with("/motion/steps", json!(1)), UnknownField, "motion.steps", "Motion, steps", "frames"),
+        (with("/planner/tolerance", json!(1)), UnknownField, "planner.tolerance", "Planner", "metric_length"),
+        (with("/a, expected `b", json!(1)), UnknownField, "a, expected `b", "there is no field", "chains"),
+        (with(&format!("/{long}"), json!(1)), UnknownField, &*format!("{}…", "x".repeat(80)).leak(), "there is no field", "chains"),
+        (without("/chains"), MissingField, "chains", "Chains", "list of chains"),
+        (without("/motion"), MissingField, "motion", "Motion", "key_frames"),
+        (without("/motion/key_frames"), MissingField, "motion.key_frames", "key frames", "two or more"),
+        (without("/chains/1/joints"), MissingField, "chains[1].joints", "Chain 2, joints", "list of joints"),
+        (without("/chains/1/joints/0/type"), MissingField, "chains[1].joints[0].type", "Chain 2, joint 1, type", "R, P, C, T, S, E"),
+        (without("/chains/1/joints/0/rows"), MissingField, "chains[1].joints[0].rows", "joint 1, rows", "rows"),
+        (WHOLE.replacen("\"x\": 1,", "\"x\": 1, \"x\": 2,", 1), DuplicateField, "chains[0].base", "\u{201c}x\u{201d}", "x once"),
+        (WHOLE.replacen("\"version\": 1,", "\"version\": 1, \"version\": 1,", 1), DuplicateField, "", "version", "version once"),
+        (with("/chains/0/base/x", json!("1")), WrongType, "chains[0].base.x", "the text \"1\"", "a number"),
+        (with("/chains/0/base/x", json!(null)), WrongType, "chains[0].base.x", "null", "a number"),
+        (with("/chains/0/base/x", json!(true)), WrongType, "chains[0].base.x", "true", "a number"),
+        (with("/chains/0/base/x", json!({})), WrongType, "chains[0].base.x", "an object", "a number"),
+        (with("/chains/0/base/x", json!([1])), WrongType, "chains[0].base.x", "a list", "a number"),
+        (with("/chains/0/base/x", json!(long)), WrongType, "chains[0].base.x", "the text \"xxx", "a number"),
+        (with("/chains/0/base", json!(3)), WrongType, "chains[0].base", "the number 3", "object"),
+        // A list of the fields' values in order is not a frame, though serde would take it.
+        (with("/chains/0/base", json!([0, 0, 0, 0, 0, 0])), WrongType, "chains[0].base", "a list", "object"),
+        (with("/chains/0/joints/0/rows/0", json!([0, 0, 0, 0])), WrongType, "chains[0].joints[0].rows[0]", "a list", "object"),
+        (with("/planner", json!(["newton", 1, 1])), WrongType, "planner", "a list", "object"),
+        (with("/chains/0/name", json!(5)), WrongType, "chains[0].name", "the number 5", "text in quotes"),
+        (with("/chains/0/joints", json!({})), WrongType, "chains[0].joints", "an object", "a list"),
+        (with("/chains/0/joints/1", json!("P")), WrongType, "chains[0].joints[1]", "the text \"P\"", "object"),
+        (with("/chains/0/start/1", json!("0.9")), WrongType, "chains[0].start[1]", "Chain 1, start value 2", "a number"),
+        (with("/chains", json!(5)), WrongType, "chains", "the number 5", "a list"),
+        (with("/motion/frames", json!(9.5)), WrongType, "motion.frames", "the number 9.5", "whole number"),
+        (with("/motion/frames", json!(-9)), OutOfRange, "motion.frames", "-9", "whole number"),
+        (with("/motion/frames", json!(10_000_000_000_u64)), OutOfRange, "motion.frames", "10000000000", "whole number"),
+        (with("/motion/frames", json!("many")), WrongType, "motion.frames", "many", "whole number"),
+        (with("/chains/0/joints/0/type", json!("U")), UnknownValue, "chains[0].joints[0].type", "\u{201c}U\u{201d}", "R, P, C, T, S, E"),
+        (with("/chains/0/joints/0/type", json!(1)), WrongType, "chains[0].joints[0].type", "the number 1", "text in quotes"),
+        (with("/chains/0/joints/0/type", json!({"R": null})), WrongType, "chains[0].joints[0].type", "an object", "text in quotes"),
+        (with("/motion/interpolation", json!("linear")), UnknownValue, "motion.interpolation", "linear", "bezier, sclerp, straight"),
+        (with("/planner/method", json!("magic")), UnknownValue, "planner.method", "magic", "newton, gradient"),
+    ];
+    cases.into_iter().for_each(check);
+}
+
+#[test]
+fn numbers_out_of_bounds_are_refused() {
+    use FaultCode::OutOfRange;
+    let huge = json!(1e308);
+    // One case a line.
+    #[rustfmt::skip]
+    let cases: Vec<Case> = vec![
+        (with("/chains/0/base/x", huge.clone()), OutOfRange, "chains[0].base.x", "Chain 1 \u{201c}left leg\u{201d}, base frame, x: 1e308", "1000000"),
+        (with("/chains/1/gripper", json!({"roll": -1e7})), OutOfRange, "chains[1].gripper.roll", "Chain 2, gripper frame, roll", "degrees"),
+        (with("/chains/0/joints/2/rows/1/d", huge.clone()), OutOfRange, "chains[0].joints[2].rows[1].d", "joint 3, row 2, d", "length"),
+        (with("/chains/0/joints/2/rows/1/theta", huge.clone()), OutOfRange, "chains[0].joints[2].rows[1].theta", "row 2, theta", "degrees"),
+        (with("/chains/0/joints/0/limits/0/max", huge.clone()), OutOfRange, "chains[0].joints[0].limits[0].max", "limits of freedom 1, max", "degrees"),
+        (with("/chains/0/joints/1/limits/0/max", huge.clone()), OutOfRange, "chains[0].joints[1].limits[0].max", "joint 2, limits of freedom 1, max", "a length"),
+        (with("/chains/0/start/0", huge.clone()), OutOfRange, "chains[0].start[0]", "start value 1", "degrees"),
+        (with("/chains/0/start/1", huge.clone()), OutOfRange, "chains[0].start[1]", "start value 2", "a length"),
+        (with("/motion/key_frames/2/y", huge.clone()), OutOfRange, "motion.key_frames[2].y", "Key frame 3 \u{201c}lift\u{201d}, y", "1000000"),
+        (with("/motion/key_frames/2/time", huge.clone()), OutOfRange, "motion.key_frames[2].time", "Key frame 3 \u{201c}lift\u{201d}, time", "a time"),
+        (with("/motion/frames", json!(0)), OutOfRange, "motion.frames", "Motion, frames: 0", "2 to 100000"),
+        (with("/motion/frames", json!(1)), OutOfRange, "motion.frames", "Motion, frames: 1", "2 to 100000"),
+        (with("/motion/frames", json!(1_000_000_000)), OutOfRange, "motion.frames", "1000000000", "2 to 100000"),
+        (with("/motion/radius", json!(0)), OutOfRange, "motion.radius", "Motion, radius: 0", "null"),
+        (with("/motion/radius", json!(-20)), OutOfRange, "motion.radius", "-20", "positive length"),
+        (with("/motion/radius", json!(1)), OutOfRange, "motion.radius", "1 is", "1.5"),
+        (with("/motion/radius", huge.clone()), OutOfRange, "motion.radius", "1e308", "a length"),
+        (with("/planner/metric_length", json!(0)), OutOfRange, "planner.metric_length", "Planner, metric length: 0", "0.000001"),
+        (with("/planner/metric_length", json!(-1)), OutOfRange, "planner.metric_length", "-1", "length"),
+        (with("/planner/metric_length", huge), OutOfRange, "planner.metric_length", "Planner", "length"),
+        (with("/planner/max_iterations", json!(0)), OutOfRange, "planner.max_iterations", "max iterations: 0", "from 1"),
+        (with("/planner/max_iterations", json!(1_000_000)), OutOfRange, "planner.max_iterations", "1000000", "100000"),
+    ];
+    cases.into_iter().for_each(check);
+    // Each bound itself is accepted.
+    for (pointer, value) in [
+        ("/chains/0/base/x", json!(-1e6)),
+        ("/chains/0/base/roll", json!(1e6)),
+        ("/motion/radius", json!(1e6)),
+        ("/planner/metric_length", json!(1e-6)),
+        ("/planner/max_iterations", json!(100_000)),
+        ("/motion/frames", json!(100_000)),
+        ("/motion/frames", json!(2)),
+    ] {
+        let mut text = with(pointer, value);
+        if pointer == "/chains/0/base/x" {
+            text = text.replace("\"radius\":40", "\"radius\":null");
+        }
+        assert!(
+            read(&text).is_ok(),
+            "{pointer}: {}",
+            read(&text).expect_err("a fault")
+        );
+    }
+}
+
+#[test]
+fn what_the_model_refuses_is_told_with_its_place() {
+    use FaultCode::{
+        InnerRow, LimitOrder, NameTooLong, OutOfRange, TimeMissing, TimeOrder, WrongCount,
+    };
+    let rows = |n: usize| Value::Array(vec![json!({}); n]);
+    let t = "/chains/0/joints/2/rows";
+    let s = "/chains/1/joints/1/rows";
+    let e = "/chains/2/joints/0/rows";
+    let at = |list: &str, place: &str| format!("{list}/{place}");
+    let many_chains = Value::Array(vec![json!({"joints": [{"type": "R", "rows": [{}]}]}); 25]);
+    let big_chains = Value::Array(vec![
+        json!({"joints": vec![json!({"type": "R", "rows": [{}]}); 5]});
+        24
+    ]);
+    let r = json!({"type": "R", "rows": [{}]});
+    let key_frames =
+        |n: usize| Value::Array((0..n).map(|i| json!({"x": i as f64 * 1e-3})).collect());
+    let mut crowd: Value = serde_json::from_str(&with("/chains", big_chains)).expect("JSON");
+    crowd["motion"]["frames"] = json!(100_000);
+    // One case a line.
+    #[rustfmt::skip]
+    let cases: Vec<Case> = vec![
+        (with("/chains", json!([])), WrongCount, "chains", "Chains: there are none", "1 to 24"),
+        (with("/chains", many_chains), WrongCount, "chains", "there are 25", "1 to 24"),
+        (with("/chains/1/joints", json!([])), WrongCount, "chains[1].joints", "Chain 2, joints: there are none", "1 to 5 freedoms"),
+        (with("/chains/1/joints", json!([r, r, r, r, r, r])), WrongCount, "chains[1].joints", "Chain 2, joints: the joints have 6 freedoms", "1 to 5 freedoms"),
+        (with("/chains/1/joints", Value::Array(vec![r.clone(); 500])), WrongCount, "chains[1].joints", "500 freedoms", "1 to 5 freedoms"),
+        (with(t, rows(1)), WrongCount, "chains[0].joints[2].rows", "Chain 1 \u{201c}left leg\u{201d}, joint 3, rows: there is only one", "2 for a joint of type T"),
+        (with(t, rows(3)), WrongCount, "chains[0].joints[2].rows", "there are 3", "2 for a joint of type T"),
+        (with(s, rows(2)), WrongCount, "chains[1].joints[1].rows", "Chain 2, joint 2, rows: there are 2", "3 for a joint of type S"),
+        (with(e, rows(0)), WrongCount, "chains[2].joints[0].rows", "there are none", "3 for a joint of type E"),
+        (with("/chains/0/joints/0/rows", rows(0)), WrongCount, "chains[0].joints[0].rows", "there are none", "1 for a joint of type R"),
+        (with(&at(t, "1/alpha"), json!(89.999)), InnerRow, "chains[0].joints[2].rows[1].alpha", "joint 3, row 2, alpha", "90 or -90"),
+        (with(&at(t, "1/a"), json!(0.5)), InnerRow, "chains[0].joints[2].rows[1].a", "joint 3, row 2, a: the axes inside a joint of type T meet, here they are 0.5 apart", "0"),
+        (with(&at(s, "2/alpha"), json!(0)), InnerRow, "chains[1].joints[1].rows[2].alpha", "joint 2, row 3, alpha", "90 or -90"),
+        (with(&at(s, "1/a"), json!(1)), InnerRow, "chains[1].joints[1].rows[1].a", "type S", "0"),
+        (with(&at(s, "1/d"), json!(1)), InnerRow, "chains[1].joints[1].rows[1].d", "one point", "0"),
+        (with(&at(e, "1/theta"), json!(0)), InnerRow, "chains[2].joints[0].rows[1].theta", "both sliders", "90 or -90"),
+        (with(&at(e, "2/a"), json!(-1)), InnerRow, "chains[2].joints[0].rows[2].a", "type E", "0"),
+        (with("/chains/0/joints/0/limits", json!([null, null])), WrongCount, "chains[0].joints[0].limits", "there are 2", "1 for a joint of type R"),
+        (with("/chains/0/joints/2/limits", json!([null])), WrongCount, "chains[0].joints[2].limits", "there is only one", "2 for a joint of type T"),
+        (with("/chains/0/joints/2/limits/1", json!({"min": 1, "max": 0})), LimitOrder, "chains[0].joints[2].limits[1]", "limits of freedom 2", "min up to max"),
+        (with("/chains/0/start", json!([1, 2, 3])), WrongCount, "chains[0].start", "start: there are 3", "4, one for each freedom of RPT"),
+        (with("/chains/0/start", json!([])), WrongCount, "chains[0].start", "there are none", "4"),
+        (with("/motion/key_frames", json!([])), WrongCount, "motion.key_frames", "key frames: there are none", "2 to 1000"),
+        (with("/motion/key_frames", key_frames(1)), WrongCount, "motion.key_frames", "there is only one", "2 to 1000"),
+        (with("/motion/key_frames", key_frames(1001)), WrongCount, "motion.key_frames", "there are 1001", "2 to 1000"),
+        (without("/motion/key_frames/1/time"), TimeMissing, "motion.key_frames[1].time", "Key frame 2, time", "every key frame"),
+        (without("/motion/key_frames/0/time"), TimeMissing, "motion.key_frames[0].time", "Key frame 1 \u{201c}rest\u{201d}", "for none"),
+        (with("/motion/key_frames/2/time", json!(2)), TimeOrder, "motion.key_frames[2].time", "Key frame 3 \u{201c}lift\u{201d}, time: 2", "later than 2"),
+        (with("/motion/key_frames/1/time", json!(-1)), TimeOrder, "motion.key_frames[1].time", "Key frame 2, time: -1", "later than 0"),
+        (with("/name", json!("n".repeat(101))), NameTooLong, "name", "Name: 101 characters", "100"),
+        (with("/about", json!("n".repeat(2001))), NameTooLong, "about", "About", "2000"),
+        (with("/length_unit", json!("n".repeat(17))), NameTooLong, "length_unit", "Length unit", "16"),
+        (with("/chains/1/name", json!("\u{e4}".repeat(101))), NameTooLong, "chains[1].name", "Chain 2", "100"),
+        (with("/motion/key_frames/1/name", json!("k".repeat(101))), NameTooLong, "motion.key_frames[1].name", "Key frame 2", "100"),
+        (crowd.to_string(), OutOfRange, "motion.frames", "100000", "16666 frames"),
+    ];
+    cases.into_iter().for_each(check);
+}
+
+#[test]
+fn a_hundred_megabytes_are_refused_at_once() {
+    let text = WHOLE.repeat(100_000_000 / WHOLE.len() + 1);
+    let started = Instant::now();
+    assert_eq!(
+        parse(&text).expect_err("too long").code,
+        FaultCode::TextTooLong
+    );
+    assert!(started.elapsed().as_millis() < 100);
+}
+
+#[test]
+fn a_fault_is_a_plain_object() {
+    let fault = read("{").expect_err("no document");
+    let value = serde_json::to_value(&fault).expect("JSON");
+    assert_eq!(value["code"], "syntax");
+    assert_eq!(value["where"], "");
+    assert_eq!((&value["line"], &value["column"]), (&json!(1), &json!(1)));
+    let fault = read(&with("/chains/1/joints", json!([]))).expect_err("no joints");
+    let value = serde_json::to_value(&fault).expect("JSON");
+    assert_eq!(value["code"], "wrong-count");
+    assert_eq!(value["where"], "chains[1].joints");
+    assert_eq!(value.as_object().map(|o| o.len()), Some(4), "{value}");
+}
+
+/// Mutilated documents, by a generator with a fixed seed: an answer or a fault, never a panic, and
+/// what is read can be written and read again.
+#[test]
+fn mutilated_documents_never_panic() {
+    let mut texts: Vec<String> = samples().into_iter().map(|(_, text)| text).collect();
+    texts.push(WHOLE.into());
+    let pieces = [
+        "{",
+        "}",
+        "[",
+        "]",
+        ",",
+        ":",
+        "\"",
+        "null",
+        "true",
+        "-",
+        "0",
+        "9",
+        "1e308",
+        "1e999",
+        "-1e-320",
+        "NaN",
+        ".",
+        "\\",
+        "\\ud800",
+        "\u{e4}",
+        "\0",
+        "\n",
+        "\"type\"",
+        "\"rows\"",
+        "\"E\"",
+        "\"S\"",
+        "{}",
+        "[]",
+        "180",
+        "-90",
+        "1000000001",
+    ];
+    let mut state = 7_u64;
+    let mut random = |below: usize| {
+        state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        usize::try_from((state >> 33) % below as u64).expect("below")
+    };
+    let mut accepted = 0;
+    for round in 0..6_000 {
+        let mut bytes: Vec<char> = texts[round % texts.len()].chars().collect();
+        for _ in 0..=random(3) {
+            let start = random(bytes.len());
+            let piece: Vec<char> = pieces[random(pieces.len())].chars().collect();
+            match random(4) {
+                // Replace a few characters, cut a stretch out, double it, swap a whole number.
+                0 => drop(bytes.splice(start..(start + random(4)).min(bytes.len()), piece)),
+                1 => drop(bytes.drain(start..(start + random(60)).min(bytes.len()))),
+                2 => {
+                    let part = bytes[start..(start + random(60)).min(bytes.len())].to_vec();
+                    drop(bytes.splice(start..start, part));
+                }
+                _ => {
+                    if let Some(digit) = bytes[start..].iter().position(char::is_ascii_digit) {
+                        drop(bytes.splice(start + digit..=start + digit, piece));
+                    }
+                }
+            }
+            if bytes.is_empty() {
+                bytes.push(' ');
+            }
+        }
+        let text: String = bytes.into_iter().collect();
+        match parse(&text) {
+            Ok(document) => {
+                let normal = document.text();
+                let again: Document = parse(&normal).expect("what was written can be read");
+                assert_eq!(again.text(), normal);
+                match Problem::new(&document) {
+                    Ok(problem) => {
+                        accepted += 1;
+                        assert!(
+                            problem.goals.iter().all(|g| g
+                                .pose
+                                .to_homogeneous()
+                                .iter()
+                                .all(|x| x.is_finite()))
+                        );
+                    }
+                    Err(fault) => assert!(!fault.accepted.is_empty()),
+                }
+            }
+            Err(fault) => assert!(!fault.accepted.is_empty() && fault.message.len() < 1_000),
+        }
+    }
+    // The mutations are mild enough to get past the reader.
+    assert!(accepted > 100, "{accepted}");
+}
+
+/// The published schema is the one of the types.
+#[cfg(feature = "schema")]
+#[test]
+fn the_schema_is_up_to_date() {
+    use synthetica::document::{SCHEMA, schema};
+    assert_eq!(
+        SCHEMA,
+        schema(),
+        "write it anew: cargo run --features schema --example schema > src/document.schema.json"
+    );
+}
+
+/// The schema names every field that a whole document has, and no other.
+#[test]
+fn the_schema_knows_the_fields() {
+    let schema: Value = serde_json::from_str(synthetica::document::SCHEMA).expect("JSON");
+    assert_eq!(
+        schema["$schema"],
+        "https://json-schema.org/draft/2020-12/schema"
+    );
+    assert_eq!(schema["additionalProperties"], false);
+    let fields = |object: &Value| {
+        object
+            .as_object()
+            .expect("an object")
+            .keys()
+            .cloned()
+            .collect::<Vec<_>>()
+    };
+    let document: Value =
+        serde_json::from_str(&parse(WHOLE).expect("a document").text()).expect("JSON");
+    assert_eq!(fields(&schema["properties"]), fields(&document));
+    for (part, pointer) in [
+        ("ChainEntry", "/chains/0"),
+        ("JointEntry", "/chains/0/joints/0"),
+        ("RowEntry", "/chains/0/joints/0/rows/0"),
+        ("FrameEntry", "/chains/0/base"),
+        ("LimitsEntry", "/chains/0/joints/0/limits/0"),
+        ("MotionEntry", "/motion"),
+        ("KeyFrameEntry", "/motion/key_frames/0"),
+        ("PlannerEntry", "/planner"),
+    ] {
+        assert_eq!(
+            fields(&schema["$defs"][part]["properties"]),
+            fields(document.pointer(pointer).expect(pointer))
+        );
+    }
+}
