@@ -10,12 +10,14 @@
 #[derive(Clone, Debug, Default)]
 pub struct PivotedQr {
     rows: usize,
-    /// Columns in pivoted order: R above, the Householder vector from the diagonal down. The
-    /// columns after the rank hold Qᵀ A: R12 above, and the remainder below the threshold.
+    /// Qᵀ A P: R11 and R12 in the first `rank` rows, the remainder below the threshold in the others
+    /// of the columns after the rank.
     a: Vec<f64>,
-    diagonal: Vec<f64>,
-    /// 2 / vᵀv of each reflection.
+    /// The reflections' vectors v, `rows` entries each, and 2 / vᵀv.
+    v: Vec<f64>,
     beta: Vec<f64>,
+    /// 1 / the diagonal of R11.
+    inverse: Vec<f64>,
     /// `order[j]` is the original index of pivoted column j.
     order: Vec<usize>,
     rank: usize,
@@ -27,7 +29,8 @@ impl PivotedQr {
         self.rows = rows;
         self.a.clear();
         self.order.clear();
-        self.diagonal.clear();
+        self.v.clear();
+        self.inverse.clear();
         self.beta.clear();
         self.rank = 0;
     }
@@ -75,17 +78,21 @@ impl PivotedQr {
                 head[k * rows..(k + 1) * rows].swap_with_slice(&mut tail[..rows]);
                 self.order.swap(k, best.0);
             }
+            // v = x − α e₁ with α = −sign(x₁) ‖x‖, and 2/vᵀv = 1 / (‖x‖ (‖x‖ + |x₁|)).
             let (head, tail) = self.a.split_at_mut((k + 1) * rows);
-            let v = &mut head[k * rows + k..];
-            let alpha = if v[0] > 0.0 { -norm } else { norm };
-            // 2/vᵀv with v = x − α e₁, vᵀv = 2 ‖x‖ (‖x‖ + |x₁|).
-            let beta = 1.0 / (norm * (norm + v[0].abs()));
-            v[0] -= alpha;
+            let pivot = &mut head[k * rows..];
+            let alpha = if pivot[k] > 0.0 { -norm } else { norm };
+            let beta = 1.0 / (norm * (norm + pivot[k].abs()));
+            self.v.extend_from_slice(pivot);
+            let v = &mut self.v[k * rows..];
+            v[..k].fill(0.0);
+            v[k] -= alpha;
+            pivot[k] = alpha;
             for column in tail.chunks_exact_mut(rows) {
-                reflect(v, beta, &mut column[k..]);
+                reflect(v, beta, column);
             }
-            self.diagonal.push(alpha);
             self.beta.push(beta);
+            self.inverse.push(1.0 / alpha);
             self.rank += 1;
         }
     }
@@ -120,8 +127,7 @@ impl PivotedQr {
 
     #[inline]
     fn reflect_by(&self, k: usize, x: &mut [f64]) {
-        let v = &self.a[k * self.rows + k..(k + 1) * self.rows];
-        reflect(v, self.beta[k], &mut x[k..]);
+        reflect(&self.v[k * self.rows..(k + 1) * self.rows], self.beta[k], x);
     }
 
     /// Entry of Qᵀ A P: R11, R12 or, below the rank, the remainder.
@@ -134,9 +140,9 @@ impl PivotedQr {
     #[inline]
     pub fn solve_r(&self, x: &mut [f64]) {
         for i in (0..self.rank).rev() {
-            let xi = x[i] / self.diagonal[i];
-            x[i] = xi;
             let column = &self.a[i * self.rows..];
+            let xi = x[i] * self.inverse[i];
+            x[i] = xi;
             for (xj, r) in x[..i].iter_mut().zip(column) {
                 *xj -= xi * r;
             }
@@ -149,7 +155,7 @@ impl PivotedQr {
         for i in 0..self.rank {
             let column = &self.a[i * self.rows..];
             let sum: f64 = x[..i].iter().zip(column).map(|(x, r)| x * r).sum();
-            x[i] = (x[i] - sum) / self.diagonal[i];
+            x[i] = (x[i] - sum) * self.inverse[i];
         }
     }
 }
@@ -157,10 +163,20 @@ impl PivotedQr {
 /// x ← (I − β v vᵀ) x.
 #[inline(always)]
 fn reflect(v: &[f64], beta: f64, x: &mut [f64]) {
-    let dot: f64 = v.iter().zip(&*x).map(|(v, x)| v * x).sum();
-    let scale = beta * dot;
-    for (x, v) in x.iter_mut().zip(v) {
-        *x -= scale * v;
+    // Six rows are the common case; with the constant the loops unroll.
+    if let (Ok(v), Ok(x)) = (<&[f64; 6]>::try_from(v), <&mut [f64; 6]>::try_from(&mut *x)) {
+        // Summed in pairs: the additions do not wait for each other.
+        let dot = (v[0] * x[0] + v[1] * x[1]) + (v[2] * x[2] + v[3] * x[3]) + (v[4] * x[4] + v[5] * x[5]);
+        let scale = beta * dot;
+        for i in 0..6 {
+            x[i] -= scale * v[i];
+        }
+    } else {
+        let dot: f64 = v.iter().zip(&*x).map(|(v, x)| v * x).sum();
+        let scale = beta * dot;
+        for (x, v) in x.iter_mut().zip(v) {
+            *x -= scale * v;
+        }
     }
 }
 
@@ -315,7 +331,8 @@ pub fn svd(mut columns: Vec<Vec<f64>>) -> Svd {
 }
 
 /// The eigenvalue of index `index` (0 the smallest) of a symmetric matrix of order `n`, whose lower
-/// triangle is destroyed: Householder tridiagonalisation, then bisection on Sturm counts.
+/// triangle is destroyed: Householder tridiagonalisation, then Laguerre's method for the smallest and
+/// bisection on Sturm counts for the others.
 ///
 /// The absolute error is a few units of the last place of the largest eigenvalue.
 pub fn symmetric_eigenvalue(a: &mut [f64], n: usize, index: usize, work: &mut Vec<f64>) -> f64 {
@@ -370,17 +387,59 @@ pub fn symmetric_eigenvalue(a: &mut [f64], n: usize, index: usize, work: &mut Ve
             }
         }
     }
-    // Gershgorin bounds, then bisection to the last place of the larger of them.
+    let (diagonal, off2) = (&*diagonal, &off2[..n - 1]);
+    // Gershgorin's bounds.
     let radius = |i: usize| {
         let left = if i > 0 { off2[i - 1].sqrt() } else { 0.0 };
-        left + if i + 1 < n { off2[i].sqrt() } else { 0.0 }
+        left + off2.get(i).map_or(0.0, |x| x.sqrt())
     };
-    let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
-    for i in 0..n {
-        low = low.min(diagonal[i] - radius(i));
-        high = high.max(diagonal[i] + radius(i));
-    }
+    let low = (0..n).map(|i| diagonal[i] - radius(i)).fold(f64::INFINITY, f64::min);
+    let high = (0..n).map(|i| diagonal[i] + radius(i)).fold(f64::NEG_INFINITY, f64::max);
     let resolution = f64::EPSILON * low.abs().max(high.abs());
+    if index == 0 {
+        smallest_by_laguerre(diagonal, off2, low, resolution)
+    } else {
+        by_bisection(diagonal, off2, index, (low, high), resolution)
+    }
+}
+
+/// The smallest eigenvalue of a tridiagonal matrix, from `x` below it: Laguerre's method on
+/// det(T − x I) stays below and converges cubically.
+fn smallest_by_laguerre(diagonal: &[f64], off2: &[f64], mut x: f64, resolution: f64) -> f64 {
+    /// Six are the most seen; each at least halves the distance.
+    const STEPS: usize = 60;
+    let n = diagonal.len() as f64;
+    for _ in 0..STEPS {
+        // Pivots q of T − x I with their first two derivatives in x; Σ (ln q)′ and −Σ (ln q)″.
+        let (mut q1, mut q2) = (-1.0, 0.0);
+        let mut inverse = 1.0 / (diagonal[0] - x);
+        let mut slope = q1 * inverse;
+        let mut bend = slope * slope;
+        let mut below = inverse > 0.0;
+        for (d, b) in diagonal[1..].iter().zip(off2) {
+            let ratio = q1 * inverse;
+            let scaled = b * inverse;
+            q2 = scaled * (q2 * inverse - 2.0 * ratio * ratio);
+            q1 = scaled * ratio - 1.0;
+            inverse = 1.0 / (d - x - scaled);
+            below &= inverse > 0.0;
+            slope += q1 * inverse;
+            bend += q1 * inverse * q1 * inverse - q2 * inverse;
+        }
+        let root = ((n - 1.0) * (n * bend - slope * slope)).max(0.0).sqrt();
+        let step = n / (root - slope);
+        // A pivot that is not positive: rounding has carried x past the eigenvalue, so it is there.
+        if !(below && step > resolution) {
+            break;
+        }
+        x += step;
+    }
+    x
+}
+
+/// Any eigenvalue of a tridiagonal matrix between bounds.
+fn by_bisection(diagonal: &[f64], off2: &[f64], index: usize, bounds: (f64, f64), resolution: f64) -> f64 {
+    let (mut low, mut high) = bounds;
     while high - low > resolution {
         let middle = 0.5 * (low + high);
         if middle <= low || middle >= high {
@@ -389,7 +448,7 @@ pub fn symmetric_eigenvalue(a: &mut [f64], n: usize, index: usize, work: &mut Ve
         // Sturm: the negative pivots of T − x I count the eigenvalues below x.
         let mut below = 0;
         let mut pivot = 1.0;
-        for i in 0..n {
+        for i in 0..diagonal.len() {
             let coupling = if i > 0 { off2[i - 1] / pivot } else { 0.0 };
             pivot = diagonal[i] - middle - coupling;
             if pivot.abs() < f64::MIN_POSITIVE / f64::EPSILON {
