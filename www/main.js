@@ -22,6 +22,8 @@ const tabs = createTabs(byId('tabs'));
 
 /** The document whose motion should be seen from the front again. @type {unknown} */
 let opened = null;
+/** The motion in the view. @type {unknown} */
+let drawn = null;
 
 /** @returns {ReturnType<typeof createScene> | null} null where there is no WebGL */
 function openScene() {
@@ -86,7 +88,7 @@ function connect(defaults) {
     if (!motion || !document || motion === drawn) return;
     drawn = motion;
     scene?.show(store.result, document === opened);
-    opened = null;
+    if (document === opened) opened = null;
   });
   const describe = () => {
     if (!store.view.playing) setText(byId('canvas-text'), describeScene(store));
@@ -94,9 +96,6 @@ function connect(defaults) {
   store.subscribe('result', describe);
   store.subscribe('view', describe);
 }
-/** @type {unknown} */
-let drawn = null;
-
 /** @type {HTMLSelectElement} */
 const picker = byId('sample');
 picker.append(...samples.map(({ file, title, line }) => element('option', { value: file, title: line }, title)));
@@ -105,6 +104,12 @@ picker.addEventListener('change', () => {
   if (chosen) open(chosen.text);
 });
 
-connect(await planner.defaults());
-await open(samples[0].text);
-if (!matchMedia('(prefers-reduced-motion: reduce)').matches) player.play();
+try {
+  connect(await planner.defaults());
+  await open(samples[0].text);
+  if (!matchMedia('(prefers-reduced-motion: reduce)').matches) player.play();
+} catch (error) {
+  if (!(error instanceof PlannerFailure)) throw error;
+  byId('trouble').hidden = false;
+  byId('trouble').textContent = `The planner could not be started (${error.message}). Reload the page to try again.`;
+}

@@ -92,7 +92,11 @@ export function createCells(store) {
       show();
     });
     field.addEventListener('keydown', (event) => {
-      if (event.key === 'Enter') commit(true);
+      if (event.key === 'Enter') {
+        commit(true);
+        // What is no number is to be mended first: stay.
+        if (!spec.text && typeof typed() === 'string') event.stopPropagation();
+      }
       if (event.key !== 'Escape') return;
       // A cell that was already at fault when it was entered goes back to its last good value.
       const faulty = field.getAttribute('aria-invalid') === 'true' && value() === before;

@@ -39,7 +39,7 @@ const square = (width, length) => new BoxGeometry(width, width, length);
  * @param {import('../types.js').JointType} type
  * @param {number} r the radius of a link; everything else is in proportion
  * @param {Materials} materials
- * @param {Travel[]} travel row by row
+ * @param {Travel[]} travel row by row; for an E joint it includes 0, where the link before it ends
  * @returns {JointShape}
  */
 export function jointShape(type, r, { link, metal, dark }, travel) {
@@ -87,8 +87,8 @@ export function jointShape(type, r, { link, metal, dark }, travel) {
       return { fixed, moved };
     }
     case 'E': {
-      const [along, across] = travel;
-      const plate = part(new BoxGeometry(0.6 * r, along.high - along.low + 8 * r, across.high - across.low + 8 * r), link);
+      const [along, across] = travel.map(({ low, high }) => high - low + 8 * r);
+      const plate = part(new BoxGeometry(0.6 * r, along, across), link);
       moved.add(part(barrel(2.4 * r, 1.6 * r), metal), part(barrel(1.0 * r, 3.6 * r), dark));
       return { fixed, moved, plate };
     }

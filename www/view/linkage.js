@@ -21,7 +21,7 @@ const PER_ROW = 2;
 const LINK = 0.95;
 const SHAFT = 0.75;
 const BODY = 1.25;
-const STALK = 0.5;
+const STALK = 0.7;
 
 export class Linkage {
   group = new Group();
@@ -61,7 +61,8 @@ export class Linkage {
       let before = base.position.clone().addScaledVector(up, -1);
 
       for (const [first, last, type] of jointsOf(chain.rows, row)) {
-        const shape = jointShape(type, r, { link, metal: materials.metal, dark: materials.dark }, travels(motion, first, last));
+        const travel = travels(motion, first, last).map((t) => (type === 'E' ? withZero(t) : t));
+        const shape = jointShape(type, r, { link, metal: materials.metal, dark: materials.dark }, travel);
         const seat = originOf(rows, PER_ROW * first);
         const end = originOf(rows, PER_ROW * last + 1);
         this.#addRod(body, placeOf(body), seat, LINK * r, link);
@@ -73,7 +74,7 @@ export class Linkage {
         if (type === 'R') this.#addRod(shape.moved, end, seat, SHAFT * r, materials.dark);
         this.group.add(shape.fixed, shape.moved);
         for (const extra of [shape.cross, shape.slide?.mesh]) if (extra) this.group.add(extra);
-        if (shape.plate) layPlate(shape, motion, first);
+        if (shape.plate) layPlate(shape, motion, first, travel);
         this.#joints.push({ shape, first, last });
         if (end.distanceTo(seat) > r) before = seat;
         body = shape.moved;
@@ -179,6 +180,9 @@ function travels(motion, first, last) {
   });
 }
 
+/** @param {import('./joint-shapes.js').Travel} travel */
+const withZero = ({ low, high }) => ({ low: Math.min(low, 0), high: Math.max(high, 0) });
+
 /** @param {Motion} motion @param {number} offset poses before the frame @param {number} row */
 function travelOf({ rows }, offset, row) {
   const at = offset + PER_ROW * row;
@@ -191,12 +195,13 @@ function travelOf({ rows }, offset, row) {
  * @param {JointShape} shape at its place in frame 0
  * @param {Motion} motion
  * @param {number} first
+ * @param {import('./joint-shapes.js').Travel[]} travel
  */
-function layPlate({ fixed, plate }, motion, first) {
+function layPlate({ fixed, plate }, motion, first, travel) {
   if (!plate) return;
   const turn = fixed.quaternion.clone().invert();
   const centre = new Vector3();
-  travels(motion, first, first + 1).forEach(({ low, high }, i) => {
+  travel.slice(0, 2).forEach(({ low, high }, i) => {
     const axis = new Vector3(0, 0, 1).applyQuaternion(turnOf(motion.rows, PER_ROW * (first + i)));
     centre.addScaledVector(axis, (low + high) / 2);
   });

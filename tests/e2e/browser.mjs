@@ -1,0 +1,81 @@
+// The built page in a real browser, for the tests beside this file.
+import assert from 'node:assert/strict';
+import { chromium } from 'playwright-core';
+import { preview } from 'vite';
+
+/** The page is opened in a small window: without a graphics card every pixel is computed. */
+const WINDOW = { width: 800, height: 600 };
+
+/** Serves www/dist and starts a browser. */
+export async function openBrowser() {
+  const server = await preview({ configFile: 'tools/vite.config.js', preview: { port: 0 } });
+  const browser = await chromium.launch({
+    executablePath: process.env.CHROMIUM || '/usr/bin/chromium',
+    args: ['--no-sandbox'],
+  });
+  const address = server.resolvedUrls.local[0];
+
+  return {
+    address,
+    async close() {
+      await browser.close();
+      await server.close();
+    },
+    /**
+     * A fresh page with its first motion planned, and everything that it complains about or asks of other hosts.
+     * @param {import('playwright-core').BrowserContextOptions} [options]
+     */
+    async openPage(options) {
+      const { page, problems } = await this.blankPage(options);
+      await page.goto(address);
+      await page.waitForFunction(() => document.querySelector('#closure').textContent !== '–');
+      return { page, problems };
+    },
+    async blankPage(options) {
+      const context = await browser.newContext({ viewport: WINDOW, reducedMotion: 'reduce', ...options });
+      const page = await context.newPage();
+      const problems = [];
+      page.on('console', (message) => {
+        // Chromium remarks on its own screenshots of a canvas.
+        if (['error', 'warning'].includes(message.type()) && !message.text().includes('GPU stall')) problems.push(message.text());
+      });
+      page.on('pageerror', (error) => problems.push(String(error)));
+      page.on('request', (request) => {
+        if (!request.url().startsWith(address) && !/^(data|blob):/.test(request.url())) problems.push(`asks for ${request.url()}`);
+      });
+      return { page, problems };
+    },
+  };
+}
+
+export const cell = (page, path) => page.locator(`[data-path="${path}"]`);
+
+/** Goes to a frame as a person does who drags the scrub bar. */
+export const scrubTo = (page, frame) => page.locator('#scrub').fill(String(frame));
+
+export const text = (page, id) => page.locator(`#${id}`).textContent();
+
+/** A number as the page writes it. */
+export const number = (shown) => Number(shown.replaceAll('−', '-').replace(/[^\d.e-].*$/, ''));
+
+/** Waits until the metric of the shown frame is another than `old`, and gives it. */
+export async function otherMetric(page, old) {
+  await page.waitForFunction((value) => document.querySelector('#metric').textContent !== value, old);
+  return text(page, 'metric');
+}
+
+export const metricBecomes = (page, value) =>
+  page.waitForFunction((wanted) => document.querySelector('#metric').textContent === wanted, value);
+
+/** The fault's text, once it stands beside the cell that caused it. */
+export async function faultBeside(page, path) {
+  const faulty = cell(page, path);
+  await page.locator(`[data-path="${path}"][aria-invalid="true"]`).waitFor();
+  const note = page.locator(`#${await faulty.getAttribute('aria-describedby')}`);
+  assert.ok(await note.isVisible(), 'the fault can be seen');
+  const [below, box] = [await note.boundingBox(), await faulty.boundingBox()];
+  assert.ok(below.y >= box.y && below.y - (box.y + box.height) < 60, 'the fault is beside its cell');
+  return note.textContent();
+}
+
+export const noFault = (page) => page.locator('#fault-note').waitFor({ state: 'detached' });

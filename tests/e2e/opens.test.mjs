@@ -1,0 +1,105 @@
+// The page opens on a moving linkage, plays it, and shows closed loops only.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { number, openBrowser, scrubTo, text } from './browser.mjs';
+
+let browser;
+before(async () => {
+  browser = await openBrowser();
+});
+after(() => browser.close());
+
+/** What every frame of the shown motion says of itself. */
+const eachFrame = (page) =>
+  page.evaluate(() => {
+    const scrub = document.querySelector('#scrub');
+    const frames = [];
+    for (let frame = 0; frame <= Number(scrub.max); frame++) {
+      scrub.value = String(frame);
+      scrub.dispatchEvent(new Event('input'));
+      const shown = (id) => document.querySelector(`#${id}`).textContent;
+      frames.push({ number: shown('frame-number'), closure: shown('closure'), status: shown('frame-word') });
+    }
+    return frames;
+  });
+
+test('opens by itself, without a complaint or a word to another host, and moves', async () => {
+  const { page, problems } = await browser.openPage({ reducedMotion: 'no-preference' });
+  const canvas = page.locator('#canvas');
+  const first = await canvas.screenshot();
+  const from = await page.inputValue('#scrub');
+  await page.waitForFunction((frame) => document.querySelector('#scrub').value !== frame, from);
+  await page.getByRole('button', { name: 'Pause' }).click();
+  await scrubTo(page, 60);
+  assert.notDeepEqual(await canvas.screenshot(), first, 'the picture has changed');
+  assert.deepEqual(problems, []);
+});
+
+test('names the content policy that it keeps', async () => {
+  const { page } = await browser.openPage();
+  const policy = await page.locator('meta[http-equiv="Content-Security-Policy"]').getAttribute('content');
+  assert.match(policy, /script-src 'self' 'wasm-unsafe-eval';/);
+});
+
+test('every sample: every frame is closed, and its numbers are shown', async () => {
+  const { page, problems } = await browser.openPage();
+  const samples = await page.locator('#sample option').evaluateAll((options) => options.map((option) => option.value));
+  assert.ok(samples.includes('2tpr.json') && samples.includes('3rps.json'));
+  for (const sample of samples) {
+    const last = await text(page, 'about');
+    if (sample !== (await page.inputValue('#sample'))) {
+      await page.selectOption('#sample', sample);
+      await page.waitForFunction((old) => document.querySelector('#about').textContent !== old, last);
+      // The chains named in the info panel are those of the motion that is shown.
+      await page.waitForFunction(() => {
+        const types = (all) => [...document.querySelectorAll(all)].map((node) => node.textContent).join();
+        return types('.chain .type') === types('#chain-rows td:nth-child(2)');
+      });
+    }
+    const frames = await eachFrame(page);
+    assert.ok(frames.length >= 2, sample);
+    frames.forEach((frame, index) => {
+      assert.ok(frame.number.startsWith(`${index + 1} /`), `${sample}: ${frame.number}`);
+      assert.ok(number(frame.closure) <= 1e-10, `${sample}, frame ${frame.number}: ${frame.closure}`);
+      assert.notEqual(frame.status, 'Closure lost', `${sample}, frame ${frame.number}`);
+    });
+  }
+  assert.deepEqual(problems, []);
+});
+
+test('steps, scrubs and plays from the keyboard', async () => {
+  const { page } = await browser.openPage();
+  await page.getByRole('button', { name: 'One frame on' }).click();
+  assert.match(await text(page, 'frame-number'), /^2 \//);
+  await page.locator('#scrub').focus();
+  await page.keyboard.press('ArrowRight');
+  assert.match(await text(page, 'frame-number'), /^3 \//);
+  await page.keyboard.press('End');
+  const [at, of] = (await text(page, 'frame-number')).split(' / ');
+  assert.equal(at, of);
+  await page.keyboard.press('Space');
+  await page.getByRole('button', { name: 'Pause' }).waitFor();
+  await page.waitForFunction((end) => document.querySelector('#scrub').value !== end, String(Number(of) - 1));
+  await page.keyboard.press('Space');
+  await page.getByRole('button', { name: 'Play' }).waitFor();
+});
+
+test('turns, zooms and fits the view from the keyboard', async () => {
+  const { page } = await browser.openPage();
+  const canvas = page.locator('#canvas');
+  const pictures = [await canvas.screenshot()];
+  await canvas.focus();
+  for (const key of ['ArrowLeft', '+', 'Shift+ArrowUp']) {
+    await page.keyboard.press(key);
+    await page.evaluate(() => new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn))));
+    pictures.push(await canvas.screenshot());
+    assert.notDeepEqual(pictures.at(-1), pictures.at(-2), key);
+  }
+});
+
+test('says so when the planner cannot be loaded', async () => {
+  const { page } = await browser.blankPage();
+  await page.route(/\.wasm$|worker/, (route) => route.abort());
+  await page.goto(browser.address);
+  await page.locator('#trouble').filter({ hasText: 'could not be started' }).waitFor();
+});

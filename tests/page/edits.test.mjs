@@ -1,0 +1,81 @@
+// Every user action as a function from document to document.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import * as edits from '../../www/edits.js';
+
+const revolute = () => ({ type: 'R', rows: [{ alpha: 0, a: 1, theta: 0, d: 0 }] });
+const mechanism = () => ({
+  version: 1,
+  chains: [
+    { name: 'chain 1', joints: [revolute(), { type: 'C', rows: [{}] }], start: [1, 2, 3] },
+    { name: 'chain 2', joints: [revolute()] },
+  ],
+  motion: { key_frames: [{ name: 'a', x: 1 }, { name: 'b' }] },
+});
+
+/** The action leaves the old document as it was. */
+function unharmed(act) {
+  const document = mechanism();
+  const before = JSON.stringify(document);
+  const next = act(document);
+  assert.equal(JSON.stringify(document), before);
+  return next;
+}
+
+test('an entry is a number if it reads as one, else the text itself', () => {
+  for (const [text, value] of [['1', 1], [' -2.5e3 ', -2500], ['.5', 0.5], ['−90', -90], ['+4.', 4]]) assert.equal(edits.entry(text), value);
+  for (const text of ['abc', '', '1e999', '1,5', '0x10', '--1', 'Infinity', 'NaN', '-']) assert.equal(edits.entry(text), text);
+});
+
+test('a number is set in its place', () => {
+  const next = unharmed((d) => edits.setValue(d, 'chains[0].joints[0].rows[0].a', 2));
+  assert.equal(next.chains[0].joints[0].rows[0].a, 2);
+});
+
+test('joints are replaced, added and removed, and the start values that belonged to the old ones go', () => {
+  const prismatic = { type: 'P', rows: [{}] };
+  assert.deepEqual(unharmed((d) => edits.setJoint(d, 0, 1, prismatic)).chains[0], { name: 'chain 1', joints: [revolute(), prismatic] });
+  assert.deepEqual(unharmed((d) => edits.addJoint(d, 1, prismatic)).chains[1].joints, [revolute(), prismatic]);
+  assert.deepEqual(unharmed((d) => edits.removeJoint(d, 0, 0)).chains[0], { name: 'chain 1', joints: [{ type: 'C', rows: [{}] }] });
+});
+
+test('chains are added, duplicated and removed under names of their own', () => {
+  const names = (d) => d.chains.map((chain) => chain.name);
+  assert.deepEqual(names(unharmed((d) => edits.addChain(d, { joints: [revolute()] }))), ['chain 1', 'chain 2', 'chain 3']);
+  assert.deepEqual(names(unharmed((d) => edits.duplicateChain(d, 0))), ['chain 1', 'chain 3', 'chain 2']);
+  assert.deepEqual(names(unharmed((d) => edits.removeChain(d, 0))), ['chain 2']);
+  assert.deepEqual(names(edits.addChain(edits.removeChain(mechanism(), 0), {})), ['chain 2', 'chain 3']);
+});
+
+test('one start value brings the others in use with it', () => {
+  assert.deepEqual(unharmed((d) => edits.setStart(d, 1, 0, 5, [4])).chains[1].start, [5]);
+  assert.deepEqual(unharmed((d) => edits.setStart(d, 0, 1, 'abc', [7, 8, 9])).chains[0].start, [1, 'abc', 3]);
+  assert.equal('start' in unharmed((d) => edits.clearStart(d, 0)).chains[0], false);
+});
+
+test('a limit is set and opened again', () => {
+  const at = { chain: 0, joint: 1, freedom: 1, freedoms: 2 };
+  const closed = unharmed((d) => edits.setLimit(d, at, 'min', -1));
+  assert.deepEqual(closed.chains[0].joints[1].limits, [null, { min: -1 }]);
+  const both = edits.setLimit(closed, at, 'max', 2);
+  assert.deepEqual(both.chains[0].joints[1].limits, [null, { min: -1, max: 2 }]);
+  const open = edits.setLimit(edits.setLimit(both, at, 'min', undefined), at, 'max', undefined);
+  assert.equal('limits' in open.chains[0].joints[1], false);
+});
+
+test('key frames are added, duplicated and removed', () => {
+  const names = (d) => d.motion.key_frames.map((key) => key.name);
+  assert.deepEqual(names(unharmed((d) => edits.addKeyFrame(d, { x: 2 }))), ['a', 'b', 'key 3']);
+  assert.deepEqual(names(unharmed((d) => edits.duplicateKeyFrame(d, 0))), ['a', 'key 3', 'b']);
+  assert.deepEqual(names(unharmed((d) => edits.removeKeyFrame(d, 0))), ['b']);
+});
+
+test('all key frames have a time or none', () => {
+  const times = (d) => d.motion.key_frames.map((key) => key.time);
+  const timed = unharmed((d) => edits.setTime(d, 1, 4));
+  assert.deepEqual(times(timed), [0, 4]);
+  assert.deepEqual(times(edits.duplicateKeyFrame(timed, 0)), [0, 2, 4]);
+  assert.deepEqual(times(edits.addKeyFrame(timed, {})), [0, 4, 5]);
+  assert.deepEqual(times(edits.setTime(timed, 0, undefined)), [undefined, undefined]);
+  assert.deepEqual(times(edits.addKeyFrame(mechanism(), {})), [undefined, undefined, undefined]);
+});

@@ -1,0 +1,87 @@
+// The promises in front of the worker, with a worker that answers on command.
+import assert from 'node:assert/strict';
+import { afterEach, beforeEach, mock, test } from 'node:test';
+import { DocumentFault, Planner, PlannerFailure, Superseded } from '../../www/planner.js';
+
+/** @type {{requests: {id: number, call: string, text: string}[], ended: boolean, onmessage: Function, onerror: Function}[]} */
+let workers;
+
+beforeEach(() => {
+  workers = [];
+  globalThis.Worker = class {
+    requests = [];
+    ended = false;
+    constructor() {
+      workers.push(this);
+    }
+    postMessage(request) {
+      this.requests.push(request);
+    }
+    terminate() {
+      this.ended = true;
+    }
+  };
+});
+afterEach(() => mock.timers.reset());
+
+const answer = (worker, message) => worker.onmessage({ data: { id: worker.requests.at(-1).id, ...message } });
+
+test('an answer comes back to its question', async () => {
+  const planner = new Planner();
+  const motion = planner.plan('a');
+  answer(workers[0], { kind: 'value', value: 'motion of a' });
+  assert.equal(await motion, 'motion of a');
+});
+
+test('the latest edit wins: of the waiting plans only the newest is made', async () => {
+  const planner = new Planner();
+  const plans = ['a', 'b', 'c'].map((text) => planner.plan(text));
+  const overtaken = assert.rejects(plans[1], Superseded);
+  answer(workers[0], { kind: 'value', value: 1 });
+  answer(workers[0], { kind: 'value', value: 3 });
+  assert.deepEqual([await plans[0], await plans[2]], [1, 3]);
+  await overtaken;
+  assert.deepEqual(workers[0].requests.map((r) => r.text), ['a', 'c']);
+});
+
+test('a fault of the document is told with its place, and the worker lives', async () => {
+  const planner = new Planner();
+  const plan = planner.plan('a');
+  const fault = { code: 'x', message: 'no number', where: 'chains[0]', accepted: 'a number' };
+  answer(workers[0], { kind: 'fault', fault });
+  await assert.rejects(plan, (error) => error instanceof DocumentFault && error.fault === fault);
+  assert.equal(workers[0].ended, false);
+});
+
+test('a failed worker is discarded, and the next plan gets a new one', async () => {
+  const planner = new Planner();
+  const first = planner.plan('a');
+  const second = planner.plan('b');
+  answer(workers[0], { kind: 'failure', message: 'unreachable' });
+  await assert.rejects(first, PlannerFailure);
+  assert.equal(workers[0].ended, true);
+  answer(workers[1], { kind: 'value', value: 2 });
+  assert.equal(await second, 2);
+});
+
+test('a worker that cannot be loaded is not tried for ever', async () => {
+  const planner = new Planner();
+  const plan = planner.plan('a');
+  workers[0].onerror({ preventDefault() {}, message: 'gone' });
+  await assert.rejects(plan, PlannerFailure);
+  assert.equal(workers.length, 1);
+});
+
+test('a plan that hangs gives way to a newer edit, not before one comes', async () => {
+  mock.timers.enable({ apis: ['setTimeout'] });
+  const planner = new Planner();
+  const slow = planner.plan('a');
+  mock.timers.tick(60_000);
+  assert.equal(workers[0].ended, false);
+  const next = planner.plan('b');
+  const given = assert.rejects(slow, PlannerFailure);
+  mock.timers.tick(60_000);
+  await given;
+  answer(workers[1], { kind: 'value', value: 2 });
+  assert.equal(await next, 2);
+});

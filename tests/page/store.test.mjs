@@ -1,0 +1,80 @@
+// Document, result and view: history and subscriptions.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { createStore } from '../../www/store.js';
+
+const named = (name) => ({ version: 1, name, chains: [], motion: { key_frames: [] } });
+const rename = (name) => (document) => ({ ...document, name });
+
+test('undo and redo walk through the edits', () => {
+  const store = createStore(named('a'));
+  store.edit(rename('b'));
+  store.edit(rename('c'));
+  store.undo();
+  assert.equal(store.document.name, 'b');
+  store.undo();
+  assert.equal(store.document.name, 'a');
+  assert.equal(store.canUndo, false);
+  store.undo();
+  assert.equal(store.document.name, 'a');
+  store.redo();
+  store.redo();
+  assert.equal(store.document.name, 'c');
+  assert.equal(store.canRedo, false);
+});
+
+test('a new edit ends what could be redone', () => {
+  const store = createStore(named('a'));
+  store.edit(rename('b'));
+  store.undo();
+  store.edit(rename('c'));
+  assert.equal(store.canRedo, false);
+});
+
+test('an edit that changes nothing is no step', () => {
+  const store = createStore(named('a'));
+  let told = 0;
+  store.subscribe('document', () => told++);
+  store.edit(rename('a'));
+  assert.equal(told, 0);
+  assert.equal(store.canUndo, false);
+});
+
+test('edits of one stay in a cell are undone together', () => {
+  const store = createStore(named('a'));
+  for (const name of ['b', 'bc', 'bcd']) store.edit(rename(name), 'visit 1');
+  store.edit(rename('x'), 'visit 2');
+  store.undo();
+  assert.equal(store.document.name, 'bcd');
+  store.undo();
+  assert.equal(store.document.name, 'a');
+});
+
+test('typed and taken back leaves nothing to undo', () => {
+  const store = createStore(named('a'));
+  store.edit(rename('b'), 'visit 1');
+  store.edit(rename('a'), 'visit 1');
+  assert.equal(store.canUndo, false);
+});
+
+test('another document begins a new history', () => {
+  const store = createStore(named('a'));
+  store.edit(rename('b'));
+  store.open(named('z'));
+  assert.equal(store.canUndo, false);
+  assert.equal(store.document.name, 'z');
+});
+
+test('listeners hear of their part only, until they leave', () => {
+  const store = createStore(named('a'));
+  const heard = [];
+  const leave = store.subscribe('view', () => heard.push('view'));
+  store.subscribe('result', () => heard.push('result'));
+  store.setView({ frame: 3 });
+  store.setView({ frame: 3 });
+  store.setResult({ trouble: 'x' });
+  leave();
+  store.setView({ frame: 4 });
+  assert.deepEqual(heard, ['view', 'result']);
+  assert.deepEqual(store.view, { frame: 4, playing: false });
+});
