@@ -72,7 +72,10 @@ pub struct Linearised {
 pub fn linearise(mechanism: &Mechanism, joints: &[f64], q: &DualQuaternion) -> Linearised {
     let variables = mechanism.variables();
     let je = twist_of_rates(q);
-    let place = pose::from_dual_quaternion(q, 1.0);
+    let mut place = pose::from_dual_quaternion(q, 1.0);
+    // Eq. 17 as printed, d = 2 q_dual ∘ q* without a division by |q|², is what [J_E] derives: off
+    // |q| = 1 the corrections would otherwise first open the loops by |q|² − 1 times d.
+    place.translation.vector *= q.fixed_rows::<4>(0).norm_squared();
     let mut rows = Vec::new();
     let mut residual = Vec::new();
     let mut first = 0;
