@@ -98,6 +98,12 @@ export function setStart(document, chain, index, value, current) {
   return withValueAt(document, `chains[${chain}].start`, start);
 }
 
+/** Takes over every chain's start values. @param {MechanismDocument} document @param {Chain[]} from */
+export const takeStarts = (document, from) => ({
+  ...document,
+  chains: document.chains.map((chain, index) => ({ ...chain, start: from[index]?.start ?? chain.start })),
+});
+
 /** @param {MechanismDocument} document @param {number} chain */
 export const clearStart = (document, chain) => withValueAt(document, `chains[${chain}].start`, undefined);
 

@@ -1,6 +1,7 @@
 /**
  * Composition of the page: makes the parts and connects them.
  */
+import { takeStarts } from './edits.js';
 import { DocumentFault, Planner, PlannerFailure } from './planner.js';
 import { Player } from './player.js';
 import { samples } from './samples.js';
@@ -44,6 +45,14 @@ function openScene() {
   return made;
 }
 
+/** What the page says when the planner fails or the document is at fault. @param {unknown} error @param {unknown} document */
+function report(error, document) {
+  if (error instanceof DocumentFault && document === store.document) store.setResult({ fault: error.fault, trouble: '' });
+  if (error instanceof PlannerFailure) {
+    store.setResult({ trouble: `The planner failed on this document and was started afresh (${error.message}). Your document is safe: undo the last edit or change it.` });
+  }
+}
+
 /** Plans the present document; while it is at fault, the last good motion stays. */
 async function replan() {
   const { document } = store;
@@ -51,10 +60,18 @@ async function replan() {
     const motion = await planner.plan(JSON.stringify(document));
     store.setResult({ motion, document, fault: null, trouble: '' });
   } catch (error) {
-    if (error instanceof DocumentFault && document === store.document) store.setResult({ fault: error.fault, trouble: '' });
-    if (error instanceof PlannerFailure) {
-      store.setResult({ trouble: `The planner failed on this document and was started afresh (${error.message}). Your document is safe: undo the last edit or change it.` });
-    }
+    report(error, document);
+  }
+}
+
+/** Writes start values that close the loops into the document. */
+async function findStart() {
+  const { document } = store;
+  try {
+    const { chains } = JSON.parse(await planner.findStart(JSON.stringify(document)));
+    store.edit((present) => takeStarts(present, chains));
+  } catch (error) {
+    report(error, document);
   }
 }
 
@@ -69,7 +86,7 @@ async function open(text) {
 /** @param {import('./types.js').Defaults} defaults */
 function connect(defaults) {
   const panels = { root: byId('tables'), mechanism: byId('mechanism'), motion: byId('motion') };
-  const tables = createTables(panels, store, defaults, tabs.mark);
+  const tables = createTables(panels, store, defaults, { markFault: tabs.mark, findStart });
   createStatus(store, player, () => {
     tables.focusFault((panel) => tabs.choosePanel(panel));
   });

@@ -97,6 +97,19 @@ test('turns, zooms and fits the view from the keyboard', async () => {
   }
 });
 
+test('a lost graphics context is told, and the view comes back with it', async () => {
+  const { page } = await browser.openPage();
+  const loss = await page.evaluateHandle(() => document.querySelector('#canvas').getContext('webgl2').getExtension('WEBGL_lose_context'));
+  await loss.evaluate((extension) => extension.loseContext());
+  await page.locator('#view-note').filter({ hasText: 'interrupted' }).waitFor();
+  await loss.evaluate((extension) => extension.restoreContext());
+  await page.locator('#view-note').waitFor({ state: 'hidden' });
+  const before = await page.locator('#canvas').screenshot();
+  await scrubTo(page, 60);
+  await page.evaluate(() => new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn))));
+  assert.notDeepEqual(await page.locator('#canvas').screenshot(), before, 'the view is drawn again');
+});
+
 test('says so when the planner cannot be loaded', async () => {
   const { page } = await browser.blankPage();
   await page.route(/\.wasm$|worker/, (route) => route.abort());

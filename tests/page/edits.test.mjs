@@ -50,6 +50,7 @@ test('chains are added, duplicated and removed under names of their own', () => 
 test('one start value brings the others in use with it', () => {
   assert.deepEqual(unharmed((d) => edits.setStart(d, 1, 0, 5, [4])).chains[1].start, [5]);
   assert.deepEqual(unharmed((d) => edits.setStart(d, 0, 1, 'abc', [7, 8, 9])).chains[0].start, [1, 'abc', 3]);
+  assert.deepEqual(unharmed((d) => edits.takeStarts(d, [{ start: [9, 9, 9] }, { start: [8] }])).chains.map((c) => c.start), [[9, 9, 9], [8]]);
   assert.equal('start' in unharmed((d) => edits.clearStart(d, 0)).chains[0], false);
 });
 

@@ -25,8 +25,9 @@ const PARAMETERS = [
  * @param {Store} store
  * @param {Cells} cells
  * @param {Defaults} defaults
+ * @param {() => void} findStart asks the planner for start values
  */
-export function createChainTables(panel, store, cells, defaults) {
+export function createChainTables(panel, store, cells, defaults, findStart) {
   /** Outputs that follow the playhead: one a joint variable. @type {HTMLOutputElement[][]} */
   let nows = [];
   /** Chains whose start values are unfolded, kept over a rebuild. @type {Set<number>} */
@@ -59,11 +60,16 @@ export function createChainTables(panel, store, cells, defaults) {
           const name = element('var', { title: 'joint variable; the number beside it is added' }, variableName(variable, row));
           return element('td', { class: 'variable' }, element('span', {}, name, element('i', { 'aria-hidden': 'true' }, '+'), field));
         });
-        const tr = element('tr', {}, element('th', { scope: 'row' }, String(row + 1)));
-        if (r === 0) tr.append(element('td', { rowspan: rows.length, class: 'joint' }, jointPicker(chain, j)));
-        tr.append(...cellsOfRow);
-        if (r === 0) tr.append(element('td', { rowspan: rows.length, class: 'act' }, removeJointButton(chain, j)));
-        group.append(tr);
+        group.append(
+          element(
+            'tr',
+            {},
+            element('th', { scope: 'row' }, String(row + 1)),
+            element('td', { class: 'joint' }, r === 0 ? jointPicker(chain, j) : ''),
+            ...cellsOfRow,
+            element('td', { class: 'act' }, r === 0 ? removeJointButton(chain, j) : ''),
+          ),
+        );
       });
       body.push(group);
     });
@@ -201,9 +207,17 @@ export function createChainTables(panel, store, cells, defaults) {
       element('button', { class: 'quiet', 'aria-label': `${label} chain ${chain + 1}`, title: `${label} this chain`, disabled, click: act }, text);
     const details = element(
       'details',
-      { open: unfolded.has(chain), toggle: () => (details.open ? unfolded.add(chain) : unfolded.delete(chain)) },
+      {
+        open: unfolded.has(chain),
+        toggle: () => {
+          if (details.open) unfolded.add(chain);
+          else unfolded.delete(chain);
+          showNow();
+        },
+      },
       element('summary', {}, 'Start values and limits'),
       startTable(chain),
+      element('button', { class: 'quiet', title: 'Let the planner look for start values that close the loops, in every chain', click: findStart }, 'find a start'),
     );
     return element(
       'section',
@@ -222,6 +236,22 @@ export function createChainTables(panel, store, cells, defaults) {
     );
   }
 
+  /** The joint values at the playhead, where they are unfolded. */
+  function showNow() {
+    const { motion } = store.result;
+    if (!motion) return;
+    const { chains } = motion.report;
+    const width = motion.joints.length / motion.frames;
+    let at = store.view.frame * width;
+    chains.forEach(({ variables }, chain) => {
+      variables.forEach(({ unit: kind }, index) => {
+        const value = motion.joints[at++];
+        const output = nows[chain]?.[index];
+        if (output && unfolded.has(chain)) setText(output, kind === 'rad' ? short(degrees(value), ANGLE_DECIMALS) : short(value));
+      });
+    });
+  }
+
   return {
     /** Builds the tables anew: the document has another shape. */
     rebuild() {
@@ -238,22 +268,7 @@ export function createChainTables(panel, store, cells, defaults) {
         element('button', { class: 'wide', click: () => store.edit((document) => edits.addChain(document, defaults.chain)) }, '+ chain'),
       );
     },
-
-    /** The joint values at the playhead. */
-    showNow() {
-      const { motion } = store.result;
-      if (!motion) return;
-      const { chains } = motion.report;
-      const width = motion.joints.length / motion.frames;
-      let at = store.view.frame * width;
-      chains.forEach(({ variables }, chain) => {
-        variables.forEach(({ unit: kind }, index) => {
-          const value = motion.joints[at++];
-          const output = nows[chain]?.[index];
-          if (output && unfolded.has(chain)) setText(output, kind === 'rad' ? short(degrees(value), ANGLE_DECIMALS) : short(value));
-        });
-      });
-    },
+    showNow,
   };
 }
 

@@ -21,7 +21,7 @@ import { BoxGeometry, CylinderGeometry, Group, Mesh, SphereGeometry, TorusGeomet
  */
 
 /** A cylinder along z. @param {number} radius @param {number} length @param {number} [segments] */
-export const barrel = (radius, length, segments = 28) => new CylinderGeometry(radius, radius, length, segments).rotateX(Math.PI / 2);
+export const barrel = (radius, length, segments = 24) => new CylinderGeometry(radius, radius, length, segments).rotateX(Math.PI / 2);
 
 /** @param {import('three').BufferGeometry} geometry @param {Material} material @param {number} [z] */
 export function part(geometry, material, z = 0) {
@@ -73,17 +73,17 @@ export function jointShape(type, r, { link, metal, dark }, travel) {
         arm.add(part(barrel(0.75 * r, 5.4 * r), dark));
         for (const side of [-1, 1]) arm.add(part(barrel(1.2 * r, 0.8 * r), metal, side * 2.75 * r));
       }
-      const ring = part(new TorusGeometry(2.75 * r, 0.45 * r, 14, 56), link);
+      const ring = part(new TorusGeometry(2.75 * r, 0.45 * r, 10, 44), link);
       ring.rotation.y = Math.PI / 2;
       cross.add(ring);
       moved.add(part(new SphereGeometry(1.3 * r, 24, 16), link));
       return { fixed, moved, cross };
     }
     case 'S': {
-      const socket = part(new SphereGeometry(2.3 * r, 32, 16, 0, 2 * Math.PI, 0, 0.55 * Math.PI), link);
+      const socket = part(new SphereGeometry(2.3 * r, 28, 12, 0, 2 * Math.PI, 0, 0.55 * Math.PI), link);
       socket.rotation.x = -Math.PI / 2;
-      fixed.add(socket, part(new TorusGeometry(2.24 * r, 0.2 * r, 10, 44), metal, 0.36 * r));
-      moved.add(part(new SphereGeometry(1.95 * r, 32, 20), dark));
+      fixed.add(socket, part(new TorusGeometry(2.24 * r, 0.2 * r, 8, 36), metal, 0.36 * r));
+      moved.add(part(new SphereGeometry(1.95 * r, 26, 16), dark));
       return { fixed, moved };
     }
     case 'E': {

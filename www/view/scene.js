@@ -21,6 +21,9 @@ const LINK_RADIUS = 0.024;
 /** How much the scene may grow or shrink before its bodies are drawn in new proportions: typing should not pump them. */
 const KEEP_SIZE = 1.5;
 
+/** Without a graphics card, the rest in milliseconds after which the picture is drawn once more, with shadows. */
+const REST = 250;
+
 /**
  * @param {{canvas: HTMLCanvasElement, labels: HTMLElement}} place
  * @param {() => void} changed
@@ -31,6 +34,7 @@ export function createScene({ canvas, labels: layer }, changed) {
   if (!context) return null;
   const renderer = new WebGLRenderer({ canvas, context });
   renderer.shadowMap.enabled = true;
+  const slow = isSoftware(context);
   const scene = new Scene();
   const view = createCamera(canvas, changed);
   const labels = createLabels(layer);
@@ -119,6 +123,22 @@ export function createScene({ canvas, labels: layer }, changed) {
   new ResizeObserver(resize).observe(canvas);
   resize();
 
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let rest;
+  let resting = false;
+  /** Shadows double the work: on a slow machine they wait until nothing moves. */
+  function waitForRest() {
+    sun.castShadow = resting;
+    clearTimeout(rest);
+    if (!resting) {
+      rest = setTimeout(() => {
+        resting = true;
+        changed();
+      }, REST);
+    }
+    resting = false;
+  }
+
   /** @type {Motion | null} */
   let shown = null;
   return {
@@ -151,8 +171,16 @@ export function createScene({ canvas, labels: layer }, changed) {
         linkage.show(shown, Math.min(frame, shown.frames - 1));
         paths.show(shown, Math.min(frame, shown.frames - 1));
       }
+      if (slow) waitForRest();
       renderer.render(scene, view.camera);
       labels.place(view.camera, width, height);
     },
   };
+}
+
+/** Whether pictures are computed without a graphics card. @param {WebGL2RenderingContext} context */
+function isSoftware(context) {
+  const names = context.getExtension('WEBGL_debug_renderer_info');
+  const name = context.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : context.RENDERER);
+  return /swiftshader|llvmpipe|software|basic render/i.test(String(name));
 }

@@ -9,6 +9,9 @@ import { mergeVertices, toCreasedNormals } from 'three/addons/utils/BufferGeomet
 
 const Y = new Vector3(0, 1, 0);
 
+/** Pieces of a curve: enough to look smooth across a screen. */
+const CURVE_PIECES = 200;
+
 /**
  * A round rod with round ends between two points.
  * @param {Vector3} from
@@ -19,7 +22,7 @@ const Y = new Vector3(0, 1, 0);
 export function rod(from, to, radius, material) {
   const group = new Group();
   const shaft = new Mesh(new CylinderGeometry(radius, radius, 1, 20, 1, true), material);
-  const ends = [0, 1].map(() => new Mesh(new SphereGeometry(radius, 20, 14), material));
+  const ends = [0, 1].map(() => new Mesh(new SphereGeometry(radius, 18, 10), material));
   group.add(shaft, ...ends);
   for (const mesh of [shaft, ...ends]) {
     mesh.castShadow = true;
@@ -73,7 +76,7 @@ export function tube(points, radius) {
   const spread = [];
   for (const point of points) if (!spread.length || point.distanceTo(spread[spread.length - 1]) > radius * 0.1) spread.push(point);
   if (spread.length < 2) return new BufferGeometry();
-  return new TubeGeometry(new CatmullRomCurve3(spread), Math.min(800, spread.length * 2), radius, 10);
+  return new TubeGeometry(new CatmullRomCurve3(spread), Math.min(CURVE_PIECES, spread.length * 2), radius, 7);
 }
 
 /**

@@ -1,5 +1,5 @@
 /**
- * The strip above the scrub bar: the gap of every frame as a curve and its status as a coloured, patterned band.
+ * The strip above the scrub bar: the gap of every frame as a curve and its status as a coloured band.
  *
  * @typedef {import('../types.js').Motion} Motion
  */
@@ -8,6 +8,9 @@ import { statusName } from './words.js';
 const SVG = 'http://www.w3.org/2000/svg';
 const HEIGHT = 24;
 const BAND = 4;
+
+/** Ends that need a look stand higher, so that they are told apart without colour. @type {Record<string, number>} */
+const HIGHER = { at_limit: 7, stalled: 11, closure_lost: HEIGHT };
 
 /** @param {SVGSVGElement} svg @param {Motion} motion */
 export function drawStrip(svg, motion) {
@@ -33,7 +36,8 @@ export function drawStrip(svg, motion) {
     while (end + 1 < motion.frames && motion.status[end + 1] === motion.status[first]) end++;
     const from = Math.max(0, first - 0.5);
     const to = Math.min(last, end + 0.5);
-    add(svg, 'rect', { x: from, y: HEIGHT - BAND, width: to - from, height: BAND, class: `band ${name}` });
+    const height = HIGHER[name] ?? BAND;
+    add(svg, 'rect', { x: from, y: HEIGHT - height, width: to - from, height, class: `band ${name}` });
     first = end + 1;
   }
 }

@@ -13,11 +13,12 @@ import { createMotionTables } from './motion-tables.js';
  * @param {{root: HTMLElement, mechanism: HTMLElement, motion: HTMLElement}} place
  * @param {Store} store
  * @param {import('../types.js').Defaults} defaults
- * @param {(panel: HTMLElement | null) => void} markFault told which panel holds the fault
+ * @param {{markFault: (panel: HTMLElement | null) => void, findStart: () => void}} outside
+ *   `markFault` is told which panel holds the fault; `findStart` asks the planner for start values
  */
-export function createTables({ root, mechanism, motion }, store, defaults, markFault) {
+export function createTables({ root, mechanism, motion }, store, defaults, { markFault, findStart }) {
   const cells = createCells(store);
-  const chains = createChainTables(mechanism, store, cells, defaults);
+  const chains = createChainTables(mechanism, store, cells, defaults, findStart);
   const keys = createMotionTables(motion, store, cells, defaults);
   const note = createFaultNote(root);
   let shape = '';
