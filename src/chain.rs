@@ -22,6 +22,7 @@ pub struct Chain {
 
 /// Why joints do not make a chain.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[expect(missing_docs, reason = "the fields are what the variants speak of")]
 pub enum ChainFault {
     /// A chain needs a joint.
     NoJoints,

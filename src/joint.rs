@@ -1,6 +1,7 @@
 //! The six joints of Table 1 as rows of a Denavit–Hartenberg table, and their limits.
 
 use crate::dh::DhRow;
+use std::cmp::Ordering;
 use std::f64::consts::FRAC_PI_2;
 
 /// The kind of a joint (Table 1).
@@ -128,6 +129,7 @@ pub struct Joint {
 
 /// Why rows and limits do not make a joint of the wanted kind; rows and freedoms count from 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[expect(missing_docs, reason = "the fields are what the variants speak of")]
 pub enum JointFault {
     /// The kind takes `expected` rows.
     RowCount { expected: usize, found: usize },
@@ -172,7 +174,7 @@ impl Joint {
         }
         for (freedom, l) in limits.iter().enumerate() {
             // Also refuses NaN.
-            if l.min.partial_cmp(&l.max).is_none_or(|order| order.is_gt()) {
+            if l.min.partial_cmp(&l.max).is_none_or(Ordering::is_gt) {
                 return Err(JointFault::LimitOrder { freedom, limits: *l });
             }
         }

@@ -19,7 +19,11 @@ pub mod objective;
 pub mod planner;
 pub mod pose;
 pub mod problem;
+pub mod report;
 mod spline;
+pub mod start;
 pub mod tangent;
 pub mod trajectory;
 pub mod trust_region;
+#[cfg(target_arch = "wasm32")]
+pub mod wasm;

@@ -13,6 +13,7 @@ pub struct Mechanism {
 
 /// Why chains do not make a mechanism.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[expect(missing_docs, reason = "the fields are what the variants speak of")]
 pub enum MechanismFault {
     /// Nothing holds the workpiece.
     NoChains,
@@ -45,8 +46,9 @@ impl Mechanism {
     }
 
     /// Mobility M = 6 − ΣU (Eq. 10): the count, which the rank may exceed.
-    pub fn mobility_count(&self) -> i32 {
-        6 - self.chains.iter().map(|c| 6 - c.freedoms() as i32).sum::<i32>()
+    pub fn mobility_count(&self) -> isize {
+        let constraints: usize = self.chains.iter().map(Chain::constraints).sum();
+        6 - constraints.cast_signed()
     }
 
     /// A length typical of the mechanism, for tolerances: the longest chain, or the span of the

@@ -70,7 +70,7 @@ pub fn plan(mechanism: &Mechanism, start: &[f64], goals: &[Goal], settings: &Set
     let mut joints = start.to_vec();
     let closed = assemble(mechanism, &mut solver, &mut joints, &mut t.warnings);
     t.mobility_rank = solver.mobility(&joints);
-    if closed && t.mobility_rank as i32 != t.mobility_count {
+    if closed && t.mobility_rank.cast_signed() != t.mobility_count {
         let (count, rank) = (t.mobility_count, t.mobility_rank);
         t.warnings.push(Warning::MobilityDiffers { count, rank });
     }

@@ -15,8 +15,10 @@ use crate::fault::{Fault, FaultCode, Place};
 use crate::joint::{Joint, JointFault, JointKind, Limits, Moves};
 use crate::keyframe::{Goal, KeyFrame, KeyFrameFault, MAX_FRAMES, MAX_KEY_FRAMES, goal_motion};
 use crate::mechanism::{MAX_CHAINS, Mechanism, MechanismFault};
-use crate::planner::Settings;
+use crate::planner::{Settings, plan};
 use crate::pose::{FrameCoordinates, Pose};
+use crate::start;
+use crate::trajectory::Trajectory;
 
 /// What the planner needs, in radians.
 #[derive(Clone, Debug)]
@@ -42,7 +44,7 @@ impl Problem {
         check_text(&document.about, MAX_ABOUT, &whole.field("about"))?;
         check_text(&document.length_unit, MAX_UNIT, &whole.field("length_unit"))?;
         let mechanism = mechanism(&document.chains)?;
-        let start = start(&document.chains, &mechanism)?;
+        let start = given_start(&document.chains, &mechanism)?;
         let goals = goals(document)?;
         let settings = settings(document)?;
         check_size(&mechanism, goals.len())?;
@@ -52,6 +54,18 @@ impl Problem {
             goals,
             settings,
         })
+    }
+}
+
+impl Problem {
+    /// The joint values to start from: the document's, or an assembly found for chains without.
+    pub fn find_start(&self) -> Vec<f64> {
+        start::find(&self.mechanism, &self.start, &self.goals[0].pose, &self.settings)
+    }
+
+    /// Plans the motion.
+    pub fn plan(&self) -> Trajectory {
+        plan(&self.mechanism, &self.find_start(), &self.goals, &self.settings)
     }
 }
 
@@ -185,7 +199,7 @@ fn limits(
     })
 }
 
-fn start(entries: &[ChainEntry], mechanism: &Mechanism) -> Result<Vec<Option<Vec<f64>>>, Fault> {
+fn given_start(entries: &[ChainEntry], mechanism: &Mechanism) -> Result<Vec<Option<Vec<f64>>>, Fault> {
     each(entries, |i, entry| {
         let chain = &mechanism.chains()[i];
         let Some(values) = &entry.start else {

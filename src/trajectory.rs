@@ -41,6 +41,7 @@ impl Status {
 
 /// Something that worked, but deserves a look.
 #[derive(Clone, Debug, PartialEq)]
+#[expect(missing_docs, reason = "the fields are what the variants speak of")]
 pub enum Warning {
     /// The start's loops were open, and were closed by moving a joint by up to `moved` (rad or
     /// lengths).
@@ -55,7 +56,7 @@ pub enum Warning {
     /// At this frame the distance to the goal keeps falling while a slider without limits runs away.
     Runaway { frame: usize },
     /// The mobility by rank differs from the count of Eq. 10.
-    MobilityDiffers { count: i32, rank: usize },
+    MobilityDiffers { count: isize, rank: usize },
 }
 
 /// A planned motion.
@@ -88,7 +89,7 @@ pub struct Trajectory {
     /// How each frame ended.
     pub status: Vec<Status>,
     /// Mobility by Eq. 10.
-    pub mobility_count: i32,
+    pub mobility_count: isize,
     /// n − rank [A] at the start: independent motions, inner freedoms of the chains included.
     pub mobility_rank: usize,
     /// The joint values from which the motion was planned.

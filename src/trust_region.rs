@@ -106,7 +106,7 @@ impl TrustRegion {
             self.shifted(shift);
         } else if least < -self.flat {
             // A ridge without slope across it (or too little): leave along the steepest fall.
-            let across = self.eigenvalues.iter().position(|&e| e == least).unwrap_or(0);
+            let across = self.eigenvalues.iter().position(|&e| e <= least).unwrap_or(0);
             let rest = (radius * radius - self.length * self.length).max(0.0).sqrt();
             self.step[across] += if self.step[across] < 0.0 { -rest } else { rest };
             self.length = radius;

@@ -1,0 +1,83 @@
+/** A fault of a document: a person can mend it. */
+export interface Fault {
+  code: string;
+  /** A sentence: where, what, and what would be accepted. */
+  message: string;
+  /** JSON path such as chains[1].joints[0].rows[0].alpha; empty for the whole document. */
+  where: string;
+  accepted: string;
+  line?: number;
+  column?: number;
+}
+
+/** A planned motion. Numbers are copies; groups of several numbers a frame lie frame by frame. */
+export interface Motion {
+  frames: number;
+  report: Report;
+  /** What planning took, without the copying of the result. */
+  milliseconds: number;
+  /** Time of each frame. */
+  time: Float64Array;
+  /** Goal, 7 a frame: x y z, then the rotation's quaternion x y z w. */
+  goal: Float64Array;
+  /** Reached pose, 7 a frame. */
+  pose: Float64Array;
+  /** Joint values chain by chain, rad or lengths. */
+  joints: Float64Array;
+  /** Every table row's frame before its joint and behind it, 14 a row, in the fixed frame. */
+  rows: Float64Array;
+  /** ½‖q − g‖². */
+  metric: Float64Array;
+  translation_gap: Float64Array;
+  /** rad */
+  rotation_gap: Float64Array;
+  /** Largest opening of a loop, lengths and rad. */
+  closure: Float64Array;
+  sigma_min: Float64Array;
+  projected_gradient: Float64Array;
+  iterations: Uint32Array;
+  /** Index into report.statuses. */
+  status: Uint8Array;
+}
+
+export interface Report {
+  statuses: ["reached", "closest", "at_limit", "stalled", "closure_lost"];
+  chains: ChainReport[];
+  /** Eq. 10. */
+  mobility_count: number;
+  /** n − rank [A] at the start. */
+  mobility_rank: number;
+  /** Frames count from 0. */
+  warnings: { code: string; message: string; first?: number; last?: number }[];
+  /** Joint values planned from, degrees or lengths, chain by chain. */
+  start: number[][];
+}
+
+export interface ChainReport {
+  name: string;
+  type: string;
+  freedoms: number;
+  constraints: number;
+  category: "I" | "II" | "III" | "IV" | "V";
+  variables: { label: string; unit: "rad" | "length"; joint: number; row: number }[];
+  rows: { kind: JointType; joint: number }[];
+}
+
+export type JointType = "R" | "P" | "C" | "T" | "S" | "E";
+
+/** Parts of documents with their defaults; `document` is the text of a whole one. */
+export interface Defaults {
+  document: string;
+  joints: Record<JointType, object>;
+  frame: object;
+  key_frame: object;
+  chain: object;
+  motion: object;
+  planner: object;
+}
+
+/** Tables 2 and 3. */
+export interface Enumeration {
+  classes: { category: "I" | "II" | "III" | "IV"; constraints: number; name: string; count: number; chains: string[] }[];
+  assemblies: { constraints: number; total: number; categories: { name: string; count: number }[] }[];
+}

@@ -1,0 +1,186 @@
+//! The bindings to JavaScript: text in, copied columns and small objects out, no arithmetic.
+
+use crate::defaults;
+use crate::document::SCHEMA;
+use crate::enumerate;
+use crate::fault::Fault;
+use crate::json;
+use crate::pose::Pose;
+use crate::problem::Problem;
+use crate::report::Report;
+use crate::trajectory::Trajectory;
+use js_sys::{Float64Array, Object, Reflect, Uint8Array, Uint32Array};
+use serde::Serialize;
+use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = include_str!("wasm.d.ts");
+
+#[wasm_bindgen]
+extern "C" {
+    /// A type of wasm.d.ts.
+    #[wasm_bindgen(typescript_type = "Motion")]
+    pub type JsMotion;
+    /// A type of wasm.d.ts.
+    #[wasm_bindgen(typescript_type = "Defaults")]
+    pub type JsDefaults;
+    /// A type of wasm.d.ts.
+    #[wasm_bindgen(typescript_type = "Enumeration")]
+    pub type JsEnumeration;
+}
+
+/// Reports panics, which are our own defects, to the console before the instance is lost.
+#[wasm_bindgen(start)]
+pub fn start() {
+    std::panic::set_hook(Box::new(|info| web_sys::console::error_1(&info.to_string().into())));
+}
+
+/// Plans a document.
+///
+/// # Errors
+/// A `Fault` where the document is at fault.
+#[wasm_bindgen]
+pub fn plan(text: &str) -> Result<JsMotion, JsValue> {
+    let began = now();
+    let problem = problem(text)?;
+    let trajectory = problem.plan();
+    let milliseconds = now() - began;
+    motion(&problem, &trajectory, milliseconds).map(JsCast::unchecked_into)
+}
+
+/// The document with every default written out.
+///
+/// # Errors
+/// A `Fault` where the document is at fault.
+#[wasm_bindgen]
+pub fn normalise(text: &str) -> Result<String, JsValue> {
+    let document = json::parse(text).map_err(|fault| refusal(&fault))?;
+    Problem::new(&document).map_err(|fault| refusal(&fault))?;
+    Ok(document.text())
+}
+
+/// The document with the start that the planner uses written into it.
+///
+/// # Errors
+/// A `Fault` where the document is at fault.
+#[wasm_bindgen]
+pub fn find_start(text: &str) -> Result<String, JsValue> {
+    let mut document = json::parse(text).map_err(|fault| refusal(&fault))?;
+    let problem = Problem::new(&document).map_err(|fault| refusal(&fault))?;
+    document.set_start(&problem.mechanism, &problem.find_start());
+    Ok(document.text())
+}
+
+/// What a page starts from: one of everything that can be added to a document.
+///
+/// # Errors
+/// Never for a reason of the caller's.
+#[wasm_bindgen]
+pub fn defaults() -> Result<JsDefaults, JsValue> {
+    to_js(&defaults::defaults()).map(JsCast::unchecked_into)
+}
+
+/// The JSON Schema of a document.
+#[wasm_bindgen]
+pub fn schema() -> String {
+    SCHEMA.to_owned()
+}
+
+/// Chain classes (Table 2) and assembly categories (Table 3) with their counts.
+///
+/// # Errors
+/// Never for a reason of the caller's.
+#[wasm_bindgen]
+pub fn enumeration() -> Result<JsEnumeration, JsValue> {
+    to_js(&enumerate::tables()).map(JsCast::unchecked_into)
+}
+
+/// The k-th chain with this degree of constraint, such as RPS; undefined if there is none.
+#[wasm_bindgen]
+pub fn chain_by_index(constraints: usize, k: f64) -> Option<String> {
+    enumerate::chain(constraints, index(k)?).map(|kinds| enumerate::letters(&kinds))
+}
+
+/// The k-th assembly with this total degree of constraint, as chain names; undefined if there is none.
+#[wasm_bindgen]
+pub fn assembly_by_index(constraints: usize, k: f64) -> Option<Vec<String>> {
+    let chains = enumerate::assembly(constraints, index(k)?)?;
+    Some(chains.iter().map(|kinds| enumerate::letters(kinds)).collect())
+}
+
+fn problem(text: &str) -> Result<Problem, JsValue> {
+    json::parse(text).and_then(|document| Problem::new(&document)).map_err(|fault| refusal(&fault))
+}
+
+fn motion(problem: &Problem, t: &Trajectory, milliseconds: f64) -> Result<Object, JsValue> {
+    let motion = Object::new();
+    let set = |name: &str, value: &JsValue| Reflect::set(&motion, &name.into(), value).map(drop);
+    let numbers = |values: &[f64]| Float64Array::from(values);
+    set("frames", &t.frames().into())?;
+    set("report", &to_js(&Report::new(&problem.mechanism, t))?)?;
+    set("milliseconds", &milliseconds.into())?;
+    set("time", &numbers(&t.time))?;
+    set("goal", &numbers(&placed(&t.goals)))?;
+    set("pose", &numbers(&placed(&t.poses)))?;
+    set("joints", &numbers(&t.joints))?;
+    set("rows", &numbers(&row_frames(problem, t)))?;
+    set("metric", &numbers(&t.metric))?;
+    set("translation_gap", &numbers(&t.translation_gap))?;
+    set("rotation_gap", &numbers(&t.rotation_gap))?;
+    set("closure", &numbers(&t.closure))?;
+    set("sigma_min", &numbers(&t.sigma_min))?;
+    set("projected_gradient", &numbers(&t.projected_gradient))?;
+    set("iterations", &Uint32Array::from(&t.iterations[..]))?;
+    let codes: Vec<u8> = t.status.iter().map(|s| *s as u8).collect();
+    set("status", &Uint8Array::from(&codes[..]))?;
+    Ok(motion)
+}
+
+/// x y z qx qy qz qw of each pose.
+fn placed<'a>(poses: impl IntoIterator<Item = &'a Pose>) -> Vec<f64> {
+    let mut column = Vec::new();
+    for pose in poses {
+        column.extend_from_slice(pose.translation.vector.as_slice());
+        column.extend_from_slice(pose.rotation.coords.as_slice());
+    }
+    column
+}
+
+/// For drawing: seat and moved frame of every table row, frame by frame.
+fn row_frames(problem: &Problem, t: &Trajectory) -> Vec<f64> {
+    let frames = (0..t.frames())
+        .flat_map(|i| problem.mechanism.split(t.joints_at(i)))
+        .flat_map(|(chain, theta)| chain.frames(theta))
+        .flat_map(|(seat, moved)| [seat, moved]);
+    placed(&frames.collect::<Vec<_>>())
+}
+
+fn refusal(fault: &Fault) -> JsValue {
+    to_js(fault).unwrap_or_else(|error| error)
+}
+
+fn to_js(value: &impl Serialize) -> Result<JsValue, JsValue> {
+    let serializer = serde_wasm_bindgen::Serializer::json_compatible();
+    value.serialize(&serializer).map_err(JsValue::from)
+}
+
+/// A whole number from JavaScript, exact up to 2⁵³.
+fn index(k: f64) -> Option<u64> {
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "in range by the same line"
+    )]
+    let whole = k as u64;
+    ((0.0..9_007_199_254_740_992.0).contains(&k) && k.fract() == 0.0).then_some(whole)
+}
+
+/// Milliseconds of the window's or the worker's clock; 0 where there is none.
+fn now() -> f64 {
+    let global = js_sys::global();
+    let clock = match global.dyn_ref::<web_sys::WorkerGlobalScope>() {
+        Some(worker) => worker.performance(),
+        None => global.dyn_ref::<web_sys::Window>().and_then(web_sys::Window::performance),
+    };
+    clock.map_or(0.0, |clock| clock.now())
+}
