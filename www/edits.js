@@ -160,16 +160,21 @@ function duplicateTime(document, index) {
 export const removeKeyFrame = (document, key) => withKeys(document, without(document.motion.key_frames, key));
 
 /**
- * Sets one key frame's time. Either all have a time or none: the first one typed gives the others 0, 1, 2, …,
+ * Sets one key frame's time. Either all have a time or none: the first one typed gives the others even steps,
  * and clearing one clears all.
  * @param {MechanismDocument} document
  * @param {number} key
  * @param {Entry | undefined} value
  */
 export function setTime(document, key, value) {
+  // Steps of 1 after the first key frame, else so that the first is at 0.
+  const even = (/** @type {number} */ index) => {
+    if (typeof value !== 'number') return index;
+    return key === 0 ? value + index : (value / key) * index;
+  };
   const keys = document.motion.key_frames.map(({ time, ...rest }, index) => {
     if (value === undefined) return rest;
-    return { ...rest, time: index === key ? value : (time ?? index) };
+    return { ...rest, time: index === key ? value : (time ?? even(index)) };
   });
   return withKeys(document, keys);
 }

@@ -20,6 +20,8 @@ export class Player {
   #forwards = true;
   /** Playhead in the motion's own time. */
   #time = 0;
+  /** First and last time of the motion that the playhead was set in. @type {[number, number]} */
+  #span = [0, 0];
 
   /** @param {Store} store @param {() => void} draw */
   constructor(store, draw) {
@@ -123,7 +125,10 @@ export class Player {
     const motion = this.#store.result.motion;
     if (!motion) return;
     const [from, to] = this.#range();
-    this.#time = Math.min(to, Math.max(from, this.#time));
+    const [oldFrom, oldTo] = this.#span;
+    const share = oldTo > oldFrom ? (this.#time - oldFrom) / (oldTo - oldFrom) : 0;
+    this.#span = [from, to];
+    this.#time = from + share * (to - from);
     this.#store.setView({ frame: this.#frameAt(this.#time) });
     this.invalidate();
   }

@@ -75,6 +75,8 @@ test('all key frames have a time or none', () => {
   const times = (d) => d.motion.key_frames.map((key) => key.time);
   const timed = unharmed((d) => edits.setTime(d, 1, 4));
   assert.deepEqual(times(timed), [0, 4]);
+  assert.deepEqual(times(edits.setTime(mechanism(), 0, 4)), [4, 5]);
+  assert.deepEqual(times(edits.setTime(mechanism(), 0, 'abc')), ['abc', 1]);
   assert.deepEqual(times(edits.duplicateKeyFrame(timed, 0)), [0, 2, 4]);
   assert.deepEqual(times(edits.addKeyFrame(timed, {})), [0, 4, 5]);
   assert.deepEqual(times(edits.setTime(timed, 0, undefined)), [undefined, undefined]);

@@ -30,12 +30,8 @@ export function createFaultNote(root) {
     show(fault) {
       clear();
       if (!fault) return null;
-      const text = element(
-        'div',
-        { id: ID, class: 'fault' },
-        element('strong', {}, sentence(fault.message)),
-        fault.accepted ? element('span', {}, ` Accepted: ${fault.accepted}.`) : '',
-      );
+      const { what, remedy } = parts(fault);
+      const text = element('div', { id: ID, class: 'fault' }, element('strong', {}, what), ` ${remedy}`);
       const place = closest(root, fault.where);
       if (!place) {
         note = text;
@@ -74,6 +70,16 @@ function closest(root, where) {
     if (covers(path, where) > (best ? covers(best.dataset.path ?? '', where) : 0)) best = candidate;
   }
   return best;
+}
+
+/**
+ * A fault's message ends with what would be accepted: the two parted.
+ * @param {Fault} fault
+ */
+export function parts({ message, accepted }) {
+  const remedy = `Accepted: ${accepted}.`;
+  const parted = message.endsWith(remedy);
+  return { what: sentence(parted ? message.slice(0, -remedy.length).trim() : message), remedy: parted ? remedy : '' };
 }
 
 /** @param {string} text */

@@ -26,7 +26,7 @@ export function createMotionTables(panel, store, cells, defaults) {
       const name = cells.input({ path: `${path}.name`, label: `name of ${label}`, text: true });
       const time = cells.input({
         path: `${path}.time`,
-        label: `${label}, time`,
+        label: `${label}, time in seconds`,
         optional: true,
         write: (document, value) => edits.setTime(document, index, value),
       });
@@ -41,7 +41,7 @@ export function createMotionTables(panel, store, cells, defaults) {
           'tr',
           {},
           element('th', { scope: 'rowgroup', colspan: 2 }, name),
-          element('td', { colspan: 2, class: 'time' }, element('span', {}, 'time', time)),
+          element('td', { colspan: 2, class: 'time' }, element('span', {}, 'time', element('small', {}, 's'), time)),
           element(
             'td',
             { colspan: 2, class: 'act' },

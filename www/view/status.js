@@ -6,7 +6,7 @@
  */
 import { angle, length, plural, scientific, short } from '../format.js';
 import { byId, element, setText } from './dom.js';
-import { sentence } from './fault-note.js';
+import { parts, sentence } from './fault-note.js';
 import { countStatuses, frameSentence, mobilitySentence, statusName, statusWords, worstFrame } from './words.js';
 
 /** Pause before the live region speaks, in milliseconds: while the motion plays it would never stop. */
@@ -60,7 +60,7 @@ export function createStatus(store, player, goToFault) {
   function showMotion() {
     const { motion, document, fault, trouble } = store.result;
     byId('fault-banner').hidden = !fault;
-    if (fault) setText(byId('fault-text'), `${sentence(fault.message)}${motion ? ' The last good motion is still shown.' : ''}`);
+    if (fault) setText(byId('fault-text'), `${parts(fault).what}${motion ? ' The last good motion is still shown.' : ''}`);
     byId('trouble').hidden = !trouble;
     setText(byId('trouble'), trouble);
     if (!motion) return;
