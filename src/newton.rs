@@ -219,6 +219,12 @@ impl Solver {
         goal.translation.vector /= self.size;
         let mut theta = std::mem::take(&mut self.theta);
         self.load(predicted, &mut theta);
+        for ((t, stop), limits) in theta.iter_mut().zip(&self.stops).zip(&self.limits) {
+            // The prediction knows nothing of limits, and a held joint stays where it is put.
+            if *stop != Stop::None {
+                *t = stop.bound(limits);
+            }
+        }
         let mut iterations = 0;
         let direct = self.direct(&goal, &mut theta, &mut iterations);
         let solved = direct.unwrap_or_else(|| {
