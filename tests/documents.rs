@@ -1,8 +1,14 @@
 //! Documents: what is read, what is refused with which words, and what is written.
 
+#![allow(
+    clippy::float_cmp,
+    reason = "numbers read from a text are the ones that stand there"
+)]
+
 use serde_json::{Value, json};
 use std::fs;
 use std::time::Instant;
+use synthetica::chain::Chain;
 use synthetica::defaults::defaults;
 use synthetica::document::Document;
 use synthetica::fault::{Fault, FaultCode};
@@ -45,7 +51,9 @@ fn with(pointer: &str, value: Value) -> String {
     match document.pointer_mut(parent).expect("a place") {
         Value::Object(fields) => drop(fields.insert(last.into(), value)),
         Value::Array(entries) => entries[last.parse::<usize>().expect("an index")] = value,
-        _ => panic!("{pointer} leads nowhere"),
+        Value::Null | Value::Bool(_) | Value::Number(_) | Value::String(_) => {
+            panic!("{pointer} leads nowhere")
+        }
     }
     document.to_string()
 }
@@ -79,11 +87,11 @@ fn a_whole_document_becomes_a_problem() {
     let problem = read(WHOLE).expect("a document");
     let chains = problem.mechanism.chains();
     assert_eq!(
-        chains.iter().map(|c| c.type_name()).collect::<Vec<_>>(),
+        chains.iter().map(Chain::type_name).collect::<Vec<_>>(),
         ["RPT", "CS", "E"]
     );
     assert_eq!(
-        chains.iter().map(|c| c.name()).collect::<Vec<_>>(),
+        chains.iter().map(Chain::name).collect::<Vec<_>>(),
         ["left leg", "chain 2", "chain 3"]
     );
     assert_eq!(problem.start.len(), 3);
@@ -515,7 +523,11 @@ fn a_fault_is_a_plain_object() {
     let value = serde_json::to_value(&fault).expect("JSON");
     assert_eq!(value["code"], "wrong-count");
     assert_eq!(value["where"], "chains[1].joints");
-    assert_eq!(value.as_object().map(|o| o.len()), Some(4), "{value}");
+    assert_eq!(
+        value.as_object().map(serde_json::Map::len),
+        Some(4),
+        "{value}"
+    );
 }
 
 /// Mutilated documents, by a generator with a fixed seed: an answer or a fault, never a panic, and

@@ -2,8 +2,8 @@
 
 use std::collections::HashSet;
 use synthetica::enumerate::{
-    assembly, assembly_categories, assembly_count, assembly_index, category_name, chain,
-    chain_count, chain_index, classes,
+    AssemblyCategory, ChainClass, assembly, assembly_categories, assembly_count, assembly_index,
+    category_name, chain, chain_count, chain_index, classes,
 };
 use synthetica::joint::JointKind;
 
@@ -36,7 +36,7 @@ fn classes_are_those_of_table_2() {
         ),
     ];
     for (constraints, names, chains) in printed {
-        let found: Vec<_> = classes(constraints).iter().map(|c| c.name()).collect();
+        let found: Vec<_> = classes(constraints).iter().map(ChainClass::name).collect();
         assert_eq!(found, names.split_whitespace().collect::<Vec<_>>());
         assert_eq!(chain_count(constraints), chains);
     }
@@ -110,7 +110,7 @@ fn assemblies_are_those_of_table_3() {
     let names = |constraints| -> String {
         let names: Vec<_> = assembly_categories(constraints)
             .iter()
-            .map(|c| c.name())
+            .map(AssemblyCategory::name)
             .collect();
         names.join(" ")
     };
@@ -119,7 +119,10 @@ fn assemblies_are_those_of_table_3() {
     assert_eq!(names(3), "3I 1I-1II 1III");
     assert_eq!(names(2), "2I 1II");
     assert_eq!(names(1), "1I");
-    let counts: Vec<_> = assembly_categories(5).iter().map(|c| c.count()).collect();
+    let counts: Vec<_> = assembly_categories(5)
+        .iter()
+        .map(AssemblyCategory::count)
+        .collect();
     assert_eq!(
         counts,
         [464_306_843, 23_322_810, 175_140, 184_314, 834, 918]

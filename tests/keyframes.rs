@@ -1,5 +1,7 @@
 //! Goal motions: against an independent reference, and by the properties each interpolation has.
 
+#![allow(clippy::float_cmp, reason = "key frames are met exactly")]
+
 use nalgebra::{Matrix3, Quaternion, Rotation3, Translation3, UnitQuaternion, Vector3};
 use synthetica::keyframe::{
     Curve, Interpolation, KeyFrame, KeyFrameFault, MAX_FRAMES, MAX_KEY_FRAMES, default_radius,
@@ -43,7 +45,7 @@ impl Random {
 
     /// Up to seven key frames, each turned against the one before by less than `turn` (rad).
     fn keys(&mut self, turn: f64) -> Vec<KeyFrame> {
-        let count = 2 + (2.5 * (self.next() + 1.0)) as usize;
+        let count = 2 + usize::from(self.next() > -0.5) + usize::from(self.next() > 0.0) * 3;
         let mut pose = self.pose();
         let mut keys = Vec::new();
         for _ in 0..count {
