@@ -24,7 +24,7 @@ pub const MAX_ABOUT: usize = 2_000;
 pub const MAX_UNIT: usize = 16;
 
 /// A joint variable, degrees or a length, in radians or as it is.
-pub(crate) fn joint_value(value: f64, turns: bool, place: &Place) -> Result<f64, Fault> {
+pub(crate) fn joint_value(value: f64, turns: bool, place: &Place<'_>) -> Result<f64, Fault> {
     if turns {
         angle(value, place)
     } else {
@@ -33,15 +33,15 @@ pub(crate) fn joint_value(value: f64, turns: bool, place: &Place) -> Result<f64,
 }
 
 /// An angle in degrees, in radians.
-pub(crate) fn angle(degrees: f64, place: &Place) -> Result<f64, Fault> {
+pub(crate) fn angle(degrees: f64, place: &Place<'_>) -> Result<f64, Fault> {
     bounded(degrees, MAX_ANGLE, "an angle in degrees", place).map(f64::to_radians)
 }
 
-pub(crate) fn length(value: f64, place: &Place) -> Result<f64, Fault> {
+pub(crate) fn length(value: f64, place: &Place<'_>) -> Result<f64, Fault> {
     bounded(value, MAX_LENGTH, "a length", place)
 }
 
-pub(crate) fn bounded(value: f64, most: f64, what: &str, place: &Place) -> Result<f64, Fault> {
+pub(crate) fn bounded(value: f64, most: f64, what: &str, place: &Place<'_>) -> Result<f64, Fault> {
     // Also refuses NaN.
     if value.abs() <= most {
         Ok(value)
@@ -54,7 +54,7 @@ pub(crate) fn bounded(value: f64, most: f64, what: &str, place: &Place) -> Resul
     }
 }
 
-pub(crate) fn check_text(text: &str, most: usize, place: &Place) -> Result<(), Fault> {
+pub(crate) fn check_text(text: &str, most: usize, place: &Place<'_>) -> Result<(), Fault> {
     let found = text.chars().count();
     if found <= most {
         return Ok(());
@@ -68,7 +68,7 @@ pub(crate) fn check_text(text: &str, most: usize, place: &Place) -> Result<(), F
     ))
 }
 
-pub(crate) fn wrong_count(place: &Place, found: usize, accepted: &str) -> Fault {
+pub(crate) fn wrong_count(place: &Place<'_>, found: usize, accepted: &str) -> Fault {
     let what = match found {
         0 => "there are none".to_owned(),
         1 => "there is only one".to_owned(),
@@ -77,7 +77,7 @@ pub(crate) fn wrong_count(place: &Place, found: usize, accepted: &str) -> Fault 
     Fault::new(FaultCode::WrongCount, place, &what, accepted)
 }
 
-pub(crate) fn out_of_range(place: &Place, value: impl std::fmt::Display, accepted: &str) -> Fault {
+pub(crate) fn out_of_range(place: &Place<'_>, value: impl std::fmt::Display, accepted: &str) -> Fault {
     Fault::new(
         FaultCode::OutOfRange,
         place,
@@ -87,7 +87,7 @@ pub(crate) fn out_of_range(place: &Place, value: impl std::fmt::Display, accepte
 }
 
 /// The model refuses what the bounds above have not; kept so that it could not go unsaid.
-pub(crate) fn not_finite(place: &Place) -> Fault {
+pub(crate) fn not_finite(place: &Place<'_>) -> Fault {
     Fault::new(
         FaultCode::OutOfRange,
         place,

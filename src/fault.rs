@@ -63,11 +63,13 @@ pub struct Fault {
 
 impl Fault {
     /// `what` and `accepted` are parts of a sentence without a stop at the end.
-    pub(crate) fn new(code: FaultCode, place: &Place, what: &str, accepted: &str) -> Self {
+    #[cold]
+    #[inline(never)]
+    pub(crate) fn new(code: FaultCode, place: &Place<'_>, what: &str, accepted: &str) -> Self {
         Self {
             code,
             message: format!("{place}: {what}. Accepted: {accepted}."),
-            place: place.path.clone(),
+            place: place.path(),
             accepted: accepted.to_owned(),
             line: None,
             column: None,
@@ -90,62 +92,92 @@ impl fmt::Display for Fault {
 
 impl std::error::Error for Fault {}
 
-/// A place in a document, as a JSON path and in words: `chains[1].base.x`, and chain 2, base frame, x.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Place {
-    path: String,
-    words: Vec<String>,
+/// A place in a document: a step from another place. Nothing is put together before there is a fault
+/// to tell, so that places cost nothing where all is well.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Place<'a> {
+    before: Option<&'a Place<'a>>,
+    step: Step<'a>,
 }
 
-impl Place {
+#[derive(Clone, Copy, Debug)]
+enum Step<'a> {
+    Whole,
+    Field(&'a str),
+    /// An entry of a list, from 0, and what the person calls it.
+    Item(usize, &'a str),
+}
+
+impl<'a> Place<'a> {
+    /// The whole document.
+    pub(crate) const WHOLE: Self = Self { before: None, step: Step::Whole };
+
     /// The field of this name.
-    pub(crate) fn field(&self, name: &str) -> Self {
-        let mut place = self.clone();
-        let dot = if self.path.is_empty() { "" } else { "." };
-        place.path = format!("{}{dot}{}", self.path, excerpt(name));
-        place.words.push(match name {
-            "base" | "gripper" => format!("{name} frame"),
-            _ => excerpt(name).replace('_', " "),
-        });
-        place
+    pub(crate) const fn field(&'a self, name: &'a str) -> Self {
+        Self { before: Some(self), step: Step::Field(name) }
     }
 
     /// The entry `index`, from 0, of the list that this place is.
-    pub(crate) fn item(&self, index: usize) -> Self {
-        let mut place = self.clone();
-        place.path = format!("{}[{index}]", self.path);
-        let number = index + 1;
-        let word = place.words.pop().unwrap_or_default();
-        place.words.push(match word.as_str() {
-            "chains" => format!("chain {number}"),
-            "joints" => format!("joint {number}"),
-            "rows" => format!("row {number}"),
-            "limits" => format!("limits of freedom {number}"),
-            "start" => format!("start value {number}"),
-            "key frames" => format!("key frame {number}"),
-            _ => format!("{word}, entry {number}"),
-        });
-        // It is clear that key frames belong to the motion.
-        place.words.retain(|word| word != "motion");
-        place
+    pub(crate) const fn item(&'a self, index: usize) -> Self {
+        self.named(index, "")
     }
 
-    /// Adds what the person calls the thing.
-    pub(crate) fn called(mut self, name: &str) -> Self {
-        if let Some(word) = self
-            .words
-            .last_mut()
-            .filter(|word| !name.is_empty() && *word != name)
-        {
-            *word = format!("{word} \u{201c}{}\u{201d}", excerpt(name));
+    /// An entry that the person has given a name, which may be empty.
+    pub(crate) const fn named(&'a self, index: usize, name: &'a str) -> Self {
+        Self { before: Some(self), step: Step::Item(index, name) }
+    }
+
+    /// The JSON path: `chains[1].base.x`.
+    fn path(&self) -> String {
+        let mut path = self.before.map_or_else(String::new, Place::path);
+        match self.step {
+            Step::Whole => {}
+            Step::Field(name) => {
+                if !path.is_empty() {
+                    path.push('.');
+                }
+                path += &excerpt(name);
+            }
+            Step::Item(index, _) => path += &format!("[{index}]"),
         }
-        self
+        path
+    }
+
+    /// In words, from the outside in: chain 2, base frame, x.
+    fn words(&self) -> Vec<String> {
+        let mut words = self.before.map_or_else(Vec::new, Place::words);
+        match self.step {
+            Step::Whole => {}
+            Step::Field(name @ ("base" | "gripper")) => words.push(format!("{name} frame")),
+            Step::Field(name) => words.push(excerpt(name).replace('_', " ")),
+            Step::Item(index, name) => {
+                let number = index + 1;
+                let list = words.pop().unwrap_or_default();
+                let word = match list.as_str() {
+                    "chains" => format!("chain {number}"),
+                    "joints" => format!("joint {number}"),
+                    "rows" => format!("row {number}"),
+                    "limits" => format!("limits of freedom {number}"),
+                    "start" => format!("start value {number}"),
+                    "key frames" => format!("key frame {number}"),
+                    _ => format!("{list}, entry {number}"),
+                };
+                // It is clear that key frames belong to the motion.
+                words.retain(|word| word != "motion");
+                let called = if name == word { "" } else { name };
+                words.push(match called {
+                    "" => word,
+                    name => format!("{word} \u{201c}{}\u{201d}", excerpt(name)),
+                });
+            }
+        }
+        words
     }
 }
 
-impl fmt::Display for Place {
+impl fmt::Display for Place<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let words = self.words.join(", ");
+        let words = self.words().join(", ");
         match words.chars().next() {
             Some(first) => write!(f, "{}{}", first.to_uppercase(), &words[first.len_utf8()..]),
             None => f.write_str("The document"),
@@ -168,37 +200,22 @@ mod tests {
 
     #[test]
     fn places_read_as_paths_and_as_words() {
-        let chain = Place::default().field("chains").item(1);
-        let row = chain
-            .clone()
-            .called("left \u{e4}rm")
-            .field("joints")
-            .item(0)
-            .field("rows")
-            .item(2);
-        assert_eq!(row.field("alpha").path, "chains[1].joints[0].rows[2].alpha");
-        assert_eq!(
-            row.field("alpha").to_string(),
-            "Chain 2 \u{201c}left \u{e4}rm\u{201d}, joint 1, row 3, alpha"
-        );
-        assert_eq!(
-            chain.called("chain 2").field("base").field("x").to_string(),
-            "Chain 2, base frame, x"
-        );
-        let key = Place::default()
-            .field("motion")
-            .field("key_frames")
-            .item(0)
-            .called("lift");
-        assert_eq!(
-            key.field("time").to_string(),
-            "Key frame 1 \u{201c}lift\u{201d}, time"
-        );
-        assert_eq!(
-            Place::default().field("motion").field("frames").to_string(),
-            "Motion, frames"
-        );
-        assert_eq!(Place::default().to_string(), "The document");
+        let chains = Place::WHOLE.field("chains");
+        let chain = chains.named(1, "left \u{e4}rm");
+        let (joints, alpha) = (chain.field("joints"), "alpha");
+        let joint = joints.item(0);
+        let rows = joint.field("rows");
+        let row = rows.item(2);
+        assert_eq!(row.field(alpha).path(), "chains[1].joints[0].rows[2].alpha");
+        let words = "Chain 2 \u{201c}left \u{e4}rm\u{201d}, joint 1, row 3, alpha";
+        assert_eq!(row.field(alpha).to_string(), words);
+        let (chain, motion) = (chains.named(1, "chain 2"), Place::WHOLE.field("motion"));
+        assert_eq!(chain.field("base").field("x").to_string(), "Chain 2, base frame, x");
+        let keys = motion.field("key_frames");
+        let key = keys.named(0, "lift");
+        assert_eq!(key.field("time").to_string(), "Key frame 1 \u{201c}lift\u{201d}, time");
+        assert_eq!(motion.field("frames").to_string(), "Motion, frames");
+        assert_eq!((Place::WHOLE.to_string(), Place::WHOLE.path()), ("The document".into(), String::new()));
         assert_eq!(excerpt(&"\u{e4}".repeat(500)).chars().count(), 81);
     }
 }

@@ -18,7 +18,7 @@ pub const MAX_TEXT: usize = 1_000_000;
 /// # Errors
 /// Where the text is no document of this version.
 pub fn parse(text: &str) -> Result<Document, Fault> {
-    let whole = Place::default();
+    let whole = Place::WHOLE;
     if text.len() > MAX_TEXT {
         let what = format!("{} bytes of text are too many", text.len());
         return Err(Fault::new(
@@ -42,8 +42,8 @@ pub fn parse(text: &str) -> Result<Document, Fault> {
     check_version(text)?;
     let mut reader = serde_json::Deserializer::from_str(text);
     let mut document: Document = serde_path_to_error::deserialize(&mut reader)
-        .map_err(|e| fault(&place(e.path()), e.inner()))?;
-    reader.end().map_err(|e| fault(&whole, &e))?;
+        .map_err(|e| fault(&mut e.path().iter(), &whole, e.inner()))?;
+    reader.end().map_err(|e| explain(&e, &whole))?;
     for (i, chain) in document.chains.iter_mut().enumerate() {
         if chain.name.is_empty() {
             chain.name = format!("chain {}", i + 1);
@@ -61,10 +61,10 @@ fn check_version(text: &str) -> Result<(), Fault> {
     match serde_json::from_str(text) {
         Ok(Head { version }) if (version - f64::from(VERSION)).abs() > 0.0 => {
             let what = format!("this is version {version} of the format");
-            let place = Place::default().field("version");
+            const PLACE: Place<'static> = Place::WHOLE.field("version");
             Err(Fault::new(
                 FaultCode::UnknownVersion,
-                &place,
+                &PLACE,
                 &what,
                 &VERSION.to_string(),
             ))
@@ -74,35 +74,32 @@ fn check_version(text: &str) -> Result<(), Fault> {
     }
 }
 
-/// Where the reader stopped.
-fn place(path: &serde_path_to_error::Path) -> Place {
-    path.iter()
-        .fold(Place::default(), |place, segment| match segment {
-            Segment::Seq { index } => place.item(*index),
-            Segment::Map { key } => place.field(key),
-            Segment::Enum { variant } => place.field(variant),
-            Segment::Unknown => place,
-        })
-}
-
-/// Puts the reader's message into the words of a [`Fault`].
-fn fault(place: &Place, error: &serde_json::Error) -> Fault {
-    let text = error.to_string();
-    // "… at line 3 column 7"
-    let text = text
-        .rsplit_once(" at line ")
-        .map_or(text.as_str(), |(message, _)| message);
-    let fault = explain(text, place);
-    if error.line() > 0 {
-        fault.at(error.line(), error.column())
-    } else {
-        fault
+/// The fault at the place where the reader stopped: the rest of its path from `place` on.
+fn fault(
+    path: &mut dyn Iterator<Item = &Segment>,
+    place: &Place<'_>,
+    error: &serde_json::Error,
+) -> Fault {
+    match path.next() {
+        Some(Segment::Seq { index }) => fault(path, &place.item(*index), error),
+        Some(Segment::Map { key }) => fault(path, &place.field(key), error),
+        Some(Segment::Enum { .. } | Segment::Unknown) => fault(path, place, error),
+        None => explain(error, place),
     }
 }
 
-/// The fault that serde's message tells of; serde has no other form of it. The tests hold every case
-/// against the real messages.
-fn explain(message: &str, place: &Place) -> Fault {
+/// The fault that serde's message tells of.
+fn explain(error: &serde_json::Error, place: &Place<'_>) -> Fault {
+    let text = error.to_string();
+    // "… at line 3 column 7"
+    let message = text.rsplit_once(" at line ").map_or(text.as_str(), |(message, _)| message);
+    let fault = translate(message, place);
+    if error.line() > 0 { fault.at(error.line(), error.column()) } else { fault }
+}
+
+/// Puts serde's message, the only form in which it tells what it met, into the words of a [`Fault`].
+/// The tests hold every case against the real messages.
+fn translate(message: &str, place: &Place<'_>) -> Fault {
     const KINDS: [&str; 6] = [
         "unknown field ",
         "unknown variant ",
@@ -241,6 +238,7 @@ impl<'de, D: Deserializer<'de>> Deserializer<'de> for AsObject<D> {
 macro_rules! objects {
     ($($entry:ty),*) => {$(
         impl<'de> Deserialize<'de> for $entry {
+            #[inline(never)]
             fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
                 <$entry>::deserialize(AsObject(deserializer))
             }

@@ -39,7 +39,7 @@ impl Problem {
     /// # Errors
     /// One fault, where there are any.
     pub fn new(document: &Document) -> Result<Self, Fault> {
-        let whole = Place::default();
+        let whole = Place::WHOLE;
         check_text(&document.name, MAX_NAME, &whole.field("name"))?;
         check_text(&document.about, MAX_ABOUT, &whole.field("about"))?;
         check_text(&document.length_unit, MAX_UNIT, &whole.field("length_unit"))?;
@@ -77,18 +77,18 @@ fn mechanism(entries: &[ChainEntry]) -> Result<Mechanism, Fault> {
             MechanismFault::TooManyChains { found } => found,
         };
         let accepted = format!("1 to {MAX_CHAINS} chains");
-        wrong_count(&Place::default().field("chains"), found, &accepted)
+        wrong_count(&CHAINS, found, &accepted)
     })
 }
 
-fn chain_place(index: usize, entry: &ChainEntry) -> Place {
-    Place::default()
-        .field("chains")
-        .item(index)
-        .called(&entry.name)
+const CHAINS: Place<'static> = Place::WHOLE.field("chains");
+const MOTION: Place<'static> = Place::WHOLE.field("motion");
+
+fn chain_place(index: usize, entry: &ChainEntry) -> Place<'_> {
+    CHAINS.named(index, &entry.name)
 }
 
-fn chain(entry: &ChainEntry, place: &Place) -> Result<Chain, Fault> {
+fn chain(entry: &ChainEntry, place: &Place<'_>) -> Result<Chain, Fault> {
     check_text(&entry.name, MAX_NAME, &place.field("name"))?;
     let list = place.field("joints");
     let base = frame(&entry.base, &place.field("base"))?;
@@ -109,7 +109,7 @@ fn chain(entry: &ChainEntry, place: &Place) -> Result<Chain, Fault> {
     })
 }
 
-fn joint(entry: &JointEntry, place: &Place) -> Result<Joint, Fault> {
+fn joint(entry: &JointEntry, place: &Place<'_>) -> Result<Joint, Fault> {
     let (kind, letter) = (entry.kind, entry.kind.letter());
     let (row_list, limit_list) = (place.field("rows"), place.field("limits"));
     let rows = each(&entry.rows, |i, entry| row(entry, &row_list.item(i)))?;
@@ -166,7 +166,7 @@ fn joint(entry: &JointEntry, place: &Place) -> Result<Joint, Fault> {
     })
 }
 
-fn row(entry: &RowEntry, place: &Place) -> Result<DhRow, Fault> {
+fn row(entry: &RowEntry, place: &Place<'_>) -> Result<DhRow, Fault> {
     Ok(DhRow {
         alpha: angle(entry.alpha, &place.field("alpha"))?,
         a: length(entry.a, &place.field("a"))?,
@@ -179,7 +179,7 @@ fn limits(
     entry: Option<&LimitsEntry>,
     kind: JointKind,
     freedom: usize,
-    place: &Place,
+    place: &Place<'_>,
 ) -> Result<Limits, Fault> {
     // Every joint but C, which turns and then slides, has one freedom a row.
     let turns = match kind {
@@ -205,7 +205,8 @@ fn given_start(entries: &[ChainEntry], mechanism: &Mechanism) -> Result<Vec<Opti
         let Some(values) = &entry.start else {
             return Ok(None);
         };
-        let list = chain_place(i, entry).field("start");
+        let place = chain_place(i, entry);
+        let list = place.field("start");
         if values.len() != chain.freedoms() {
             let accepted = format!(
                 "{}, one for each freedom of {}",
@@ -224,9 +225,9 @@ fn given_start(entries: &[ChainEntry], mechanism: &Mechanism) -> Result<Vec<Opti
 
 fn goals(document: &Document) -> Result<Vec<Goal>, Fault> {
     let motion = &document.motion;
-    let place = Place::default().field("motion");
+    let place = MOTION;
     let list = place.field("key_frames");
-    let key_place = |i: usize| list.item(i).called(&motion.key_frames[i].name);
+    let key_place = |i: usize| list.named(i, &motion.key_frames[i].name);
     let keys = each(&motion.key_frames, |i, entry| {
         key_frame(entry, &key_place(i))
     })?;
@@ -262,7 +263,7 @@ fn goals(document: &Document) -> Result<Vec<Goal>, Fault> {
     })
 }
 
-fn key_frame(entry: &KeyFrameEntry, place: &Place) -> Result<KeyFrame, Fault> {
+fn key_frame(entry: &KeyFrameEntry, place: &Place<'_>) -> Result<KeyFrame, Fault> {
     check_text(&entry.name, MAX_NAME, &place.field("name"))?;
     let &KeyFrameEntry {
         x,
@@ -296,12 +297,13 @@ fn key_frame(entry: &KeyFrameEntry, place: &Place) -> Result<KeyFrame, Fault> {
 }
 
 fn settings(document: &Document) -> Result<Settings, Fault> {
-    let (place, entry) = (Place::default().field("planner"), &document.planner);
+    const PLACE: Place<'static> = Place::WHOLE.field("planner");
+    let entry = &document.planner;
     let length = entry.metric_length;
     if !(MIN_METRIC_LENGTH..=MAX_LENGTH).contains(&length) {
         let accepted = format!("a length from {MIN_METRIC_LENGTH} to {MAX_LENGTH}");
         return Err(out_of_range(
-            &place.field("metric_length"),
+            &PLACE.field("metric_length"),
             length,
             &accepted,
         ));
@@ -312,7 +314,7 @@ fn settings(document: &Document) -> Result<Settings, Fault> {
     {
         let accepted = format!("a whole number from 1 to {MAX_ITERATIONS}, or null");
         return Err(out_of_range(
-            &place.field("max_iterations"),
+            &PLACE.field("max_iterations"),
             most,
             &accepted,
         ));
@@ -336,7 +338,7 @@ fn check_size(mechanism: &Mechanism, frames: usize) -> Result<(), Fault> {
     if rows * frames <= MAX_ROW_FRAMES {
         return Ok(());
     }
-    let place = Place::default().field("motion").field("frames");
+    let place = MOTION.field("frames");
     let accepted = format!(
         "up to {} frames for tables of {rows} rows",
         MAX_ROW_FRAMES / rows
@@ -344,7 +346,7 @@ fn check_size(mechanism: &Mechanism, frames: usize) -> Result<(), Fault> {
     Err(out_of_range(&place, frames, &accepted))
 }
 
-fn frame(entry: &FrameEntry, place: &Place) -> Result<Pose, Fault> {
+fn frame(entry: &FrameEntry, place: &Place<'_>) -> Result<Pose, Fault> {
     let coordinates = FrameCoordinates {
         x: length(entry.x, &place.field("x"))?,
         y: length(entry.y, &place.field("y"))?,
