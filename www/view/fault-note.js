@@ -73,13 +73,15 @@ function closest(root, where) {
 }
 
 /**
- * A fault's message ends with what would be accepted: the two parted.
+ * What is wrong, and what would be accepted: the two parts of a fault's message. Where the place is known, line and
+ * column of a text that the person never sees are left out.
  * @param {Fault} fault
  */
-export function parts({ message, accepted }) {
+export function parts({ message, accepted, where }) {
   const remedy = `Accepted: ${accepted}.`;
   const parted = message.endsWith(remedy);
-  return { what: sentence(parted ? message.slice(0, -remedy.length).trim() : message), remedy: parted ? remedy : '' };
+  const what = parted ? message.slice(0, -remedy.length).trim() : message;
+  return { what: sentence(where ? what.replace(/^Line \d+, column \d+\. /, '') : what), remedy: parted ? remedy : '' };
 }
 
 /** @param {string} text */

@@ -60,7 +60,7 @@ export function createStatus(store, player, goToFault) {
   function showMotion() {
     const { motion, document, fault, trouble } = store.result;
     byId('fault-banner').hidden = !fault;
-    if (fault) setText(byId('fault-text'), `${parts(fault).what}${motion ? ' The last good motion is still shown.' : ''}`);
+    setText(byId('fault-text'), fault ? `${parts(fault).what}${motion ? ' The last good motion is still shown.' : ''}` : '');
     byId('trouble').hidden = !trouble;
     setText(byId('trouble'), trouble);
     if (!motion) return;
@@ -71,7 +71,7 @@ export function createStatus(store, player, goToFault) {
       jump(`${length(motion.translation_gap[worst], document?.length_unit)}, ${angle(motion.rotation_gap[worst])}`, worst),
       '.',
     );
-    setText(byId('mobility-count'), String(report.mobility_count));
+    setText(byId('mobility-count'), short(report.mobility_count));
     setText(byId('mobility-rank'), String(report.mobility_rank));
     setText(byId('mobility-sentence'), mobilitySentence(report.mobility_count, report.mobility_rank));
     byId('chain-rows').replaceChildren(

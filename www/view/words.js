@@ -41,15 +41,14 @@ export function worstFrame(column) {
   return worst;
 }
 
-/** Mobility in a sentence. @param {number} count by Eq. 10 @param {number} rank n − rank [A] at the first frame */
+/** Mobility in a sentence. @param {number} count by Eq. 10 @param {number} rank n − rank [A] at the start */
 export function mobilitySentence(count, rank) {
   const free = rank === 0 ? 'The workpiece cannot move' : `The workpiece moves with ${plural(rank, 'freedom')}`;
   if (count === rank) return `${free}, as the count says.`;
-  const reason =
-    rank > count
-      ? 'some of the chains’ constraints repeat each other (parallel or meeting axes, or a singular position)'
-      : 'some of the counted freedoms do not move the workpiece';
-  return `${free}, though counting gives ${count}: ${reason}.`;
+  const counted = `counting gives ${short(count)}`;
+  if (rank < count) return `${free}, though ${counted}: some of the counted freedoms do not move it.`;
+  if (rank === 0) return `${free}: ${counted}, more constraints than it takes to hold it.`;
+  return `${free}, though ${counted}: some of the chains’ constraints repeat each other (parallel or meeting axes, or a singular position).`;
 }
 
 /** The frame at the playhead in one sentence. @param {import('../store.js').Store} store */

@@ -1,0 +1,31 @@
+// Findings in words.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { degrees, length, scientific, short } from '../../www/format.js';
+import { parts } from '../../www/view/fault-note.js';
+import { mobilitySentence, worstFrame } from '../../www/view/words.js';
+
+test('numbers are short, with a true minus, and never say −0', () => {
+  assert.deepEqual([short(1.5), short(-2), short(-0.00001), short(1 / 3), short(NaN)], ['1.5', '−2', '0', '0.3333', '–']);
+  assert.deepEqual([scientific(0), scientific(2.345e-16), scientific(0.5)], ['0', '2.3e−16', '0.5']);
+  assert.deepEqual([length(0.25, 'm'), length(0.25, '')], ['0.25 m', '0.25']);
+  assert.equal(degrees(Math.PI), 180);
+});
+
+test('mobility is told plainly where count and rank differ', () => {
+  assert.match(mobilitySentence(3, 3), /3 freedoms, as the count says/);
+  assert.match(mobilitySentence(1, 1), /1 freedom,/);
+  assert.match(mobilitySentence(-2, 1), /1 freedom, though counting gives −2: .*repeat/);
+  assert.match(mobilitySentence(-2, 0), /cannot move: counting gives −2/);
+  assert.match(mobilitySentence(2, 1), /do not move it/);
+});
+
+test('a fault is parted into what is wrong and what would be accepted', () => {
+  const fault = { code: 'wrong-type', accepted: 'a number', where: 'chains[0]', message: 'Line 1, column 9. chain 1: this is the text "abc". Accepted: a number.' };
+  assert.deepEqual(parts(fault), { what: 'Chain 1: this is the text "abc".', remedy: 'Accepted: a number.' });
+  assert.match(parts({ ...fault, where: '' }).what, /^Line 1, column 9/);
+});
+
+test('the worst frame is the one with the largest value', () => {
+  assert.equal(worstFrame([0, 3, 1, 3]), 1);
+});
