@@ -27,6 +27,7 @@ export class Linkage {
   group = new Group();
   /** The workpiece's shape, which the ghost at the goal shares. @type {import('three').BufferGeometry | null} */
   body = null;
+  #bodyShape = '';
   #workpiece = new Group();
   /** @type {{shape: JointShape, first: number, last: number}[]} */
   #joints = [];
@@ -83,7 +84,10 @@ export class Linkage {
       row += chain.rows.length;
     });
 
-    this.body = roundedHull(ends, BODY * r);
+    // A hull takes longer than all else here, and most edits leave the workpiece as it is.
+    const shape = JSON.stringify([r, ends.map((end) => end.toArray().map((value) => Number(value.toFixed(9))))]);
+    if (shape !== this.#bodyShape || !this.body) this.body = roundedHull(ends, BODY * r);
+    this.#bodyShape = shape;
     const solid = new Mesh(this.body, materials.workpiece);
     solid.castShadow = true;
     solid.receiveShadow = true;
