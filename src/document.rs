@@ -13,7 +13,7 @@ use crate::{
     keyframe::{MAX_FRAMES, MAX_KEY_FRAMES},
     mechanism::MAX_CHAINS,
 };
-use serde::de::{Deserializer, IntoDeserializer};
+use serde::de::{Deserializer, Error, IntoDeserializer};
 use serde::{Deserialize, Serialize};
 
 /// The version of the format that this crate reads and writes.
@@ -35,6 +35,7 @@ pub const SCHEMA: &str = include_str!("document.schema.json");
 pub struct Document {
     /// Version of the format: 1.
     #[cfg_attr(feature = "schema", schemars(range(min = VERSION, max = VERSION)))]
+    #[serde(deserialize_with = "version")]
     pub version: u32,
     /// Name of the mechanism.
     #[cfg_attr(feature = "schema", schemars(length(max = MAX_NAME)))]
@@ -271,6 +272,19 @@ pub struct PlannerEntry {
 enum MethodName {
     Newton,
     Gradient,
+}
+
+/// What [`version`] says before the number that it found.
+pub(crate) const UNKNOWN_VERSION: &str = "unknown version ";
+
+/// The version, checked where it stands: a document of another one should not be blamed for the
+/// fields behind it that this one does not know.
+fn version<'de, D: Deserializer<'de>>(deserializer: D) -> Result<u32, D::Error> {
+    let found = f64::deserialize(deserializer)?;
+    if (found - f64::from(VERSION)).abs() > 0.0 {
+        return Err(Error::custom(format_args!("{UNKNOWN_VERSION}{found}")));
+    }
+    Ok(VERSION)
 }
 
 // serde's derived readers of closed sets also take {"R": null}, and serde_json calls a number in their

@@ -177,11 +177,14 @@ impl<'a> Place<'a> {
 
 impl fmt::Display for Place<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let words = self.words().join(", ");
-        match words.chars().next() {
-            Some(first) => write!(f, "{}{}", first.to_uppercase(), &words[first.len_utf8()..]),
-            None => f.write_str("The document"),
+        let mut words = self.words().join(", ");
+        if words.is_empty() {
+            words = "the document".to_owned();
         }
+        if let Some(first) = words.get_mut(..1) {
+            first.make_ascii_uppercase();
+        }
+        f.write_str(&words)
     }
 }
 

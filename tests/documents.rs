@@ -205,6 +205,8 @@ fn writing_keeps_every_digit_and_wastes_none() {
             .name,
         "a \"b\" \\ {[,:]} \u{e4}\n-0.0"
     );
+    let small = parse(&with("/chains/0/base/x", json!(1.5e-9))).expect("a document").text();
+    assert!(small.contains("\"x\": 1.5e-9,"), "{small}");
     let zero = parse(&with("/motion/key_frames/0/x", json!(-0.0)))
         .expect("a document")
         .text();
@@ -323,7 +325,7 @@ fn texts_that_are_no_document_are_refused() {
         ("[".repeat(500_000), WrongType, "", "a list", "object"),
         (with("/version", json!(2)), UnknownVersion, "version", "version 2", "1"),
         (r#"{"version": 7, "linkage": {"new": true}}"#.into(), UnknownVersion, "version", "version 7", "1"),
-        (with("/version", json!("1")), WrongType, "version", "the text \"1\"", "whole number"),
+        (with("/version", json!("1")), WrongType, "version", "the text \"1\"", "a number"),
         (with("/version", json!(-1)), UnknownVersion, "version", "version -1", "1"),
     ];
     cases.into_iter().for_each(check);
@@ -338,6 +340,7 @@ fn fields_that_are_wrong_are_refused() {
     // One case a line.
     #[rustfmt::skip]
     let cases: Vec<Case> = vec![
+        (with("/\u{e4}", json!("red")), UnknownField, "\u{e4}", "\u{e4}: there is no field", "planner"),
         (with("/colour", json!("red")), UnknownField, "colour", "there is no field", "chains"),
         (with("/chains/1/color", json!(1)), UnknownField, "chains[1].color", "Chain 2, color", "gripper"),
         (with("/chains/0/base/X", json!(1)), UnknownField, "chains[0].base.X", "base frame", "longitude"),
