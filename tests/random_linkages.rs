@@ -1,46 +1,77 @@
-//! Random linkages of every chain type: no open frame is published, and nearly all are certified.
+//! Random linkages of all 214 chain types: no open frame is published, and nearly all are certified.
 
 mod common;
 
-use common::{Random, assemblies, goals, linkage};
+use common::{Linkage, Random, assemblies, goals, linkage};
+use std::ops::Range;
+use synthetica::closure::CLOSED;
 use synthetica::keyframe::Goal;
 use synthetica::planner::{Settings, plan};
 use synthetica::trajectory::{Status, Trajectory};
 
-fn tally(seeds: std::ops::Range<u64>) -> ([usize; 5], Vec<String>) {
-    let mut counts = [0; 5];
-    let mut lines = Vec::new();
+/// The share of frames that must end as certified optima.
+const CERTIFIED: f64 = 0.995;
+const FRAMES: usize = 17;
+
+#[derive(Default)]
+struct Tally {
+    frames: usize,
+    certified: usize,
+    /// What ended otherwise: on failure it names the cases.
+    others: Vec<String>,
+}
+
+impl Tally {
+    fn count(&mut self, seed: u64, linkage: &Linkage, goals: &str, t: &Trajectory) {
+        let types: Vec<String> = linkage.mechanism.chains().iter().map(|c| c.type_name()).collect();
+        for (frame, &status) in t.status.iter().enumerate() {
+            let case = format!("seed {seed}, {}, goals {goals}, frame {frame}", types.join("+"));
+            assert!(t.closure[frame] <= CLOSED, "{case}: open by {:e}", t.closure[frame]);
+            assert_ne!(status, Status::ClosureLost, "{case}: the home pose closes, so some pose does");
+            self.frames += 1;
+            if status.is_certified() {
+                self.certified += 1;
+                assert!(t.projected_gradient[frame] < 1e-6, "{case}: certified where it is not stationary");
+            } else {
+                self.others.push(format!("{case}: {status:?}"));
+            }
+        }
+    }
+}
+
+/// Each chain type once a seed, with random partners: towards goals that are off the workspace as a
+/// rule, and then towards the poses reached, which are on it.
+fn tally(seeds: Range<u64>) -> Tally {
+    let mut tally = Tally::default();
     for seed in seeds {
         let mut random = Random(seed);
         for kinds in assemblies(&mut random) {
             let linkage = linkage(&kinds, &mut random);
-            let goals = goals(&linkage, 17, &mut random);
-            let off = plan(&linkage.mechanism, &linkage.home, &goals, &Settings::default());
-            let reachable: Vec<Goal> =
-                off.poses.iter().zip(&off.time).map(|(&pose, &time)| Goal { time, pose }).collect();
-            let on = plan(&linkage.mechanism, &linkage.home, &reachable, &Settings::default());
-            for (what, t) in [("off", &off), ("on", &on)] {
-                for (frame, &status) in t.status.iter().enumerate() {
-                    counts[status as usize] += 1;
-                    assert!(t.closure[frame] <= 1e-10);
-                    if !status.is_certified() {
-                        let names: Vec<String> = linkage.mechanism.chains().iter().map(|c| c.type_name()).collect();
-                        lines.push(format!(
-                            "seed {seed} {} {what} frame {frame}: {status:?} pg {:.1e} sigma {:.1e} it {} count {} rank {}",
-                            names.join("+"), t.projected_gradient[frame], t.sigma_min[frame], t.iterations[frame], t.mobility_count, t.mobility_rank
-                        ));
-                    }
-                }
-            }
+            let off = goals(&linkage, FRAMES, &mut random);
+            let motion = plan(&linkage.mechanism, &linkage.home, &off, &Settings::default());
+            tally.count(seed, &linkage, "off", &motion);
+            let reached = motion.poses.iter().zip(&motion.time);
+            let on: Vec<Goal> = reached.map(|(&pose, &time)| Goal { time, pose }).collect();
+            let motion = plan(&linkage.mechanism, &linkage.home, &on, &Settings::default());
+            tally.count(seed, &linkage, "on", &motion);
         }
     }
-    (counts, lines)
+    tally
+}
+
+fn assert_certified(tally: &Tally) {
+    let share = tally.certified as f64 / tally.frames as f64;
+    println!("{} of {} frames certified, {:.3} %", tally.certified, tally.frames, 100.0 * share);
+    assert!(share >= CERTIFIED, "{:.3} %:\n{}", 100.0 * share, tally.others.join("\n"));
 }
 
 #[test]
 fn nearly_all_frames_are_certified() {
-    let n: u64 = std::env::var("SEEDS").ok().and_then(|s| s.parse().ok()).unwrap_or(3);
-    let (counts, lines) = tally(0..n);
-    for l in &lines { println!("{l}"); }
-    println!("{counts:?}");
+    assert_certified(&tally(0..2));
+}
+
+#[test]
+#[ignore = "a minute in release: cargo test --release --test random_linkages -- --ignored --nocapture"]
+fn nearly_all_frames_of_many_linkages_are_certified() {
+    assert_certified(&tally(100..200));
 }

@@ -1,0 +1,88 @@
+//! The built library in a real browser: golden motions, bindings, faults.
+#![cfg(target_arch = "wasm32")]
+
+#[path = "common/golden.rs"]
+mod golden;
+
+use js_sys::{Float64Array, Reflect};
+use synthetica::planner::{Settings, plan};
+use synthetica::wasm;
+use wasm_bindgen::{JsCast, JsValue};
+use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
+
+wasm_bindgen_test_configure!(run_in_browser);
+
+const SAMPLE: &str = include_str!("../www/mechanisms/3rps.json");
+
+fn get(object: &JsValue, name: &str) -> JsValue {
+    Reflect::get(object, &name.into()).unwrap_or(JsValue::UNDEFINED)
+}
+
+fn column(motion: &JsValue, name: &str) -> Vec<f64> {
+    get(motion, name).unchecked_into::<Float64Array>().to_vec()
+}
+
+fn refused(text: &str) -> JsValue {
+    match wasm::plan(text) {
+        Ok(_) => panic!("a bad document was planned"),
+        Err(fault) => fault,
+    }
+}
+
+#[wasm_bindgen_test]
+fn golden_motions_are_met() {
+    for task in golden::tasks() {
+        let t = plan(&task.mechanism, &task.start, &task.goals, &Settings::default());
+        for (i, (_, f)) in task.reference.iter().enumerate() {
+            assert!(t.closure[i] <= 1e-10, "{} frame {i}: open by {:e}", task.name, t.closure[i]);
+            assert!(t.metric[i] <= f + 1e-9, "{} frame {i}: f = {}, {f} is possible", task.name, t.metric[i]);
+            assert!(t.status[i].is_certified(), "{} frame {i}: {:?}", task.name, t.status[i]);
+        }
+    }
+}
+
+#[wasm_bindgen_test]
+fn a_plan_is_columns_and_a_report() {
+    let motion: JsValue = wasm::plan(SAMPLE).expect("a sample plans").into();
+    let frames = column(&motion, "time").len();
+    assert!(frames >= 2);
+    assert_eq!(get(&motion, "frames").as_f64(), Some(frames as f64));
+    assert_eq!(column(&motion, "pose").len(), 7 * frames);
+    assert_eq!(column(&motion, "joints").len(), 15 * frames);
+    assert_eq!(column(&motion, "rows").len(), 15 * 14 * frames);
+    assert!(column(&motion, "closure").iter().all(|e| *e <= 1e-10));
+    let report = get(&motion, "report");
+    assert_eq!(get(&report, "mobility_count").as_f64(), Some(3.0));
+    assert_eq!(get(&report, "mobility_rank").as_f64(), Some(3.0));
+}
+
+#[wasm_bindgen_test]
+fn a_fault_is_an_object_that_names_its_place() {
+    let fault = refused(&SAMPLE.replacen("\"type\": \"R\"", "\"type\": \"X\"", 1));
+    assert_eq!(get(&fault, "where").as_string().as_deref(), Some("chains[0].joints[0].type"));
+    assert!(get(&fault, "message").is_string() && get(&fault, "accepted").is_string());
+}
+
+#[wasm_bindgen_test]
+fn documents_come_back_whole() {
+    let whole = wasm::normalise(SAMPLE).expect("a sample is a document");
+    assert_eq!(wasm::normalise(&whole).expect("its own output"), whole);
+    let started = wasm::find_start(&whole).expect("a sample has a start");
+    assert!(started.contains("\"start\""));
+    let defaults: JsValue = wasm::defaults().expect("plain data").into();
+    let text = get(&defaults, "document").as_string().expect("text");
+    assert!(wasm::plan(&text).is_ok(), "the default document plans");
+    assert!(wasm::schema().contains("$schema"));
+}
+
+#[wasm_bindgen_test]
+fn enumeration_is_that_of_the_paper() {
+    let tables: JsValue = wasm::enumeration().expect("plain data").into();
+    let lines: js_sys::Array = get(&tables, "assemblies").unchecked_into();
+    assert_eq!(get(&lines.get(0), "total").as_f64(), Some(487_990_859.0));
+    assert_eq!(wasm::chain_by_index(4, 0.0).as_deref(), Some("RR"));
+    assert_eq!(wasm::chain_by_index(4, 6.0), None);
+    assert_eq!(wasm::chain_by_index(4, 0.5), None);
+    assert_eq!(wasm::assembly_by_index(5, 487_990_858.0).map(|chains| chains.is_empty()), Some(false));
+    assert_eq!(wasm::assembly_by_index(5, 487_990_859.0), None);
+}
