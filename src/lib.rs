@@ -97,3 +97,8 @@ pub mod trajectory;
 pub mod trust_region;
 #[cfg(target_arch = "wasm32")]
 pub mod wasm;
+
+/// The README's Rust, as a documentation test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
