@@ -23,22 +23,34 @@ const ROUNDS: usize = 41;
 
 fn main() {
     println!("one frame against one dense SVD of the same [A] (median of {ROUNDS} rounds, µs)");
-    println!("{:10} {:>9} {:>9} {:>7} {:>12} {:>7}", "", "svd", "frame", "ratio", "with report", "ratio");
+    println!(
+        "{:10} {:>9} {:>9} {:>7} {:>12} {:>7}",
+        "", "svd", "frame", "ratio", "with report", "ratio"
+    );
     for task in common::golden::tasks() {
         row(&task.name, &task.mechanism, &task.start, &task.goals);
     }
     println!("\nrandom linkages of k chains");
     for k in 1..=5 {
         let mut random = common::Random(7);
-        let kinds: Vec<_> = (0..k).map(|_| synthetica::enumerate::chain(1, 60).expect("in range")).collect();
+        let kinds: Vec<_> = (0..k)
+            .map(|_| synthetica::enumerate::chain(1, 60).expect("in range"))
+            .collect();
         let linkage = common::linkage(&kinds, &mut random);
         let goals = common::goals(&linkage, 33, &mut random);
-        row(&format!("k = {k}"), &linkage.mechanism, &linkage.home, &goals);
+        row(
+            &format!("k = {k}"),
+            &linkage.mechanism,
+            &linkage.home,
+            &goals,
+        );
     }
     println!("\nmore frames of the same motion (3RPS)");
     let task = common::golden::tasks().swap_remove(1);
     for frames in [33, 330, 3300] {
-        let goals: Vec<Goal> = (0..frames).map(|i| between(&task.goals, i as f64 / (frames - 1) as f64)).collect();
+        let goals: Vec<Goal> = (0..frames)
+            .map(|i| between(&task.goals, i as f64 / (frames - 1) as f64))
+            .collect();
         row(&format!("{frames}"), &task.mechanism, &task.start, &goals);
     }
 }
@@ -72,7 +84,11 @@ fn row(name: &str, mechanism: &Mechanism, start: &[f64], goals: &[Goal]) {
         t.sort_by(f64::total_cmp);
         t[t.len() / 2] * 1e6
     });
-    println!("{name:10} {svd:9.2} {frame:9.2} {:7.2} {report:12.2} {:7.2}", frame / svd, report / svd);
+    println!(
+        "{name:10} {svd:9.2} {frame:9.2} {:7.2} {report:12.2} {:7.2}",
+        frame / svd,
+        report / svd
+    );
 }
 
 /// The frames as the planner solves them, without its report.

@@ -60,12 +60,27 @@ fn run(file: &str, json: bool) -> Result<bool, String> {
     let mut good = true;
     for (task, answer) in tasks.iter().zip(&answers) {
         let closure = worst(answer.frames.iter().map(|f| f.closure));
-        let above = worst(answer.frames.iter().zip(&task.reference).map(|(a, (_, f))| a.f - f));
+        let above = worst(
+            answer
+                .frames
+                .iter()
+                .zip(&task.reference)
+                .map(|(a, (_, f))| a.f - f),
+        );
         let passes = closure <= CLOSURE && above <= METRIC;
         good &= passes;
         if !json {
-            let count = |s: &Status| answer.frames.iter().filter(|f| f.status == s.name()).count();
-            let counts = Status::ALL.iter().filter(|s| count(s) > 0).map(|s| format!("{} {}", count(s), s.name()));
+            let count = |s: &Status| {
+                answer
+                    .frames
+                    .iter()
+                    .filter(|f| f.status == s.name())
+                    .count()
+            };
+            let counts = Status::ALL
+                .iter()
+                .filter(|s| count(s) > 0)
+                .map(|s| format!("{} {}", count(s), s.name()));
             let iterations: u32 = answer.frames.iter().map(|f| f.iterations).sum();
             println!(
                 "{:8} {}  closure {closure:.1e}  f - reference {above:+.1e}  {}  \
@@ -79,7 +94,10 @@ fn run(file: &str, json: bool) -> Result<bool, String> {
         }
     }
     if json {
-        println!("{}", serde_json::to_string(&answers).map_err(|e| e.to_string())?);
+        println!(
+            "{}",
+            serde_json::to_string(&answers).map_err(|e| e.to_string())?
+        );
     }
     Ok(good)
 }
@@ -93,8 +111,16 @@ fn solve(task: &Task) -> Answer {
     let mut microseconds = [0.0; RUNS];
     let mut run = || {
         let clock = Instant::now();
-        let t = plan(&task.mechanism, &task.start, &task.goals, &Settings::default());
-        (t, clock.elapsed().as_secs_f64() * 1e6 / task.goals.len() as f64)
+        let t = plan(
+            &task.mechanism,
+            &task.start,
+            &task.goals,
+            &Settings::default(),
+        );
+        (
+            t,
+            clock.elapsed().as_secs_f64() * 1e6 / task.goals.len() as f64,
+        )
     };
     let (t, _) = run();
     microseconds.fill_with(|| run().1);

@@ -4,11 +4,10 @@
 //! With `--time` before the documents it prints one JSON line each instead: the median time from text
 //! to planned motion, for comparison with the same in a browser.
 
-
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
-use synthetica::json;
 use synthetica::fault::Fault;
+use synthetica::json;
 use synthetica::problem::Problem;
 use synthetica::report::Report;
 use synthetica::trajectory::Trajectory;
@@ -34,7 +33,10 @@ fn main() -> ExitCode {
         match solve(&text) {
             Ok((problem, trajectory)) if time => {
                 let microseconds = median_microseconds(&text);
-                println!("{}", serde_json::json!({ "document": file, "frames": trajectory.frames(), "microseconds": microseconds }));
+                println!(
+                    "{}",
+                    serde_json::json!({ "document": file, "frames": trajectory.frames(), "microseconds": microseconds })
+                );
                 drop(problem);
             }
             Ok((problem, trajectory)) => print_csv(&problem, &trajectory),

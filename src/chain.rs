@@ -54,7 +54,10 @@ pub struct ChainState {
 
 impl Default for ChainState {
     fn default() -> Self {
-        Self { pose: Pose::identity(), jacobian: [Vector6::zeros(); MAX_FREEDOMS] }
+        Self {
+            pose: Pose::identity(),
+            jacobian: [Vector6::zeros(); MAX_FREEDOMS],
+        }
     }
 }
 
@@ -63,7 +66,12 @@ impl Chain {
     ///
     /// # Errors
     /// Without joints, with more than five freedoms, or with a frame that is not finite.
-    pub fn new(name: String, base: Pose, joints: Vec<Joint>, gripper: Pose) -> Result<Self, ChainFault> {
+    pub fn new(
+        name: String,
+        base: Pose,
+        joints: Vec<Joint>,
+        gripper: Pose,
+    ) -> Result<Self, ChainFault> {
         let freedoms = joints.iter().map(|j| j.kind().freedoms()).sum();
         if joints.is_empty() {
             return Err(ChainFault::NoJoints);
@@ -133,7 +141,11 @@ impl Chain {
 
     /// The sum of the lengths that the chain is built of, its gripper included.
     pub fn reach(&self) -> f64 {
-        let links: f64 = self.primitives.iter().map(|p| p.row.a.abs() + p.row.d.abs()).sum();
+        let links: f64 = self
+            .primitives
+            .iter()
+            .map(|p| p.row.a.abs() + p.row.d.abs())
+            .sum();
         links + self.gripper.translation.vector.norm()
     }
 
@@ -146,7 +158,10 @@ impl Chain {
             p.row.a *= factor;
             p.row.d *= factor;
             if !p.turns {
-                p.limits = Limits { min: p.limits.min * factor, max: p.limits.max * factor };
+                p.limits = Limits {
+                    min: p.limits.min * factor,
+                    max: p.limits.max * factor,
+                };
             }
         }
         chain
@@ -166,7 +181,10 @@ impl Chain {
         let mut axes = [(Vector3::zeros(), Vector3::zeros()); MAX_FREEDOMS];
         for ((p, &variable), axis) in self.primitives.iter().zip(theta).zip(&mut axes) {
             o += x * p.row.a;
-            (y, z) = (y * p.cos_alpha + z * p.sin_alpha, z * p.cos_alpha - y * p.sin_alpha);
+            (y, z) = (
+                y * p.cos_alpha + z * p.sin_alpha,
+                z * p.cos_alpha - y * p.sin_alpha,
+            );
             *axis = (z, o);
             let (angle, shift) = if p.turns {
                 (p.row.theta + variable, p.row.d)
@@ -180,8 +198,10 @@ impl Chain {
         let link = Matrix3::from_columns(&[x, y, z]);
         let d = o + link * self.gripper.translation.vector;
         let rotation = Rotation3::from_matrix_unchecked(link * self.gripper_axes);
-        state.pose =
-            Pose::from_parts(Translation3::from(d), UnitQuaternion::from_rotation_matrix(&rotation));
+        state.pose = Pose::from_parts(
+            Translation3::from(d),
+            UnitQuaternion::from_rotation_matrix(&rotation),
+        );
         // Eq. 15: (S × (d − C), S) for a revolute joint, (S, 0) for a prismatic one.
         for ((p, (s, c)), column) in self.primitives.iter().zip(&axes).zip(&mut state.jacobian) {
             *column = if p.turns {
@@ -237,7 +257,13 @@ fn primitives(joints: &[Joint]) -> Vec<Primitive> {
             let (sin_alpha, cos_alpha) = libm::sincos(row.alpha);
             let limits = joint.limits()[i];
             let moves = joint.kind().moves(i);
-            list.push(Primitive { row, sin_alpha, cos_alpha, turns: moves != Moves::Slides, limits });
+            list.push(Primitive {
+                row,
+                sin_alpha,
+                cos_alpha,
+                turns: moves != Moves::Slides,
+                limits,
+            });
             if moves == Moves::Both {
                 list.push(Primitive {
                     row: DhRow::default(),

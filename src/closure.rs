@@ -50,8 +50,22 @@ pub fn twist_of_rates(q: &DualQuaternion) -> SMatrix<f64, 6, 8> {
 pub fn condition_rates(q: &DualQuaternion) -> SMatrix<f64, 2, 8> {
     let [q1, q2, q3, q4, q5, q6, q7, q8] = (*q).into();
     SMatrix::<f64, 2, 8>::from_row_slice(&[
-        2.0 * q1, 2.0 * q2, 2.0 * q3, 2.0 * q4, 0.0, 0.0, 0.0, 0.0, //
-        q5, q6, q7, q8, q1, q2, q3, q4,
+        2.0 * q1,
+        2.0 * q2,
+        2.0 * q3,
+        2.0 * q4,
+        0.0,
+        0.0,
+        0.0,
+        0.0, //
+        q5,
+        q6,
+        q7,
+        q8,
+        q1,
+        q2,
+        q3,
+        q4,
     ])
 }
 
@@ -150,7 +164,9 @@ impl SingularValues {
         }
         add_block(&mut self.gram, n, n - 2, n - 2, &c_c);
         let index = redundant.min(n - 1);
-        linalg::symmetric_eigenvalue(&mut self.gram, n, index, &mut self.work).max(0.0).sqrt()
+        linalg::symmetric_eigenvalue(&mut self.gram, n, index, &mut self.work)
+            .max(0.0)
+            .sqrt()
     }
 }
 
@@ -167,4 +183,3 @@ fn add_block<const R: usize, const C: usize>(
         }
     }
 }
-

@@ -64,7 +64,11 @@ pub fn descend(
     let start = pose::dual_quaternion(&mechanism.chains()[0].pose(joints), 1.0);
     let mut r: Vec<f64> = joints.iter().chain(start.iter()).copied().collect();
     let g = pose::dual_quaternion(goal, 1.0);
-    let mut descent = Descent { converged: false, projected_gradient: f64::INFINITY, iterations: 0 };
+    let mut descent = Descent {
+        converged: false,
+        projected_gradient: f64::INFINITY,
+        iterations: 0,
+    };
     let mut share = 1.0;
     loop {
         let a = Factored::at(mechanism, &r);
@@ -72,7 +76,9 @@ pub fn descend(
         let q = workpiece(&r);
         // Eq. 30–31: [W][W]ᵀ (g − q) is what the row space of [A] leaves of it.
         let toward = pose::nearer_sign(&q, g) - q;
-        let mut step: Vec<f64> = std::iter::repeat_n(0.0, n).chain(toward.iter().copied()).collect();
+        let mut step: Vec<f64> = std::iter::repeat_n(0.0, n)
+            .chain(toward.iter().copied())
+            .collect();
         for u in &a.svd.u[..rank] {
             let along = dot(u, &step);
             step.iter_mut().zip(u).for_each(|(s, u)| *s -= along * u);
@@ -147,15 +153,24 @@ struct Factored {
 impl Factored {
     fn at(mechanism: &Mechanism, r: &[f64]) -> Self {
         let linear = linearise(mechanism, &r[..r.len() - 8], &workpiece(r));
-        Self { svd: svd(linear.rows), error: linear.residual }
+        Self {
+            svd: svd(linear.rows),
+            error: linear.residual,
+        }
     }
 
     fn rank(&self) -> usize {
-        self.svd.sigma.iter().take_while(|s| **s > ZERO * self.svd.sigma[0]).count()
+        self.svd
+            .sigma
+            .iter()
+            .take_while(|s| **s > ZERO * self.svd.sigma[0])
+            .count()
     }
 
     fn residual(&self) -> f64 {
-        self.error.iter().fold(0.0, |m: f64, e| if e.abs() <= m { m } else { e.abs() })
+        self.error
+            .iter()
+            .fold(0.0, |m: f64, e| if e.abs() <= m { m } else { e.abs() })
     }
 }
 

@@ -94,7 +94,10 @@ pub struct Limits {
 
 impl Limits {
     /// No limit on either side.
-    pub const NONE: Self = Self { min: f64::NEG_INFINITY, max: f64::INFINITY };
+    pub const NONE: Self = Self {
+        min: f64::NEG_INFINITY,
+        max: f64::INFINITY,
+    };
 }
 
 /// The limit at which a joint is held.
@@ -154,9 +157,16 @@ impl Joint {
     ///
     /// # Errors
     /// When the rows are not those of the kind; see [`JointFault`].
-    pub fn new(kind: JointKind, rows: Vec<DhRow>, mut limits: Vec<Limits>) -> Result<Self, JointFault> {
+    pub fn new(
+        kind: JointKind,
+        rows: Vec<DhRow>,
+        mut limits: Vec<Limits>,
+    ) -> Result<Self, JointFault> {
         if rows.len() != kind.row_count() {
-            return Err(JointFault::RowCount { expected: kind.row_count(), found: rows.len() });
+            return Err(JointFault::RowCount {
+                expected: kind.row_count(),
+                found: rows.len(),
+            });
         }
         for (row, r) in rows.iter().enumerate() {
             if ![r.alpha, r.a, r.theta, r.d].iter().all(|x| x.is_finite()) {
@@ -170,12 +180,18 @@ impl Joint {
             limits = vec![Limits::NONE; kind.freedoms()];
         }
         if limits.len() != kind.freedoms() {
-            return Err(JointFault::LimitCount { expected: kind.freedoms(), found: limits.len() });
+            return Err(JointFault::LimitCount {
+                expected: kind.freedoms(),
+                found: limits.len(),
+            });
         }
         for (freedom, l) in limits.iter().enumerate() {
             // Also refuses NaN.
             if l.min.partial_cmp(&l.max).is_none_or(Ordering::is_gt) {
-                return Err(JointFault::LimitOrder { freedom, limits: *l });
+                return Err(JointFault::LimitOrder {
+                    freedom,
+                    limits: *l,
+                });
             }
         }
         Ok(Self { kind, rows, limits })
@@ -183,7 +199,10 @@ impl Joint {
 
     /// The joint with the rows of Eq. 2–6, without a link before it and without limits.
     pub fn standard(kind: JointKind) -> Self {
-        let twist = |alpha| DhRow { alpha, ..DhRow::default() };
+        let twist = |alpha| DhRow {
+            alpha,
+            ..DhRow::default()
+        };
         let rows = match kind {
             JointKind::R | JointKind::P | JointKind::C => vec![DhRow::default()],
             JointKind::T => vec![DhRow::default(), twist(FRAC_PI_2)],
@@ -191,11 +210,19 @@ impl Joint {
             // Eq. 6 prints Z(0, v) in the middle, which would leave the axis in the plane.
             JointKind::E => vec![
                 DhRow::default(),
-                DhRow { alpha: FRAC_PI_2, theta: FRAC_PI_2, ..DhRow::default() },
+                DhRow {
+                    alpha: FRAC_PI_2,
+                    theta: FRAC_PI_2,
+                    ..DhRow::default()
+                },
                 twist(FRAC_PI_2),
             ],
         };
-        Self { kind, rows, limits: vec![Limits::NONE; kind.freedoms()] }
+        Self {
+            kind,
+            rows,
+            limits: vec![Limits::NONE; kind.freedoms()],
+        }
     }
 
     /// The kind.
@@ -220,13 +247,19 @@ fn check_inner_row(kind: JointKind, row: usize, r: &DhRow) -> Result<(), JointFa
     const RIGHT_ANGLE: f64 = 1e-12;
     let right = |angle: f64| (angle.abs() - FRAC_PI_2).abs() <= RIGHT_ANGLE;
     if !right(r.alpha) {
-        Err(JointFault::InnerTwist { row, alpha: r.alpha })
+        Err(JointFault::InnerTwist {
+            row,
+            alpha: r.alpha,
+        })
     } else if r.a != 0.0 {
         Err(JointFault::InnerLength { row, a: r.a })
     } else if kind == JointKind::S && row == 1 && r.d != 0.0 {
         Err(JointFault::InnerOffset { row, d: r.d })
     } else if kind == JointKind::E && row == 1 && !right(r.theta) {
-        Err(JointFault::InnerAngle { row, theta: r.theta })
+        Err(JointFault::InnerAngle {
+            row,
+            theta: r.theta,
+        })
     } else {
         Ok(())
     }

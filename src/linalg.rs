@@ -166,7 +166,8 @@ fn reflect(v: &[f64], beta: f64, x: &mut [f64]) {
     // Six rows are the common case; with the constant the loops unroll.
     if let (Ok(v), Ok(x)) = (<&[f64; 6]>::try_from(v), <&mut [f64; 6]>::try_from(&mut *x)) {
         // Summed in pairs: the additions do not wait for each other.
-        let dot = (v[0] * x[0] + v[1] * x[1]) + (v[2] * x[2] + v[3] * x[3]) + (v[4] * x[4] + v[5] * x[5]);
+        let dot =
+            (v[0] * x[0] + v[1] * x[1]) + (v[2] * x[2] + v[3] * x[3]) + (v[4] * x[4] + v[5] * x[5]);
         let scale = beta * dot;
         for i in 0..6 {
             x[i] -= scale * v[i];
@@ -250,13 +251,17 @@ pub fn symmetric_eigen(a: &mut [f64], n: usize, vectors: &mut [f64]) {
                 let c = 1.0 / (1.0 + t * t).sqrt();
                 let s = c * t;
                 for k in 0..n {
-                    (a[k * n + p], a[k * n + q]) =
-                        (c * a[k * n + p] - s * a[k * n + q], s * a[k * n + p] + c * a[k * n + q]);
+                    (a[k * n + p], a[k * n + q]) = (
+                        c * a[k * n + p] - s * a[k * n + q],
+                        s * a[k * n + p] + c * a[k * n + q],
+                    );
                 }
                 for m in [&mut *a, &mut *vectors] {
                     for k in 0..n {
-                        (m[p * n + k], m[q * n + k]) =
-                            (c * m[p * n + k] - s * m[q * n + k], s * m[p * n + k] + c * m[q * n + k]);
+                        (m[p * n + k], m[q * n + k]) = (
+                            c * m[p * n + k] - s * m[q * n + k],
+                            s * m[p * n + k] + c * m[q * n + k],
+                        );
                     }
                 }
             }
@@ -289,7 +294,9 @@ pub fn svd(mut columns: Vec<Vec<f64>>) -> Svd {
     /// Cosine of the angle between two columns that count as orthogonal.
     const ORTHOGONAL: f64 = 1e-15;
     let n = columns.len();
-    let mut v: Vec<Vec<f64>> = (0..n).map(|j| (0..n).map(|i| f64::from(i == j)).collect()).collect();
+    let mut v: Vec<Vec<f64>> = (0..n)
+        .map(|j| (0..n).map(|i| f64::from(i == j)).collect())
+        .collect();
     let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
     for _ in 0..SWEEPS {
         let mut turned = false;
@@ -321,10 +328,15 @@ pub fn svd(mut columns: Vec<Vec<f64>>) -> Svd {
     let mut order: Vec<usize> = (0..n).collect();
     order.sort_by(|&a, &b| norms[b].total_cmp(&norms[a]));
     let normalised = |c: &Vec<f64>, norm: f64| -> Vec<f64> {
-        c.iter().map(|x| if norm > 0.0 { x / norm } else { 0.0 }).collect()
+        c.iter()
+            .map(|x| if norm > 0.0 { x / norm } else { 0.0 })
+            .collect()
     };
     Svd {
-        u: order.iter().map(|&j| normalised(&columns[j], norms[j])).collect(),
+        u: order
+            .iter()
+            .map(|&j| normalised(&columns[j], norms[j]))
+            .collect(),
         sigma: order.iter().map(|&j| norms[j]).collect(),
         v: order.iter().map(|&j| v[j].clone()).collect(),
     }
@@ -393,8 +405,12 @@ pub fn symmetric_eigenvalue(a: &mut [f64], n: usize, index: usize, work: &mut Ve
         let left = if i > 0 { off2[i - 1].sqrt() } else { 0.0 };
         left + off2.get(i).map_or(0.0, |x| x.sqrt())
     };
-    let low = (0..n).map(|i| diagonal[i] - radius(i)).fold(f64::INFINITY, f64::min);
-    let high = (0..n).map(|i| diagonal[i] + radius(i)).fold(f64::NEG_INFINITY, f64::max);
+    let low = (0..n)
+        .map(|i| diagonal[i] - radius(i))
+        .fold(f64::INFINITY, f64::min);
+    let high = (0..n)
+        .map(|i| diagonal[i] + radius(i))
+        .fold(f64::NEG_INFINITY, f64::max);
     let resolution = f64::EPSILON * low.abs().max(high.abs());
     if index == 0 {
         smallest_by_laguerre(diagonal, off2, low, resolution)
@@ -438,7 +454,13 @@ fn smallest_by_laguerre(diagonal: &[f64], off2: &[f64], mut x: f64, resolution: 
 }
 
 /// Any eigenvalue of a tridiagonal matrix between bounds.
-fn by_bisection(diagonal: &[f64], off2: &[f64], index: usize, bounds: (f64, f64), resolution: f64) -> f64 {
+fn by_bisection(
+    diagonal: &[f64],
+    off2: &[f64],
+    index: usize,
+    bounds: (f64, f64),
+    resolution: f64,
+) -> f64 {
     let (mut low, mut high) = bounds;
     while high - low > resolution {
         let middle = 0.5 * (low + high);
@@ -456,7 +478,11 @@ fn by_bisection(diagonal: &[f64], off2: &[f64], index: usize, bounds: (f64, f64)
             }
             below += usize::from(pivot < 0.0);
         }
-        if below > index { high = middle } else { low = middle }
+        if below > index {
+            high = middle
+        } else {
+            low = middle
+        }
     }
     0.5 * (low + high)
 }

@@ -56,13 +56,19 @@ impl Mechanism {
     pub fn size(&self) -> f64 {
         let origin = self.chains[0].base().translation.vector;
         let span = |c: &Chain| (c.base().translation.vector - origin).norm();
-        let size = self.chains.iter().map(|c| c.reach().max(span(c))).fold(0.0, f64::max);
+        let size = self
+            .chains
+            .iter()
+            .map(|c| c.reach().max(span(c)))
+            .fold(0.0, f64::max);
         if size > 0.0 { size } else { 1.0 }
     }
 
     /// The same mechanism in another unit of length: every length times `factor`.
     pub fn scaled(&self, factor: f64) -> Self {
-        Self { chains: self.chains.iter().map(|c| c.scaled(factor)).collect() }
+        Self {
+            chains: self.chains.iter().map(|c| c.scaled(factor)).collect(),
+        }
     }
 
     /// The part of a joint vector that belongs to each chain.

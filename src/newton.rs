@@ -178,7 +178,11 @@ impl Solver {
                 *t = t.clamp(l.min, l.max);
             }
             let open = self.tangent.evaluate(&self.chains, &theta);
-            self.tangent.factor(&self.stops, (open > self.closed).then_some(BLUR * open.min(0.1)), 0);
+            self.tangent.factor(
+                &self.stops,
+                (open > self.closed).then_some(BLUR * open.min(0.1)),
+                0,
+            );
             if open <= self.closed {
                 closed = true;
                 self.redundant = self.tangent.redundant();
@@ -252,11 +256,17 @@ impl Solver {
         self.tangent.span();
         let model = self.model(&goal);
         let gradient = self.project(&model);
-        self.tangent.reduced_hessian(&model.hessian, None, &mut self.curvature, &mut self.mixed);
-        self.region.prepare(&self.tangent, &self.curvature, &self.slope);
+        self.tangent
+            .reduced_hessian(&model.hessian, None, &mut self.curvature, &mut self.mixed);
+        self.region
+            .prepare(&self.tangent, &self.curvature, &self.slope);
         let flat = self.region.least() >= -stationary.max(self.flat);
         let stationary = stationary.max(self.stationary);
-        let end = if gradient <= stationary && flat && self.within_limits(&theta) { End::Minimum } else { End::Stalled };
+        let end = if gradient <= stationary && flat && self.within_limits(&theta) {
+            End::Minimum
+        } else {
+            End::Stalled
+        };
         self.theta = theta;
         let reached = self.is_reached(&model);
         self.solved(end, reached, gradient, 0)
@@ -284,7 +294,12 @@ impl Solver {
             }
             if open <= self.closed && gradient <= self.stationary {
                 let certified = self.releasable().is_none() && self.within_limits(theta);
-                let solved = self.solved(self.minimum(), self.is_reached(&model), gradient, *iterations);
+                let solved = self.solved(
+                    self.minimum(),
+                    self.is_reached(&model),
+                    gradient,
+                    *iterations,
+                );
                 return certified.then_some(solved);
             }
             *iterations += 1;
@@ -336,13 +351,23 @@ impl Solver {
                 }
                 continue;
             }
-            self.tangent.reduced_hessian(&model.hessian, None, &mut self.curvature, &mut self.mixed);
-            self.region.prepare(&self.tangent, &self.curvature, &self.slope);
+            self.tangent.reduced_hessian(
+                &model.hessian,
+                None,
+                &mut self.curvature,
+                &mut self.mixed,
+            );
+            self.region
+                .prepare(&self.tangent, &self.curvature, &self.slope);
             if gradient <= self.stationary && self.region.least() >= -self.flat {
                 return self.solved(self.minimum(), reached, gradient, *iterations);
             }
             let stuck = !self.descend(goal, theta, &model, &mut radius, iterations);
-            let run = theta.iter().zip(&self.origin).map(|(t, o)| (t - o).abs()).fold(0.0, f64::max);
+            let run = theta
+                .iter()
+                .zip(&self.origin)
+                .map(|(t, o)| (t - o).abs())
+                .fold(0.0, f64::max);
             if run > FARTHEST {
                 theta.copy_from_slice(&self.origin);
                 self.stops.fill(Stop::None);
@@ -413,7 +438,11 @@ impl Solver {
     /// close nearby.
     fn close(&mut self, theta: &mut [f64], iterations: &mut usize) -> bool {
         // In a singular position more constraints look redundant than are.
-        let counts = if self.redundant > 0 { &[self.redundant, 0][..] } else { &[0][..] };
+        let counts = if self.redundant > 0 {
+            &[self.redundant, 0][..]
+        } else {
+            &[0][..]
+        };
         for &redundant in counts {
             self.at.copy_from_slice(theta);
             let mut last = f64::INFINITY;
@@ -447,7 +476,8 @@ impl Solver {
         self.tangent.balance(&model.gradient);
         self.slope.clear();
         let n = self.tangent.freedoms();
-        self.slope.extend((0..n).map(|i| self.tangent.twist(i).dot(&model.gradient)));
+        self.slope
+            .extend((0..n).map(|i| self.tangent.twist(i).dot(&model.gradient)));
         self.slope.iter().map(|x| x * x).sum::<f64>().sqrt()
     }
 
@@ -465,14 +495,29 @@ impl Solver {
         model.value <= 0.5 * REACHED * REACHED
     }
 
-    fn solved(&self, end: End, reached: bool, projected_gradient: f64, iterations: usize) -> Solved {
+    fn solved(
+        &self,
+        end: End,
+        reached: bool,
+        projected_gradient: f64,
+        iterations: usize,
+    ) -> Solved {
         let projected_gradient = projected_gradient * self.weight;
-        Solved { end, reached, projected_gradient, iterations }
+        Solved {
+            end,
+            reached,
+            projected_gradient,
+            iterations,
+        }
     }
 
     /// What a minimum is called with the present stops.
     fn minimum(&self) -> End {
-        if self.stops.iter().all(|s| *s == Stop::None) { End::Minimum } else { End::MinimumAtLimit }
+        if self.stops.iter().all(|s| *s == Stop::None) {
+            End::Minimum
+        } else {
+            End::MinimumAtLimit
+        }
     }
 
     /// The held joint that would lower the objective most by leaving its limit.
@@ -497,7 +542,11 @@ impl Solver {
         let mut first = (1.0, None);
         for (joint, l) in self.limits.iter().enumerate() {
             let s = self.step[joint];
-            let (room, stop) = if s > 0.0 { (l.max - theta[joint], Stop::Max) } else { (theta[joint] - l.min, Stop::Min) };
+            let (room, stop) = if s > 0.0 {
+                (l.max - theta[joint], Stop::Max)
+            } else {
+                (theta[joint] - l.min, Stop::Min)
+            };
             if room < s.abs() * first.0 {
                 first = ((room / s.abs()).max(0.0), Some((joint, stop)));
             }
@@ -508,15 +557,23 @@ impl Solver {
     /// The largest rotation in the step.
     fn largest_turn(&self) -> f64 {
         let turns = self.chains.iter().flat_map(Chain::turns);
-        self.step.iter().zip(turns).map(|(s, turns)| if turns { s.abs() } else { 0.0 }).fold(0.0, f64::max)
+        self.step
+            .iter()
+            .zip(turns)
+            .map(|(s, turns)| if turns { s.abs() } else { 0.0 })
+            .fold(0.0, f64::max)
     }
 
     fn within_limits(&self, theta: &[f64]) -> bool {
-        theta.iter().zip(&self.limits).all(|(t, l)| *t >= l.min - LIMIT && *t <= l.max + LIMIT)
+        theta
+            .iter()
+            .zip(&self.limits)
+            .all(|(t, l)| *t >= l.min - LIMIT && *t <= l.max + LIMIT)
     }
 }
 
 /// The largest entry; NaN if there is one.
 fn longest(step: &[f64]) -> f64 {
-    step.iter().fold(0.0, |m: f64, s| if s.abs() <= m { m } else { s.abs() })
+    step.iter()
+        .fold(0.0, |m: f64, s| if s.abs() <= m { m } else { s.abs() })
 }

@@ -43,7 +43,9 @@ pub fn objective(q: &Pose, g: &Pose, length: f64) -> Objective {
     let mut hessian = Matrix6::zeros();
     hessian.fixed_view_mut::<3, 3>(0, 0).fill_diagonal(w);
     hessian.fixed_view_mut::<3, 3>(0, 3).copy_from(&mixed);
-    hessian.fixed_view_mut::<3, 3>(3, 0).copy_from(&mixed.transpose());
+    hessian
+        .fixed_view_mut::<3, 3>(3, 0)
+        .copy_from(&mixed.transpose());
     hessian.fixed_view_mut::<3, 3>(3, 3).copy_from(&rotation);
     Objective {
         // Not the formula above: it would cancel near the goal.
@@ -71,8 +73,22 @@ mod tests {
 
     #[test]
     fn derivatives_agree_with_finite_differences() {
-        let q = FrameCoordinates { x: 0.3, y: -0.7, z: 1.1, longitude: 0.4, latitude: -0.6, roll: 2.0 };
-        let g = FrameCoordinates { x: -0.2, y: 0.5, z: 0.8, longitude: -0.5, latitude: 0.3, roll: 1.1 };
+        let q = FrameCoordinates {
+            x: 0.3,
+            y: -0.7,
+            z: 1.1,
+            longitude: 0.4,
+            latitude: -0.6,
+            roll: 2.0,
+        };
+        let g = FrameCoordinates {
+            x: -0.2,
+            y: 0.5,
+            z: 0.8,
+            longitude: -0.5,
+            latitude: 0.3,
+            roll: 1.1,
+        };
         let (q, g) = (q.pose(), g.pose());
         for length in [1.0, 0.4, 3.0] {
             let at = objective(&q, &g, length);

@@ -33,7 +33,11 @@ pub struct Settings {
 impl Default for Settings {
     /// Newton and the paper's metric.
     fn default() -> Self {
-        Self { method: Method::Newton, metric_length: 1.0, max_iterations: None }
+        Self {
+            method: Method::Newton,
+            metric_length: 1.0,
+            max_iterations: None,
+        }
     }
 }
 
@@ -54,8 +58,17 @@ const JUMP_FACTOR: f64 = 8.0;
 ///
 /// # Panics
 /// When `start` does not have one value a joint variable.
-pub fn plan(mechanism: &Mechanism, start: &[f64], goals: &[Goal], settings: &Settings) -> Trajectory {
-    assert_eq!(start.len(), mechanism.variables(), "one start value a joint variable");
+pub fn plan(
+    mechanism: &Mechanism,
+    start: &[f64],
+    goals: &[Goal],
+    settings: &Settings,
+) -> Trajectory {
+    assert_eq!(
+        start.len(),
+        mechanism.variables(),
+        "one start value a joint variable"
+    );
     let mut t = Trajectory {
         variables: start.len(),
         mobility_count: mechanism.mobility_count(),
@@ -86,7 +99,8 @@ pub fn plan(mechanism: &Mechanism, start: &[f64], goals: &[Goal], settings: &Set
                 let mut scaled = in_unit(mechanism, &joints, settings.metric_length);
                 let mut near = goal.pose;
                 near.translation.vector /= settings.metric_length;
-                let descent = gradient::descend(&reference, &near, &mut scaled, max_iterations, &mut |_| {});
+                let descent =
+                    gradient::descend(&reference, &near, &mut scaled, max_iterations, &mut |_| {});
                 joints = in_unit(mechanism, &scaled, 1.0 / settings.metric_length);
                 let mut solved = solver.certify(&goal.pose, &joints, gradient::STATIONARY);
                 solved.iterations = descent.iterations;
@@ -94,7 +108,14 @@ pub fn plan(mechanism: &Mechanism, start: &[f64], goals: &[Goal], settings: &Set
                 solved
             }
         };
-        record(&mut t, mechanism, goal, &joints, &solved, settings.metric_length);
+        record(
+            &mut t,
+            mechanism,
+            goal,
+            &joints,
+            &solved,
+            settings.metric_length,
+        );
         if solved.end == End::Runaway {
             t.warnings.push(Warning::Runaway { frame });
         }
@@ -103,11 +124,20 @@ pub fn plan(mechanism: &Mechanism, start: &[f64], goals: &[Goal], settings: &Set
     t
 }
 
-const OPEN: Solved =
-    Solved { end: End::Open, reached: false, projected_gradient: f64::INFINITY, iterations: 0 };
+const OPEN: Solved = Solved {
+    end: End::Open,
+    reached: false,
+    projected_gradient: f64::INFINITY,
+    iterations: 0,
+};
 
 /// Closes the loops at the start; warns if that moved it, or failed.
-fn assemble(mechanism: &Mechanism, solver: &mut Solver, joints: &mut [f64], warnings: &mut Vec<Warning>) -> bool {
+fn assemble(
+    mechanism: &Mechanism,
+    solver: &mut Solver,
+    joints: &mut [f64],
+    warnings: &mut Vec<Warning>,
+) -> bool {
     /// Motion below which a start counts as closed as given: the last digits of a printed table.
     const MOVED: f64 = 1e-6;
     let given = joints.to_vec();
@@ -149,7 +179,14 @@ pub fn predict(history: &[f64], frame: usize, joints: &[f64], predicted: &mut [f
 }
 
 /// Appends a frame. The opening is measured anew, from the joint values that are published.
-fn record(t: &mut Trajectory, mechanism: &Mechanism, goal: &Goal, joints: &[f64], solved: &Solved, length: f64) {
+fn record(
+    t: &mut Trajectory,
+    mechanism: &Mechanism,
+    goal: &Goal,
+    joints: &[f64],
+    solved: &Solved,
+    length: f64,
+) {
     let reached = mechanism.chains()[0].pose(joints);
     let opening = closure::opening(mechanism, joints, &reached);
     let (translation, rotation) = pose::gaps(&reached, &goal.pose);
@@ -162,7 +199,8 @@ fn record(t: &mut Trajectory, mechanism: &Mechanism, goal: &Goal, joints: &[f64]
     t.rotation_gap.push(rotation);
     t.closure.push(opening);
     t.projected_gradient.push(solved.projected_gradient);
-    t.iterations.push(u32::try_from(solved.iterations).unwrap_or(u32::MAX));
+    t.iterations
+        .push(u32::try_from(solved.iterations).unwrap_or(u32::MAX));
     t.status.push(match solved.end {
         // Written so that NaN is open.
         _ if !(opening <= closure::closed(mechanism.size())) => Status::ClosureLost,
@@ -183,15 +221,26 @@ fn survey(t: &mut Trajectory, mechanism: &Mechanism, reference: &Mechanism, leng
     let turns: Vec<bool> = mechanism.chains().iter().flat_map(Chain::turns).collect();
     for frame in 0..t.frames() {
         let scaled = in_unit(mechanism, t.joints_at(frame), length);
-        t.sigma_min.push(values.smallest(reference.chains(), &scaled, redundant));
+        t.sigma_min
+            .push(values.smallest(reference.chains(), &scaled, redundant));
     }
     let mut frame = 0;
     while frame < t.frames() {
-        let run = t.sigma_min[frame..].iter().take_while(|s| **s < NEAR_SINGULAR).count();
+        let run = t.sigma_min[frame..]
+            .iter()
+            .take_while(|s| **s < NEAR_SINGULAR)
+            .count();
         if run > 0 {
             let (first, last) = (frame, frame + run - 1);
-            let smallest = t.sigma_min[first..=last].iter().copied().fold(f64::INFINITY, f64::min);
-            t.warnings.push(Warning::NearSingular { first, last, smallest });
+            let smallest = t.sigma_min[first..=last]
+                .iter()
+                .copied()
+                .fold(f64::INFINITY, f64::min);
+            t.warnings.push(Warning::NearSingular {
+                first,
+                last,
+                smallest,
+            });
         }
         frame += run + 1;
     }
@@ -217,9 +266,16 @@ fn survey(t: &mut Trajectory, mechanism: &Mechanism, reference: &Mechanism, leng
 /// The joint values with lengths in multiples of `unit`.
 fn in_unit(mechanism: &Mechanism, joints: &[f64], unit: f64) -> Vec<f64> {
     let turns = mechanism.chains().iter().flat_map(Chain::turns);
-    joints.iter().zip(turns).map(|(x, turns)| if turns { *x } else { x / unit }).collect()
+    joints
+        .iter()
+        .zip(turns)
+        .map(|(x, turns)| if turns { *x } else { x / unit })
+        .collect()
 }
 
 fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+    a.iter()
+        .zip(b)
+        .map(|(a, b)| (a - b).abs())
+        .fold(0.0, f64::max)
 }

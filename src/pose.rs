@@ -53,12 +53,22 @@ impl FrameCoordinates {
         // Third column: (sin λ cos β, sin β, cos λ cos β); second row: cos β (sin ρ, cos ρ, ·).
         let cos_latitude = libm::hypot(r[(0, 2)], r[(2, 2)]);
         let (longitude, roll) = if cos_latitude > POLE {
-            (libm::atan2(r[(0, 2)], r[(2, 2)]), libm::atan2(r[(1, 0)], r[(1, 1)]))
+            (
+                libm::atan2(r[(0, 2)], r[(2, 2)]),
+                libm::atan2(r[(1, 0)], r[(1, 1)]),
+            )
         } else {
             (libm::atan2(-r[(2, 0)], r[(0, 0)]), 0.0)
         };
         let d = pose.translation.vector;
-        Self { x: d.x, y: d.y, z: d.z, longitude, latitude: libm::atan2(r[(1, 2)], cos_latitude), roll }
+        Self {
+            x: d.x,
+            y: d.y,
+            z: d.z,
+            longitude,
+            latitude: libm::atan2(r[(1, 2)], cos_latitude),
+            roll,
+        }
     }
 }
 
@@ -92,7 +102,11 @@ pub fn metric(q: &Pose, g: &Pose, length: f64) -> f64 {
 
 /// `g` or −`g`, whichever rotation quaternion makes an angle of at most 90° with that of `q`.
 pub fn nearer_sign(q: &DualQuaternion, g: DualQuaternion) -> DualQuaternion {
-    if q.fixed_rows::<4>(0).dot(&g.fixed_rows::<4>(0)) < 0.0 { -g } else { g }
+    if q.fixed_rows::<4>(0).dot(&g.fixed_rows::<4>(0)) < 0.0 {
+        -g
+    } else {
+        g
+    }
 }
 
 /// The twist (v, ω) that carries `from` to `to`: the difference of the origins, and 2 sin(φ/2) times

@@ -105,7 +105,12 @@ fn chain(chain: &Chain) -> ChainReport {
             let row = rows.len();
             let mut variable = |letter: char, unit| {
                 let label = format!("{letter}{}", row + 1);
-                variables.push(VariableReport { label, unit, joint: j, row });
+                variables.push(VariableReport {
+                    label,
+                    unit,
+                    joint: j,
+                    row,
+                });
             };
             let moves = kind.moves(i);
             if moves != Moves::Slides {
@@ -114,7 +119,10 @@ fn chain(chain: &Chain) -> ChainReport {
             if moves != Moves::Turns {
                 variable('d', "length");
             }
-            rows.push(RowReport { kind: kind.letter(), joint: j });
+            rows.push(RowReport {
+                kind: kind.letter(),
+                joint: j,
+            });
         }
     }
     ChainReport {
@@ -139,32 +147,53 @@ fn warning(warning: &Warning) -> WarningReport {
     match *warning {
         Warning::StartMoved { moved } => say(
             "start-moved",
-            format!("The start did not close the loops; joints were moved by up to {moved:.3} (rad or lengths)."),
+            format!(
+                "The start did not close the loops; joints were moved by up to {moved:.3} (rad or lengths)."
+            ),
             None,
         ),
         Warning::StartOpen { opening } => say(
             "start-open",
-            format!("The loops cannot be closed from this start: {opening:.3} (rad or lengths) stay open. Give other start values or dimensions."),
+            format!(
+                "The loops cannot be closed from this start: {opening:.3} (rad or lengths) stay open. Give other start values or dimensions."
+            ),
             None,
         ),
         Warning::BranchJump { first, moved } => say(
             "branch-jump",
-            format!("Between frames {} and {} a joint moves by {moved:.2} (rad or lengths): the linkage jumps to another branch.", first + 1, first + 2),
+            format!(
+                "Between frames {} and {} a joint moves by {moved:.2} (rad or lengths): the linkage jumps to another branch.",
+                first + 1,
+                first + 2
+            ),
             Some((first, first + 1)),
         ),
-        Warning::NearSingular { first, last, smallest } => say(
+        Warning::NearSingular {
+            first,
+            last,
+            smallest,
+        } => say(
             "near-singular",
-            format!("Near a singular position in frames {} to {}: the smallest singular value falls to {smallest:.1e}.", first + 1, last + 1),
+            format!(
+                "Near a singular position in frames {} to {}: the smallest singular value falls to {smallest:.1e}.",
+                first + 1,
+                last + 1
+            ),
             Some((first, last)),
         ),
         Warning::MobilityDiffers { count, rank } => say(
             "mobility-differs",
-            format!("Counting joints gives {count} degrees of freedom, the rank of the loop equations {rank}: some constraints repeat each other, or the start is a singular position."),
+            format!(
+                "Counting joints gives {count} degrees of freedom, the rank of the loop equations {rank}: some constraints repeat each other, or the start is a singular position."
+            ),
             None,
         ),
         Warning::Runaway { frame } => say(
             "runaway",
-            format!("At frame {} the distance keeps falling while a slider runs away: there is no closest pose. Limits for the sliders would help.", frame + 1),
+            format!(
+                "At frame {} the distance keeps falling while a slider runs away: there is no closest pose. Limits for the sliders would help.",
+                frame + 1
+            ),
             Some((frame, frame)),
         ),
     }

@@ -18,10 +18,19 @@ const ITERATIONS: usize = 100;
 ///
 /// The same input gives the same start. Where no assembly closes, the last one tried is returned,
 /// open, for the planner to report.
-pub fn find(mechanism: &Mechanism, given: &[Option<Vec<f64>>], first: &Pose, settings: &Settings) -> Vec<f64> {
+pub fn find(
+    mechanism: &Mechanism,
+    given: &[Option<Vec<f64>>],
+    first: &Pose,
+    settings: &Settings,
+) -> Vec<f64> {
     let length = settings.metric_length;
     // A chain with values says where the workpiece is; else the first goal does.
-    let known = mechanism.chains().iter().zip(given).find_map(|(c, v)| v.as_ref().map(|v| c.pose(v)));
+    let known = mechanism
+        .chains()
+        .iter()
+        .zip(given)
+        .find_map(|(c, v)| v.as_ref().map(|v| c.pose(v)));
     let target = known.unwrap_or(*first);
     if given.iter().all(Option::is_some) {
         return given.iter().flatten().flatten().copied().collect();
@@ -29,7 +38,9 @@ pub fn find(mechanism: &Mechanism, given: &[Option<Vec<f64>>], first: &Pose, set
     let mut alone: Vec<Option<Solver>> = (mechanism.chains().iter().zip(given))
         .map(|(chain, values)| match values {
             Some(_) => None,
-            None => Mechanism::new(vec![chain.clone()]).ok().map(|m| Solver::new(&m, length, ITERATIONS)),
+            None => Mechanism::new(vec![chain.clone()])
+                .ok()
+                .map(|m| Solver::new(&m, length, ITERATIONS)),
         })
         .collect();
     let mut together = Solver::new(mechanism, length, ITERATIONS);
@@ -62,7 +73,10 @@ pub fn find(mechanism: &Mechanism, given: &[Option<Vec<f64>>], first: &Pose, set
         }
         let distance = pose::metric(&mechanism.chains()[0].pose(&joints), first, length);
         // Equal up to rounding: the first one found stays.
-        if best.as_ref().is_none_or(|(least, _)| distance < least - 1e-9) {
+        if best
+            .as_ref()
+            .is_none_or(|(least, _)| distance < least - 1e-9)
+        {
             best = Some((distance, joints));
         }
     }
@@ -79,8 +93,16 @@ impl Random {
         ranges
             .map(|(turns, limits)| {
                 let open = if turns { std::f64::consts::PI } else { size };
-                let low = if limits.min.is_finite() { limits.min } else { limits.max.min(open) - 2.0 * open };
-                let high = if limits.max.is_finite() { limits.max } else { low + 2.0 * open };
+                let low = if limits.min.is_finite() {
+                    limits.min
+                } else {
+                    limits.max.min(open) - 2.0 * open
+                };
+                let high = if limits.max.is_finite() {
+                    limits.max
+                } else {
+                    low + 2.0 * open
+                };
                 low + (high - low) * self.unit()
             })
             .collect()

@@ -145,7 +145,10 @@ impl Tangent {
             if let Some(leader) = done.first() {
                 own.opening = crate::pose::difference(&leader.state.pose, &own.state.pose);
                 // NaN must not pass for closed.
-                let open = own.opening.iter().fold(0.0_f64, |m, x| if x.abs() <= m { m } else { x.abs() });
+                let open = own
+                    .opening
+                    .iter()
+                    .fold(0.0_f64, |m, x| if x.abs() <= m { m } else { x.abs() });
                 worst = if open <= worst { worst } else { open };
             }
         }
@@ -195,7 +198,10 @@ impl Tangent {
                 self.stacked.push(&self.scratch);
             }
         }
-        self.stacked.factor(threshold.unwrap_or(DEPENDENT), constraints.saturating_sub(redundant));
+        self.stacked.factor(
+            threshold.unwrap_or(DEPENDENT),
+            constraints.saturating_sub(redundant),
+        );
     }
 
     /// Constraints that the others imply, as found by the last factorisation.
@@ -261,10 +267,15 @@ impl Tangent {
         for chain in &self.chains {
             let mut e = chain.opening;
             chain.qr.apply_qt(e.as_mut_slice());
-            self.scratch.extend(e.iter().skip(chain.qr.rank()).map(|x| -x));
+            self.scratch
+                .extend(e.iter().skip(chain.qr.rank()).map(|x| -x));
         }
         correction.clear();
-        correction.extend(self.stacked.order()[..rank].iter().map(|&i| self.scratch[i]));
+        correction.extend(
+            self.stacked.order()[..rank]
+                .iter()
+                .map(|&i| self.scratch[i]),
+        );
         self.stacked.solve_rt(correction);
         correction.resize(self.unknowns, 0.0);
         self.stacked.apply_q(correction);
@@ -309,7 +320,9 @@ impl Tangent {
     pub fn torque(&self, variable: usize) -> f64 {
         let after = self.chains.partition_point(|c| c.first <= variable);
         let chain = &self.chains[after - 1];
-        chain.wrench.dot(&chain.state.jacobian[variable - chain.first])
+        chain
+            .wrench
+            .dot(&chain.state.jacobian[variable - chain.first])
     }
 
     /// Second derivative of the objective along the free directions, given its Hessian in the twist
@@ -359,7 +372,8 @@ impl Tangent {
                         bent[l] += k[j][l] * rates[j];
                     }
                 }
-                let along = |rates: &[f64]| -> f64 { rates.iter().zip(&bent).map(|(r, b)| r * b).sum() };
+                let along =
+                    |rates: &[f64]| -> f64 { rates.iter().zip(&bent).map(|(r, b)| r * b).sum() };
                 for j in i..n {
                     reduced[i * n + j] += along(&self.rates(j)[own.clone()]);
                 }

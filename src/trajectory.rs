@@ -19,8 +19,13 @@ pub enum Status {
 
 impl Status {
     /// All, in the order of their codes.
-    pub const ALL: [Self; 5] =
-        [Self::Reached, Self::Closest, Self::AtLimit, Self::Stalled, Self::ClosureLost];
+    pub const ALL: [Self; 5] = [
+        Self::Reached,
+        Self::Closest,
+        Self::AtLimit,
+        Self::Stalled,
+        Self::ClosureLost,
+    ];
 
     /// The name in reports.
     pub const fn name(self) -> &'static str {
@@ -52,7 +57,11 @@ pub enum Warning {
     BranchJump { first: usize, moved: f64 },
     /// Frames `first` to `last` are close to a singular position: the smallest singular value falls
     /// to `smallest`.
-    NearSingular { first: usize, last: usize, smallest: f64 },
+    NearSingular {
+        first: usize,
+        last: usize,
+        smallest: f64,
+    },
     /// At this frame the distance to the goal keeps falling while a slider without limits runs away.
     Runaway { frame: usize },
     /// The mobility by rank differs from the count of Eq. 10.

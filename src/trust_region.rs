@@ -29,7 +29,10 @@ pub struct TrustRegion {
 impl TrustRegion {
     /// Empty; directions count as flat below the curvature `flat`.
     pub fn new(flat: f64) -> Self {
-        Self { flat, ..Self::default() }
+        Self {
+            flat,
+            ..Self::default()
+        }
     }
 
     /// The model with this Hessian (lower triangle) and gradient along the tangent's free
@@ -41,7 +44,12 @@ impl TrustRegion {
         self.metric.resize(n * n, 0.0);
         for i in 0..n {
             for j in i..n {
-                let dot: f64 = tangent.rates(i).iter().zip(tangent.rates(j)).map(|(a, b)| a * b).sum();
+                let dot: f64 = tangent
+                    .rates(i)
+                    .iter()
+                    .zip(tangent.rates(j))
+                    .map(|(a, b)| a * b)
+                    .sum();
                 self.metric[i * n + j] = dot + if i == j { 1.0 } else { 0.0 };
             }
         }
@@ -69,13 +77,21 @@ impl TrustRegion {
         self.rates.clear();
         self.variables = tangent.variables();
         self.rates.resize(n * self.variables, 0.0);
-        for (vector, rates) in
-            self.vectors.chunks_exact(n.max(1)).zip(self.rates.chunks_exact_mut(self.variables))
+        for (vector, rates) in self
+            .vectors
+            .chunks_exact(n.max(1))
+            .zip(self.rates.chunks_exact_mut(self.variables))
         {
             self.coefficients.clear();
             self.coefficients.extend_from_slice(vector);
             linalg::solve_lower_transposed(&self.metric, n, n, &mut self.coefficients);
-            self.slopes.push(slope.iter().zip(&self.coefficients).map(|(a, b)| a * b).sum());
+            self.slopes.push(
+                slope
+                    .iter()
+                    .zip(&self.coefficients)
+                    .map(|(a, b)| a * b)
+                    .sum(),
+            );
             for (i, c) in self.coefficients.iter().enumerate() {
                 for (r, t) in rates.iter_mut().zip(tangent.rates(i)) {
                     *r += c * t;
@@ -86,28 +102,45 @@ impl TrustRegion {
 
     /// The least curvature; +∞ where nothing can move.
     pub fn least(&self) -> f64 {
-        self.eigenvalues.iter().copied().fold(f64::INFINITY, f64::min)
+        self.eigenvalues
+            .iter()
+            .copied()
+            .fold(f64::INFINITY, f64::min)
     }
 
     /// The model's minimum within `radius`: its joint motion goes to `step`. Returns the fall of the
     /// objective that the model predicts, 0 or more.
     pub fn step(&mut self, radius: f64, step: &mut [f64]) -> f64 {
         let least = self.least();
-        let mut shift = if least < -self.flat { self.flat - least } else { 0.0 };
+        let mut shift = if least < -self.flat {
+            self.flat - least
+        } else {
+            0.0
+        };
         if self.shifted(shift) > radius {
             // |s(shift)| falls; at the upper end it is below the radius.
             let slope = self.slopes.iter().map(|x| x * x).sum::<f64>().sqrt();
             let (mut low, mut high) = (shift, shift + slope / radius);
             for _ in 0..60 {
                 let middle = 0.5 * (low + high);
-                if self.shifted(middle) > radius { low = middle } else { high = middle }
+                if self.shifted(middle) > radius {
+                    low = middle
+                } else {
+                    high = middle
+                }
             }
             shift = high;
             self.shifted(shift);
         } else if least < -self.flat {
             // A ridge without slope across it (or too little): leave along the steepest fall.
-            let across = self.eigenvalues.iter().position(|&e| e <= least).unwrap_or(0);
-            let rest = (radius * radius - self.length * self.length).max(0.0).sqrt();
+            let across = self
+                .eigenvalues
+                .iter()
+                .position(|&e| e <= least)
+                .unwrap_or(0);
+            let rest = (radius * radius - self.length * self.length)
+                .max(0.0)
+                .sqrt();
             self.step[across] += if self.step[across] < 0.0 { -rest } else { rest };
             self.length = radius;
         }
@@ -134,7 +167,11 @@ impl TrustRegion {
             let curvature = eigenvalue + shift;
             // Rounding in a direction that does not matter is not followed.
             let level = curvature < self.flat && slope.abs() <= LEVEL * self.flat;
-            self.step.push(if level { 0.0 } else { -slope / curvature.max(LEVEL * self.flat) });
+            self.step.push(if level {
+                0.0
+            } else {
+                -slope / curvature.max(LEVEL * self.flat)
+            });
         }
         self.length = self.step.iter().map(|x| x * x).sum::<f64>().sqrt();
         self.length

@@ -32,7 +32,9 @@ extern "C" {
 /// Reports panics, which are our own defects, to the console before the instance is lost.
 #[wasm_bindgen(start)]
 pub fn start() {
-    std::panic::set_hook(Box::new(|info| web_sys::console::error_1(&info.to_string().into())));
+    std::panic::set_hook(Box::new(|info| {
+        web_sys::console::error_1(&info.to_string().into())
+    }));
 }
 
 /// Plans a document.
@@ -105,11 +107,18 @@ pub fn chain_by_index(constraints: usize, k: f64) -> Option<String> {
 #[wasm_bindgen]
 pub fn assembly_by_index(constraints: usize, k: f64) -> Option<Vec<String>> {
     let chains = enumerate::assembly(constraints, index(k)?)?;
-    Some(chains.iter().map(|kinds| enumerate::letters(kinds)).collect())
+    Some(
+        chains
+            .iter()
+            .map(|kinds| enumerate::letters(kinds))
+            .collect(),
+    )
 }
 
 fn problem(text: &str) -> Result<Problem, JsValue> {
-    json::parse(text).and_then(|document| Problem::new(&document)).map_err(|fault| refusal(&fault))
+    json::parse(text)
+        .and_then(|document| Problem::new(&document))
+        .map_err(|fault| refusal(&fault))
 }
 
 fn motion(problem: &Problem, t: &Trajectory, milliseconds: f64) -> Result<Object, JsValue> {
@@ -180,7 +189,9 @@ fn now() -> f64 {
     let global = js_sys::global();
     let clock = match global.dyn_ref::<web_sys::WorkerGlobalScope>() {
         Some(worker) => worker.performance(),
-        None => global.dyn_ref::<web_sys::Window>().and_then(web_sys::Window::performance),
+        None => global
+            .dyn_ref::<web_sys::Window>()
+            .and_then(web_sys::Window::performance),
     };
     clock.map_or(0.0, |clock| clock.now())
 }

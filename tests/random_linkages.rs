@@ -23,15 +23,34 @@ struct Tally {
 
 impl Tally {
     fn count(&mut self, seed: u64, linkage: &Linkage, goals: &str, t: &Trajectory) {
-        let types: Vec<String> = linkage.mechanism.chains().iter().map(|c| c.type_name()).collect();
+        let types: Vec<String> = linkage
+            .mechanism
+            .chains()
+            .iter()
+            .map(|c| c.type_name())
+            .collect();
         for (frame, &status) in t.status.iter().enumerate() {
-            let case = format!("seed {seed}, {}, goals {goals}, frame {frame}", types.join("+"));
-            assert!(t.closure[frame] <= CLOSED, "{case}: open by {:e}", t.closure[frame]);
-            assert_ne!(status, Status::ClosureLost, "{case}: the home pose closes, so some pose does");
+            let case = format!(
+                "seed {seed}, {}, goals {goals}, frame {frame}",
+                types.join("+")
+            );
+            assert!(
+                t.closure[frame] <= CLOSED,
+                "{case}: open by {:e}",
+                t.closure[frame]
+            );
+            assert_ne!(
+                status,
+                Status::ClosureLost,
+                "{case}: the home pose closes, so some pose does"
+            );
             self.frames += 1;
             if status.is_certified() {
                 self.certified += 1;
-                assert!(t.projected_gradient[frame] < 1e-6, "{case}: certified where it is not stationary");
+                assert!(
+                    t.projected_gradient[frame] < 1e-6,
+                    "{case}: certified where it is not stationary"
+                );
             } else {
                 self.others.push(format!("{case}: {status:?}"));
             }
@@ -48,7 +67,12 @@ fn tally(seeds: Range<u64>) -> Tally {
         for kinds in assemblies(&mut random) {
             let linkage = linkage(&kinds, &mut random);
             let off = goals(&linkage, FRAMES, &mut random);
-            let motion = plan(&linkage.mechanism, &linkage.home, &off, &Settings::default());
+            let motion = plan(
+                &linkage.mechanism,
+                &linkage.home,
+                &off,
+                &Settings::default(),
+            );
             tally.count(seed, &linkage, "off", &motion);
             let reached = motion.poses.iter().zip(&motion.time);
             let on: Vec<Goal> = reached.map(|(&pose, &time)| Goal { time, pose }).collect();
@@ -61,8 +85,18 @@ fn tally(seeds: Range<u64>) -> Tally {
 
 fn assert_certified(tally: &Tally) {
     let share = tally.certified as f64 / tally.frames as f64;
-    println!("{} of {} frames certified, {:.3} %", tally.certified, tally.frames, 100.0 * share);
-    assert!(share >= CERTIFIED, "{:.3} %:\n{}", 100.0 * share, tally.others.join("\n"));
+    println!(
+        "{} of {} frames certified, {:.3} %",
+        tally.certified,
+        tally.frames,
+        100.0 * share
+    );
+    assert!(
+        share >= CERTIFIED,
+        "{:.3} %:\n{}",
+        100.0 * share,
+        tally.others.join("\n")
+    );
 }
 
 #[test]

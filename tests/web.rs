@@ -32,11 +32,31 @@ fn refused(text: &str) -> JsValue {
 #[wasm_bindgen_test]
 fn golden_motions_are_met() {
     for task in golden::tasks() {
-        let t = plan(&task.mechanism, &task.start, &task.goals, &Settings::default());
+        let t = plan(
+            &task.mechanism,
+            &task.start,
+            &task.goals,
+            &Settings::default(),
+        );
         for (i, (_, f)) in task.reference.iter().enumerate() {
-            assert!(t.closure[i] <= 1e-10, "{} frame {i}: open by {:e}", task.name, t.closure[i]);
-            assert!(t.metric[i] <= f + 1e-9, "{} frame {i}: f = {}, {f} is possible", task.name, t.metric[i]);
-            assert!(t.status[i].is_certified(), "{} frame {i}: {:?}", task.name, t.status[i]);
+            assert!(
+                t.closure[i] <= 1e-10,
+                "{} frame {i}: open by {:e}",
+                task.name,
+                t.closure[i]
+            );
+            assert!(
+                t.metric[i] <= f + 1e-9,
+                "{} frame {i}: f = {}, {f} is possible",
+                task.name,
+                t.metric[i]
+            );
+            assert!(
+                t.status[i].is_certified(),
+                "{} frame {i}: {:?}",
+                task.name,
+                t.status[i]
+            );
         }
     }
 }
@@ -59,7 +79,10 @@ fn a_plan_is_columns_and_a_report() {
 #[wasm_bindgen_test]
 fn a_fault_is_an_object_that_names_its_place() {
     let fault = refused(&SAMPLE.replacen("\"type\": \"R\"", "\"type\": \"X\"", 1));
-    assert_eq!(get(&fault, "where").as_string().as_deref(), Some("chains[0].joints[0].type"));
+    assert_eq!(
+        get(&fault, "where").as_string().as_deref(),
+        Some("chains[0].joints[0].type")
+    );
     assert!(get(&fault, "message").is_string() && get(&fault, "accepted").is_string());
 }
 
@@ -83,6 +106,9 @@ fn enumeration_is_that_of_the_paper() {
     assert_eq!(wasm::chain_by_index(4, 0.0).as_deref(), Some("RR"));
     assert_eq!(wasm::chain_by_index(4, 6.0), None);
     assert_eq!(wasm::chain_by_index(4, 0.5), None);
-    assert_eq!(wasm::assembly_by_index(5, 487_990_858.0).map(|chains| chains.is_empty()), Some(false));
+    assert_eq!(
+        wasm::assembly_by_index(5, 487_990_858.0).map(|chains| chains.is_empty()),
+        Some(false)
+    );
     assert_eq!(wasm::assembly_by_index(5, 487_990_859.0), None);
 }

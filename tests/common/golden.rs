@@ -24,7 +24,8 @@ pub struct Task {
 
 /// The tasks of tests/golden/closest-motion.json; its README names the origin.
 pub fn tasks() -> Vec<Task> {
-    parse(include_str!("../golden/closest-motion.json")).expect("the golden file of this repository")
+    parse(include_str!("../golden/closest-motion.json"))
+        .expect("the golden file of this repository")
 }
 
 /// The tasks of a file in that format.
@@ -33,7 +34,10 @@ pub fn tasks() -> Vec<Task> {
 /// A sentence that says where the text is not what it should be.
 pub fn parse(text: &str) -> Result<Vec<Task>, String> {
     let tasks: Vec<GoldenTask> = serde_json::from_str(text).map_err(|e| e.to_string())?;
-    tasks.into_iter().map(|t| task(&t).map_err(|e| format!("{}: {e}", t.name))).collect()
+    tasks
+        .into_iter()
+        .map(|t| task(&t).map_err(|e| format!("{}: {e}", t.name)))
+        .collect()
 }
 
 #[derive(Deserialize)]
@@ -64,7 +68,12 @@ struct GoldenFrame {
 }
 
 fn task(golden: &GoldenTask) -> Result<Task, String> {
-    let chains = golden.chains.iter().enumerate().map(|(i, c)| chain(i, c)).collect::<Result<_, _>>()?;
+    let chains = golden
+        .chains
+        .iter()
+        .enumerate()
+        .map(|(i, c)| chain(i, c))
+        .collect::<Result<_, _>>()?;
     let mechanism = Mechanism::new(chains).map_err(|e| format!("{e:?}"))?;
     let joints = |r: &[f64]| r.get(..mechanism.variables()).map(<[f64]>::to_vec);
     let start = joints(&golden.start).ok_or("start has too few joint values")?;
@@ -75,12 +84,17 @@ fn task(golden: &GoldenTask) -> Result<Task, String> {
         time: i as f64,
         pose: pose::from_dual_quaternion(&DualQuaternion::from(*g), 1.0),
     };
-    let reference = golden.reference.iter().map(|frame| joints(&frame.r).map(|r| (r, frame.f)));
+    let reference = golden
+        .reference
+        .iter()
+        .map(|frame| joints(&frame.r).map(|r| (r, frame.f)));
     Ok(Task {
         name: golden.name.clone(),
         start,
         goals: golden.goals.iter().enumerate().map(goal).collect(),
-        reference: reference.collect::<Option<_>>().ok_or("ref has too few joint values")?,
+        reference: reference
+            .collect::<Option<_>>()
+            .ok_or("ref has too few joint values")?,
         min_sigma: golden.min_sigma,
         mechanism,
     })
@@ -92,15 +106,27 @@ fn chain(index: usize, golden: &GoldenChain) -> Result<Chain, String> {
             (None, None) => JointKind::C,
             (None, Some(_)) => JointKind::R,
             (Some(_), None) => JointKind::P,
-            (Some(_), Some(_)) => return Err(format!("chain {}: a row without a variable", index + 1)),
+            (Some(_), Some(_)) => {
+                return Err(format!("chain {}: a row without a variable", index + 1));
+            }
         };
         let theta = theta.unwrap_or(0.0).to_radians();
-        let row = DhRow { alpha: alpha.to_radians(), a, theta, d: d.unwrap_or(0.0) };
+        let row = DhRow {
+            alpha: alpha.to_radians(),
+            a,
+            theta,
+            d: d.unwrap_or(0.0),
+        };
         Joint::new(kind, vec![row], vec![]).map_err(|e| format!("chain {}: {e:?}", index + 1))
     });
     let joints = joints.collect::<Result<_, _>>()?;
-    Chain::new(format!("chain {}", index + 1), frame(&golden.base), joints, frame(&golden.gripper))
-        .map_err(|e| format!("chain {}: {e:?}", index + 1))
+    Chain::new(
+        format!("chain {}", index + 1),
+        frame(&golden.base),
+        joints,
+        frame(&golden.gripper),
+    )
+    .map_err(|e| format!("chain {}: {e:?}", index + 1))
 }
 
 fn frame(rows: &[[f64; 4]; 4]) -> Pose {

@@ -59,25 +59,48 @@ pub fn chain(kinds: &[JointKind], home: &Pose, random: &mut Random) -> (Chain, V
     for (i, &kind) in kinds.iter().enumerate() {
         let mut rows = Joint::standard(kind).rows().to_vec();
         for row in rows.iter_mut().skip(1) {
-            row.alpha = if random.below(2) == 0 { FRAC_PI_2 } else { -FRAC_PI_2 };
+            row.alpha = if random.below(2) == 0 {
+                FRAC_PI_2
+            } else {
+                -FRAC_PI_2
+            };
         }
         if i > 0 {
             let twists = [0.0, PI / 6.0, PI / 4.0, PI / 3.0, FRAC_PI_2, -FRAC_PI_2];
-            rows[0].alpha =
-                if random.below(2) == 0 { twists[random.below(6)] } else { random.between(-PI, PI) };
-            rows[0].a = if random.below(4) == 0 { 0.0 } else { random.between(0.1, 0.8) };
+            rows[0].alpha = if random.below(2) == 0 {
+                twists[random.below(6)]
+            } else {
+                random.between(-PI, PI)
+            };
+            rows[0].a = if random.below(4) == 0 {
+                0.0
+            } else {
+                random.between(0.1, 0.8)
+            };
         }
-        rows[0] = DhRow { theta: random.between(-PI, PI), d: random.between(-0.3, 0.3), ..rows[0] };
+        rows[0] = DhRow {
+            theta: random.between(-PI, PI),
+            d: random.between(-0.3, 0.3),
+            ..rows[0]
+        };
         let joint = Joint::new(kind, rows, vec![]).expect("rows of the kind");
         joints.push(joint);
     }
     let gripper = random.pose(0.5, PI);
-    let unplaced = Chain::new("free".into(), Pose::identity(), joints.clone(), gripper).expect("a chain");
+    let unplaced =
+        Chain::new("free".into(), Pose::identity(), joints.clone(), gripper).expect("a chain");
     for turns in unplaced.turns() {
-        values.push(if turns { random.between(-PI, PI) } else { random.between(-0.4, 0.8) });
+        values.push(if turns {
+            random.between(-PI, PI)
+        } else {
+            random.between(-0.4, 0.8)
+        });
     }
     let base = home * unplaced.pose(&values).inverse();
-    (Chain::new("placed".into(), base, joints, gripper).expect("a chain"), values)
+    (
+        Chain::new("placed".into(), base, joints, gripper).expect("a chain"),
+        values,
+    )
 }
 
 /// Chains of the given kinds around one workpiece.
@@ -90,7 +113,10 @@ pub fn linkage(kinds: &[Vec<JointKind>], random: &mut Random) -> Linkage {
         chains.push(chain);
         home.extend(values);
     }
-    Linkage { mechanism: Mechanism::new(chains).expect("a mechanism"), home }
+    Linkage {
+        mechanism: Mechanism::new(chains).expect("a mechanism"),
+        home,
+    }
 }
 
 /// Every chain type of Table 2 once, each with random partners that leave it a freedom or more by
@@ -121,10 +147,17 @@ pub fn goals(linkage: &Linkage, frames: usize, random: &mut Random) -> Vec<Goal>
     (0..frames)
         .map(|i| {
             let s = 2.0 * i as f64 / (frames - 1) as f64;
-            let (a, b, s) = if s <= 1.0 { (&home, &ends[0], s) } else { (&ends[0], &ends[1], s - 1.0) };
+            let (a, b, s) = if s <= 1.0 {
+                (&home, &ends[0], s)
+            } else {
+                (&ends[0], &ends[1], s - 1.0)
+            };
             let rotation = a.rotation.nlerp(&b.rotation, s);
             let translation = a.translation.vector.lerp(&b.translation.vector, s);
-            Goal { time: i as f64, pose: Pose::from_parts(translation.into(), rotation) }
+            Goal {
+                time: i as f64,
+                pose: Pose::from_parts(translation.into(), rotation),
+            }
         })
         .collect()
 }
