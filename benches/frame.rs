@@ -5,7 +5,6 @@
 //! times one thing after the other and prints no ratio; hence these few lines.
 
 #[path = "../tests/common/mod.rs"]
-#[allow(dead_code)]
 mod common;
 
 use nalgebra::DMatrix;

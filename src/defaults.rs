@@ -31,16 +31,26 @@ pub struct Defaults {
 /// The defaults of the format.
 pub fn defaults() -> Defaults {
     let joint = |kind| JointEntry::from(&Joint::standard(kind));
+    // The paper's RPS leg (Table 6): it takes one freedom and reaches any place, so that it closes
+    // with most linkages.
+    let mut slider = joint(JointKind::P);
+    slider.rows[0].alpha = 90.0;
     let chain = ChainEntry {
         name: String::new(),
         base: FrameEntry::default(),
-        // An arm that turns and tilts; the workpiece at its end, one unit along x.
+        joints: vec![joint(JointKind::R), slider, joint(JointKind::S)],
+        gripper: FrameEntry::default(),
+        start: None,
+    };
+    // An arm that turns and tilts; the workpiece at its end, one unit along x.
+    let arm = ChainEntry {
+        name: "chain 1".into(),
         joints: vec![joint(JointKind::T)],
         gripper: FrameEntry {
             x: 1.0,
             ..FrameEntry::default()
         },
-        start: None,
+        ..chain.clone()
     };
     let key_frame = KeyFrameEntry {
         x: 1.0,
@@ -64,10 +74,7 @@ pub fn defaults() -> Defaults {
         name: "new mechanism".into(),
         about: String::new(),
         length_unit: String::new(),
-        chains: vec![ChainEntry {
-            name: "chain 1".into(),
-            ..chain.clone()
-        }],
+        chains: vec![arm],
         motion: motion.clone(),
         planner: PlannerEntry::default(),
     };

@@ -479,9 +479,9 @@ fn by_bisection(
             below += usize::from(pivot < 0.0);
         }
         if below > index {
-            high = middle
+            high = middle;
         } else {
-            low = middle
+            low = middle;
         }
     }
     0.5 * (low + high)

@@ -124,9 +124,9 @@ impl TrustRegion {
             for _ in 0..60 {
                 let middle = 0.5 * (low + high);
                 if self.shifted(middle) > radius {
-                    low = middle
+                    low = middle;
                 } else {
-                    high = middle
+                    high = middle;
                 }
             }
             shift = high;

@@ -1,4 +1,5 @@
 //! Golden motions: the file format, and the file of the independent reference.
+#![allow(dead_code, reason = "every test, bench and example uses its own part")]
 
 use nalgebra::{Matrix3, Matrix4, Rotation3, Translation3, UnitQuaternion};
 use serde::Deserialize;

@@ -1,0 +1,62 @@
+//! The Newton solver does not allocate once its buffers have grown.
+#![cfg(not(target_arch = "wasm32"))]
+
+mod common;
+
+use common::{Random, assemblies, goals, linkage};
+use stats_alloc::{INSTRUMENTED_SYSTEM, Region, StatsAlloc};
+use std::alloc::System;
+use synthetica::mechanism::Mechanism;
+use synthetica::newton::Solver;
+
+#[global_allocator]
+static GLOBAL: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
+
+/// Allocations of a second run over the same motion.
+fn allocations(
+    mechanism: &Mechanism,
+    start: &[f64],
+    goals: &[synthetica::keyframe::Goal],
+) -> usize {
+    let mut solver = Solver::new(mechanism, 1.0, 500);
+    let mut joints = start.to_vec();
+    let mut predicted = start.to_vec();
+    assert!(solver.assemble(&mut joints));
+    let mut run = |joints: &mut Vec<f64>| {
+        for goal in goals {
+            predicted.copy_from_slice(joints);
+            solver.solve(&goal.pose, joints, &predicted);
+        }
+    };
+    run(&mut joints);
+    joints.copy_from_slice(start);
+    let region = Region::new(GLOBAL);
+    run(&mut joints);
+    region.change().allocations
+}
+
+/// One test, so that no other thread allocates meanwhile.
+#[test]
+fn a_frame_allocates_nothing() {
+    let region = Region::new(GLOBAL);
+    drop(vec![0_u8; 100]);
+    assert_eq!(region.change().allocations, 1, "the counter counts");
+    for task in common::golden::tasks() {
+        assert_eq!(
+            allocations(&task.mechanism, &task.start, &task.goals),
+            0,
+            "{}",
+            task.name
+        );
+    }
+    let mut random = Random(5);
+    for kinds in assemblies(&mut random) {
+        let linkage = linkage(&kinds, &mut random);
+        let goals = goals(&linkage, 9, &mut random);
+        assert_eq!(
+            allocations(&linkage.mechanism, &linkage.home, &goals),
+            0,
+            "{kinds:?}"
+        );
+    }
+}
