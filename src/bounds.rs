@@ -77,7 +77,11 @@ pub(crate) fn wrong_count(place: &Place<'_>, found: usize, accepted: &str) -> Fa
     Fault::new(FaultCode::WrongCount, place, &what, accepted)
 }
 
-pub(crate) fn out_of_range(place: &Place<'_>, value: impl std::fmt::Display, accepted: &str) -> Fault {
+pub(crate) fn out_of_range(
+    place: &Place<'_>,
+    value: impl std::fmt::Display,
+    accepted: &str,
+) -> Fault {
     Fault::new(
         FaultCode::OutOfRange,
         place,

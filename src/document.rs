@@ -13,7 +13,6 @@ use crate::{
     keyframe::{MAX_FRAMES, MAX_KEY_FRAMES},
     mechanism::MAX_CHAINS,
 };
-use serde::de::{Deserializer, Error, IntoDeserializer};
 use serde::{Deserialize, Serialize};
 
 /// The version of the format that this crate reads and writes.
@@ -31,11 +30,10 @@ pub const SCHEMA: &str = include_str!("document.schema.json");
     feature = "schema",
     schemars(title = "Synthetica mechanism, version 1")
 )]
-#[serde(remote = "Self", deny_unknown_fields)]
+#[serde(deny_unknown_fields)]
 pub struct Document {
     /// Version of the format: 1.
     #[cfg_attr(feature = "schema", schemars(range(min = VERSION, max = VERSION)))]
-    #[serde(deserialize_with = "version")]
     pub version: u32,
     /// Name of the mechanism.
     #[cfg_attr(feature = "schema", schemars(length(max = MAX_NAME)))]
@@ -62,7 +60,7 @@ pub struct Document {
 /// A serial chain from the fixed frame to the workpiece.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(remote = "Self", deny_unknown_fields)]
+#[serde(deny_unknown_fields)]
 pub struct ChainEntry {
     /// Name of the chain; without one it is called "chain" and its number.
     #[cfg_attr(feature = "schema", schemars(length(max = MAX_NAME)))]
@@ -85,14 +83,10 @@ pub struct ChainEntry {
 /// A joint: its type, its rows of the Denavit–Hartenberg table, its limits.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(remote = "Self", deny_unknown_fields)]
+#[serde(deny_unknown_fields)]
 pub struct JointEntry {
     /// Revolute, prismatic, cylindric, universal, spherical or planar.
-    #[serde(
-        rename = "type",
-        serialize_with = "JointLetter::serialize",
-        deserialize_with = "joint_kind"
-    )]
+    #[serde(rename = "type", with = "JointLetter")]
     #[cfg_attr(feature = "schema", schemars(with = "JointLetter"))]
     pub kind: JointKind,
     /// R, P, C: one row. T: two. S: three. E: three, slider, slider, axis. The rows after the first
@@ -120,7 +114,7 @@ enum JointLetter {
 /// A row of the table: X(alpha, a) · Z(theta, d), the joint's variable added to theta, d or both.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(remote = "Self", deny_unknown_fields, default)]
+#[serde(deny_unknown_fields, default)]
 pub struct RowEntry {
     /// Twist of the link about x, degrees.
     #[cfg_attr(feature = "schema", schemars(range(min = -MAX_ANGLE, max = MAX_ANGLE)))]
@@ -139,7 +133,7 @@ pub struct RowEntry {
 /// The range of a joint variable, degrees or lengths; open where not given.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(remote = "Self", deny_unknown_fields, default)]
+#[serde(deny_unknown_fields, default)]
 pub struct LimitsEntry {
     /// Smallest value.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -152,7 +146,7 @@ pub struct LimitsEntry {
 /// A frame: origin, and the rotation Y(longitude) · X(−latitude) · Z(roll), degrees.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(remote = "Self", deny_unknown_fields, default)]
+#[serde(deny_unknown_fields, default)]
 pub struct FrameEntry {
     /// Origin.
     #[cfg_attr(feature = "schema", schemars(range(min = -MAX_LENGTH, max = MAX_LENGTH)))]
@@ -177,17 +171,13 @@ pub struct FrameEntry {
 /// The goal motion: key frames and what is between them.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(remote = "Self", deny_unknown_fields)]
+#[serde(deny_unknown_fields)]
 pub struct MotionEntry {
     /// Two or more poses of the workpiece.
     #[cfg_attr(feature = "schema", schemars(length(min = 2, max = MAX_KEY_FRAMES)))]
     pub key_frames: Vec<KeyFrameEntry>,
     /// The paper's double-quaternion spline, steady screw motions, or straight lines.
-    #[serde(
-        default,
-        serialize_with = "InterpolationName::serialize",
-        deserialize_with = "interpolation"
-    )]
+    #[serde(default, with = "InterpolationName")]
     #[cfg_attr(feature = "schema", schemars(with = "InterpolationName"))]
     pub interpolation: Interpolation,
     /// Number of frames, equally spaced in time.
@@ -219,7 +209,7 @@ enum InterpolationName {
 /// A pose of the workpiece that the goal motion meets; see the frame of a chain.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(remote = "Self", deny_unknown_fields, default)]
+#[serde(deny_unknown_fields, default)]
 pub struct KeyFrameEntry {
     /// Name of the key frame.
     #[cfg_attr(feature = "schema", schemars(length(max = MAX_NAME)))]
@@ -251,10 +241,10 @@ pub struct KeyFrameEntry {
 /// The planner's settings.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(remote = "Self", deny_unknown_fields, default)]
+#[serde(deny_unknown_fields, default)]
 pub struct PlannerEntry {
     /// Newton's method, or the paper's projected gradient.
-    #[serde(serialize_with = "MethodName::serialize", deserialize_with = "method")]
+    #[serde(with = "MethodName")]
     #[cfg_attr(feature = "schema", schemars(with = "MethodName"))]
     pub method: Method,
     /// A translation by this length weighs as much as a rotation by 1 rad; the paper's is 1.
@@ -272,34 +262,6 @@ pub struct PlannerEntry {
 enum MethodName {
     Newton,
     Gradient,
-}
-
-/// What [`version`] says before the number that it found.
-pub(crate) const UNKNOWN_VERSION: &str = "unknown version ";
-
-/// The version, checked where it stands: a document of another one should not be blamed for the
-/// fields behind it that this one does not know.
-fn version<'de, D: Deserializer<'de>>(deserializer: D) -> Result<u32, D::Error> {
-    let found = f64::deserialize(deserializer)?;
-    if (found - f64::from(VERSION)).abs() > 0.0 {
-        return Err(Error::custom(format_args!("{UNKNOWN_VERSION}{found}")));
-    }
-    Ok(VERSION)
-}
-
-// serde's derived readers of closed sets also take {"R": null}, and serde_json calls a number in their
-// place a mistake in the JSON. Here a word is a text first.
-
-fn joint_kind<'de, D: Deserializer<'de>>(deserializer: D) -> Result<JointKind, D::Error> {
-    JointLetter::deserialize(String::deserialize(deserializer)?.into_deserializer())
-}
-
-fn interpolation<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Interpolation, D::Error> {
-    InterpolationName::deserialize(String::deserialize(deserializer)?.into_deserializer())
-}
-
-fn method<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Method, D::Error> {
-    MethodName::deserialize(String::deserialize(deserializer)?.into_deserializer())
 }
 
 impl Default for PlannerEntry {

@@ -417,7 +417,10 @@ pub fn tables() -> Tables {
         constraints,
         total: assembly_count(constraints),
         categories: (assembly_categories(constraints).iter())
-            .map(|category| AssemblyCount { name: category.name(), count: category.count() })
+            .map(|category| AssemblyCount {
+                name: category.name(),
+                count: category.count(),
+            })
             .collect(),
     };
     Tables {

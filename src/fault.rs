@@ -110,11 +110,17 @@ enum Step<'a> {
 
 impl<'a> Place<'a> {
     /// The whole document.
-    pub(crate) const WHOLE: Self = Self { before: None, step: Step::Whole };
+    pub(crate) const WHOLE: Self = Self {
+        before: None,
+        step: Step::Whole,
+    };
 
     /// The field of this name.
     pub(crate) const fn field(&'a self, name: &'a str) -> Self {
-        Self { before: Some(self), step: Step::Field(name) }
+        Self {
+            before: Some(self),
+            step: Step::Field(name),
+        }
     }
 
     /// The entry `index`, from 0, of the list that this place is.
@@ -124,7 +130,10 @@ impl<'a> Place<'a> {
 
     /// An entry that the person has given a name, which may be empty.
     pub(crate) const fn named(&'a self, index: usize, name: &'a str) -> Self {
-        Self { before: Some(self), step: Step::Item(index, name) }
+        Self {
+            before: Some(self),
+            step: Step::Item(index, name),
+        }
     }
 
     /// The JSON path: `chains[1].base.x`.
@@ -213,12 +222,21 @@ mod tests {
         let words = "Chain 2 \u{201c}left \u{e4}rm\u{201d}, joint 1, row 3, alpha";
         assert_eq!(row.field(alpha).to_string(), words);
         let (chain, motion) = (chains.named(1, "chain 2"), Place::WHOLE.field("motion"));
-        assert_eq!(chain.field("base").field("x").to_string(), "Chain 2, base frame, x");
+        assert_eq!(
+            chain.field("base").field("x").to_string(),
+            "Chain 2, base frame, x"
+        );
         let keys = motion.field("key_frames");
         let key = keys.named(0, "lift");
-        assert_eq!(key.field("time").to_string(), "Key frame 1 \u{201c}lift\u{201d}, time");
+        assert_eq!(
+            key.field("time").to_string(),
+            "Key frame 1 \u{201c}lift\u{201d}, time"
+        );
         assert_eq!(motion.field("frames").to_string(), "Motion, frames");
-        assert_eq!((Place::WHOLE.to_string(), Place::WHOLE.path()), ("The document".into(), String::new()));
+        assert_eq!(
+            (Place::WHOLE.to_string(), Place::WHOLE.path()),
+            ("The document".into(), String::new())
+        );
         assert_eq!(excerpt(&"\u{e4}".repeat(500)).chars().count(), 81);
     }
 }

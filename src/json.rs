@@ -1,13 +1,9 @@
 //! Text to document and back: reading that says what is wrong, writing that a person can read.
 
-use crate::document::{
-    ChainEntry, Document, FrameEntry, JointEntry, KeyFrameEntry, LimitsEntry, MotionEntry,
-    PlannerEntry, RowEntry, UNKNOWN_VERSION, VERSION,
-};
-use crate::fault::{Fault, FaultCode, Place, excerpt};
-use serde::de::{Deserialize, Deserializer, Visitor};
-use serde::ser::{Serialize, Serializer};
-use serde_path_to_error::Segment;
+use crate::document::{Document, VERSION};
+use crate::fault::{Fault, FaultCode, Place};
+use crate::node::Node;
+use serde::{Deserialize, Serialize};
 
 /// Bytes of the longest text that is read at all: ten times what 500 key frames with names take.
 pub const MAX_TEXT: usize = 1_000_000;
@@ -31,18 +27,17 @@ pub fn parse(text: &str) -> Result<Document, Fault> {
     // Some editors put a byte-order mark before the text.
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     if text.trim().is_empty() {
-        let what = "there is no text";
+        let accepted = "a mechanism document in JSON";
         return Err(Fault::new(
             FaultCode::EmptyText,
             &whole,
-            what,
-            "a mechanism document in JSON",
+            "there is no text",
+            accepted,
         ));
     }
-    let mut reader = serde_json::Deserializer::from_str(text);
-    let mut document: Document = serde_path_to_error::deserialize(&mut reader)
-        .map_err(|e| fault(&mut e.path().iter(), &whole, e.inner()))?;
-    reader.end().map_err(|e| explain(&e, &whole))?;
+    let node = serde_json::from_str(text).map_err(|error| not_json(&error))?;
+    check_version(&node)?;
+    let mut document = Document::deserialize(&node).map_err(|refusal| refusal.fault(&whole))?;
     for (i, chain) in document.chains.iter_mut().enumerate() {
         if chain.name.is_empty() {
             chain.name = format!("chain {}", i + 1);
@@ -51,201 +46,35 @@ pub fn parse(text: &str) -> Result<Document, Fault> {
     Ok(document)
 }
 
-/// The fault at the place where the reader stopped: the rest of its path from `place` on.
-fn fault(
-    path: &mut dyn Iterator<Item = &Segment>,
-    place: &Place<'_>,
-    error: &serde_json::Error,
-) -> Fault {
-    match path.next() {
-        Some(Segment::Seq { index }) => fault(path, &place.item(*index), error),
-        Some(Segment::Map { key }) => fault(path, &place.field(key), error),
-        Some(Segment::Enum { .. } | Segment::Unknown) => fault(path, place, error),
-        None => explain(error, place),
-    }
-}
-
-/// The fault that serde's message tells of.
-fn explain(error: &serde_json::Error, place: &Place<'_>) -> Fault {
+/// The reader's message, and where it stopped.
+fn not_json(error: &serde_json::Error) -> Fault {
     let text = error.to_string();
     // "… at line 3 column 7"
-    let message = text.rsplit_once(" at line ").map_or(text.as_str(), |(message, _)| message);
-    let fault = translate(message, place);
-    if error.line() > 0 { fault.at(error.line(), error.column()) } else { fault }
+    let message = text
+        .rsplit_once(" at line ")
+        .map_or(text.as_str(), |(message, _)| message);
+    let what = format!("this is not JSON, {message}");
+    Fault::new(FaultCode::Syntax, &Place::WHOLE, &what, "JSON text")
+        .at(error.line(), error.column())
 }
 
-/// Puts serde's message, the only form in which it tells what it met, into the words of a [`Fault`].
-/// The tests hold every case against the real messages.
-fn translate(message: &str, place: &Place<'_>) -> Fault {
-    const KINDS: [&str; 7] = [
-        UNKNOWN_VERSION,
-        "unknown field ",
-        "unknown variant ",
-        "duplicate field ",
-        "missing field ",
-        "invalid type: ",
-        "invalid value: ",
-    ];
-    let (found, expected) = message.rsplit_once(", expected ").unwrap_or((message, ""));
-    let kind = KINDS
-        .into_iter()
-        .find(|kind| found.starts_with(kind))
-        .unwrap_or(message);
-    let value = found.strip_prefix(kind).unwrap_or_default();
-    let word = excerpt(value.trim_matches('`'));
-    let (code, what, accepted) = match kind {
-        UNKNOWN_VERSION => (
-            FaultCode::UnknownVersion,
-            format!("this is version {word} of the format"),
-            VERSION.to_string(),
-        ),
-        "unknown field " => (
-            FaultCode::UnknownField,
-            format!("there is no field \u{201c}{word}\u{201d} here"),
-            one_of(expected),
-        ),
-        "unknown variant " => (
-            FaultCode::UnknownValue,
-            format!("\u{201c}{word}\u{201d} is unknown"),
-            one_of(expected),
-        ),
-        "duplicate field " => (
-            FaultCode::DuplicateField,
-            format!("there are two fields \u{201c}{word}\u{201d}"),
-            format!("{word} once"),
-        ),
-        "missing field " => {
-            return Fault::new(
-                FaultCode::MissingField,
-                &place.field(&word),
-                "this is missing",
-                describe(&word),
-            );
+/// A document of another version should not be blamed for fields that this one does not know.
+fn check_version(node: &Node) -> Result<(), Fault> {
+    const PLACE: Place<'static> = Place::WHOLE.field("version");
+    match node.field("version") {
+        Some(Node::Number(version)) if (version - f64::from(VERSION)).abs() > 0.0 => {
+            let what = format!("this is version {version} of the format");
+            Err(Fault::new(
+                FaultCode::UnknownVersion,
+                &PLACE,
+                &what,
+                &VERSION.to_string(),
+            ))
         }
-        "invalid type: " => (
-            FaultCode::WrongType,
-            format!("this is {}", found_value(value)),
-            expected_type(expected).into(),
-        ),
-        "invalid value: " => (
-            FaultCode::OutOfRange,
-            format!("this is {}", found_value(value)),
-            expected_type(expected).into(),
-        ),
-        "number out of range" => (
-            FaultCode::OutOfRange,
-            "a number is out of range".into(),
-            "numbers up to 1000000".into(),
-        ),
-        _ => (
-            FaultCode::Syntax,
-            format!("this is not JSON, {}", excerpt(message)),
-            "JSON text".into(),
-        ),
-    };
-    Fault::new(code, place, &what, &accepted)
-}
-
-/// "one of `a`, `b`" or "`a` or `b`", without the quotes.
-fn one_of(expected: &str) -> String {
-    let words = expected
-        .trim_start_matches("one of ")
-        .replace('`', "")
-        .replace(" or ", ", ");
-    if words.is_empty() {
-        "no field".to_owned()
-    } else {
-        format!("one of {words}")
+        // What else may be wrong with it is said where it is read.
+        _ => Ok(()),
     }
 }
-
-/// What a field that must be there holds.
-fn describe(field: &str) -> &'static str {
-    match field {
-        "version" => "1",
-        "chains" => "a list of chains",
-        "joints" => "a list of joints",
-        "type" => "one of R, P, C, T, S, E",
-        "rows" => "a list of the joint's rows",
-        "motion" => "an object with key_frames",
-        "key_frames" => "a list of two or more key frames",
-        _ => "the field",
-    }
-}
-
-/// serde's words for what it found, as a person would say: integer `3`, string "a", sequence.
-fn found_value(value: &str) -> String {
-    let (kind, shown) = value.split_once(' ').unwrap_or((value, ""));
-    match kind {
-        "integer" | "floating" => format!(
-            "the number {}",
-            shown.trim_start_matches("point ").trim_matches('`')
-        ),
-        "boolean" => shown.trim_matches('`').to_owned(),
-        "string" => format!("the text {}", excerpt(shown)),
-        "sequence" => "a list".to_owned(),
-        "map" => "an object".to_owned(),
-        _ => excerpt(value),
-    }
-}
-
-/// serde's names of Rust's types, as a person would say.
-fn expected_type(expected: &str) -> &str {
-    match expected {
-        "f64" => "a number",
-        "u32" => "a whole number, 0 or more",
-        "a sequence" => "a list",
-        "a string" => "a text in quotes",
-        other if other.starts_with("struct ") => "an object in braces",
-        other => other,
-    }
-}
-
-/// serde's derived readers also take a list with the fields' values in order; a document does not.
-struct AsObject<D>(D);
-
-impl<'de, D: Deserializer<'de>> Deserializer<'de> for AsObject<D> {
-    type Error = D::Error;
-
-    fn deserialize_any<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, D::Error> {
-        self.0.deserialize_map(visitor)
-    }
-
-    serde::forward_to_deserialize_any! {
-        bool i8 i16 i32 i64 i128 u8 u16 u32 u64 u128 f32 f64 char str string bytes byte_buf option unit
-        unit_struct newtype_struct seq tuple tuple_struct map struct enum identifier ignored_any
-    }
-}
-
-/// The derived reader behind [`AsObject`], and the derived writer as it is.
-macro_rules! objects {
-    ($($entry:ty),*) => {$(
-        impl<'de> Deserialize<'de> for $entry {
-            #[inline(never)]
-            fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-                <$entry>::deserialize(AsObject(deserializer))
-            }
-        }
-
-        impl Serialize for $entry {
-            fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-                <$entry>::serialize(self, serializer)
-            }
-        }
-    )*};
-}
-
-objects!(
-    Document,
-    ChainEntry,
-    JointEntry,
-    RowEntry,
-    LimitsEntry,
-    FrameEntry,
-    MotionEntry,
-    KeyFrameEntry,
-    PlannerEntry
-);
 
 impl Document {
     /// The document as JSON with all its fields; what fits stays on one line, and numbers have up to
@@ -255,7 +84,8 @@ impl Document {
     /// Never: the document holds nothing that JSON cannot.
     pub fn text(&self) -> String {
         let mut writer = serde_json::Serializer::with_formatter(Vec::new(), ShortNumbers);
-        self.serialize(&mut writer).expect("plain data becomes JSON");
+        self.serialize(&mut writer)
+            .expect("plain data becomes JSON");
         layout(&String::from_utf8(writer.into_inner()).expect("JSON is text"))
     }
 }
@@ -268,14 +98,20 @@ impl Document {
 struct ShortNumbers;
 
 impl serde_json::ser::Formatter for ShortNumbers {
-    fn write_f64<W: ?Sized + std::io::Write>(&mut self, out: &mut W, x: f64) -> std::io::Result<()> {
+    fn write_f64<W: ?Sized + std::io::Write>(
+        &mut self,
+        out: &mut W,
+        x: f64,
+    ) -> std::io::Result<()> {
         if x == 0.0 {
             return out.write_all(b"0");
         }
         let scientific = format!("{x:.14e}");
         let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
         let mantissa = mantissa.trim_end_matches('0').trim_end_matches('.');
-        let places = mantissa.split_once('.').map_or(0, |(_, places)| places.len());
+        let places = mantissa
+            .split_once('.')
+            .map_or(0, |(_, places)| places.len());
         match exponent.parse::<isize>() {
             Ok(exponent @ -6..15) => {
                 let places = places.saturating_add_signed(-exponent);

@@ -85,6 +85,7 @@ pub mod keyframe;
 pub mod linalg;
 pub mod mechanism;
 pub mod newton;
+mod node;
 pub mod objective;
 pub mod planner;
 pub mod pose;

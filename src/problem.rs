@@ -60,12 +60,22 @@ impl Problem {
 impl Problem {
     /// The joint values to start from: the document's, or an assembly found for chains without.
     pub fn find_start(&self) -> Vec<f64> {
-        start::find(&self.mechanism, &self.start, &self.goals[0].pose, &self.settings)
+        start::find(
+            &self.mechanism,
+            &self.start,
+            &self.goals[0].pose,
+            &self.settings,
+        )
     }
 
     /// Plans the motion.
     pub fn plan(&self) -> Trajectory {
-        plan(&self.mechanism, &self.find_start(), &self.goals, &self.settings)
+        plan(
+            &self.mechanism,
+            &self.find_start(),
+            &self.goals,
+            &self.settings,
+        )
     }
 }
 
@@ -199,7 +209,10 @@ fn limits(
     })
 }
 
-fn given_start(entries: &[ChainEntry], mechanism: &Mechanism) -> Result<Vec<Option<Vec<f64>>>, Fault> {
+fn given_start(
+    entries: &[ChainEntry],
+    mechanism: &Mechanism,
+) -> Result<Vec<Option<Vec<f64>>>, Fault> {
     each(entries, |i, entry| {
         let chain = &mechanism.chains()[i];
         let Some(values) = &entry.start else {
