@@ -61,19 +61,19 @@ fn not_json(error: &serde_json::Error) -> Fault {
 /// A document of another version should not be blamed for fields that this one does not know.
 fn check_version(node: &Node) -> Result<(), Fault> {
     const PLACE: Place<'static> = Place::WHOLE.field("version");
-    match node.field("version") {
-        Some(Node::Number(version)) if (version - f64::from(VERSION)).abs() > 0.0 => {
-            let what = format!("this is version {version} of the format");
-            Err(Fault::new(
-                FaultCode::UnknownVersion,
-                &PLACE,
-                &what,
-                &VERSION.to_string(),
-            ))
-        }
-        // What else may be wrong with it is said where it is read.
-        _ => Ok(()),
+    if let Some(Node::Number(version)) = node.field("version")
+        && (version - f64::from(VERSION)).abs() > 0.0
+    {
+        let what = format!("this is version {version} of the format");
+        return Err(Fault::new(
+            FaultCode::UnknownVersion,
+            &PLACE,
+            &what,
+            &VERSION.to_string(),
+        ));
     }
+    // What else may be wrong with it is said where it is read.
+    Ok(())
 }
 
 impl Document {

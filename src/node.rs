@@ -221,38 +221,39 @@ impl<'de> Deserializer<'de> for &'de Node {
     type Error = Refusal;
 
     fn deserialize_f64<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Refusal> {
-        match self {
-            Node::Number(value) => visitor.visit_f64(*value),
-            _ => Err(self.is_not("a number")),
-        }
+        let Node::Number(value) = self else {
+            return Err(self.is_not("a number"));
+        };
+        visitor.visit_f64(*value)
     }
 
     fn deserialize_u32<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Refusal> {
-        match self {
-            Node::Number(value) => visitor.visit_u32(whole(*value)?),
-            _ => Err(self.is_not(WHOLE)),
-        }
+        let Node::Number(value) = self else {
+            return Err(self.is_not(WHOLE));
+        };
+        visitor.visit_u32(whole(*value)?)
     }
 
     fn deserialize_string<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Refusal> {
-        match self {
-            Node::Text(text) => visitor.visit_str(text),
-            _ => Err(self.is_not("a text in quotes")),
-        }
+        let Node::Text(text) = self else {
+            return Err(self.is_not("a text in quotes"));
+        };
+        visitor.visit_str(text)
     }
 
     fn deserialize_option<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Refusal> {
-        match self {
-            Node::Null => visitor.visit_none(),
-            _ => visitor.visit_some(self),
+        if matches!(self, Node::Null) {
+            visitor.visit_none()
+        } else {
+            visitor.visit_some(self)
         }
     }
 
     fn deserialize_seq<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Refusal> {
-        match self {
-            Node::List(list) => visitor.visit_seq(Entries { list, next: 0 }),
-            _ => Err(self.is_not("a list")),
-        }
+        let Node::List(list) = self else {
+            return Err(self.is_not("a list"));
+        };
+        visitor.visit_seq(Entries { list, next: 0 })
     }
 
     fn deserialize_struct<V: Visitor<'de>>(
@@ -261,10 +262,10 @@ impl<'de> Deserializer<'de> for &'de Node {
         _fields: &'static [&'static str],
         visitor: V,
     ) -> Result<V::Value, Refusal> {
-        match self {
-            Node::Object(fields) => visitor.visit_map(Fields { fields, next: 0 }),
-            _ => Err(self.is_not("an object in braces")),
-        }
+        let Node::Object(fields) = self else {
+            return Err(self.is_not("an object in braces"));
+        };
+        visitor.visit_map(Fields { fields, next: 0 })
     }
 
     fn deserialize_enum<V: Visitor<'de>>(
@@ -273,10 +274,10 @@ impl<'de> Deserializer<'de> for &'de Node {
         words: &'static [&'static str],
         visitor: V,
     ) -> Result<V::Value, Refusal> {
-        match self {
-            Node::Text(word) => visitor.visit_enum(Word(word)),
-            _ => Err(self.is_not(&one_of(words))),
-        }
+        let Node::Text(word) = self else {
+            return Err(self.is_not(&one_of(words)));
+        };
+        visitor.visit_enum(Word(word))
     }
 
     fn deserialize_any<V: Visitor<'de>>(self, _visitor: V) -> Result<V::Value, Refusal> {

@@ -376,11 +376,11 @@ fn each<E, T>(
     entries: &[E],
     convert: impl Fn(usize, &E) -> Result<T, Fault>,
 ) -> Result<Vec<T>, Fault> {
-    entries
-        .iter()
-        .enumerate()
-        .map(|(i, entry)| convert(i, entry))
-        .collect()
+    let mut converted = Vec::with_capacity(entries.len());
+    for (i, entry) in entries.iter().enumerate() {
+        converted.push(convert(i, entry)?);
+    }
+    Ok(converted)
 }
 
 /// Joint values as a document writes them, chain by chain: degrees, or lengths.

@@ -307,9 +307,7 @@ fn check((text, code, place, words, accepted): Case) {
 
 #[test]
 fn texts_that_are_no_document_are_refused() {
-    use FaultCode::{
-        EmptyText, MissingField, OutOfRange, Syntax, TextTooLong, UnknownVersion, WrongType,
-    };
+    use FaultCode::{EmptyText, MissingField, Syntax, TextTooLong, UnknownVersion, WrongType};
     let deep = |open: &str| format!(r#"{{"version": 1, "x": {}"#, open.repeat(100_000));
     // One case a line.
     #[rustfmt::skip]
