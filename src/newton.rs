@@ -242,10 +242,10 @@ impl Solver {
         solved
     }
 
-    /// Whether the closed position `joints` is a minimum up to a projected gradient of `stationary`:
-    /// the certificate for an answer found in another way. Joints at limits are not looked for, but
-    /// a position beyond one is not certified.
-    pub fn certify(&mut self, goal: &Pose, joints: &[f64], stationary: f64) -> Solved {
+    /// Whether the closed position `joints`, found in another way, is a minimum: the quadratic model
+    /// there falls by at most `fall` and curves nowhere downwards. Joints held at limits are not
+    /// looked for, but a position beyond a limit is not certified.
+    pub fn certify(&mut self, goal: &Pose, joints: &[f64], fall: f64) -> Solved {
         let mut goal = *goal;
         goal.translation.vector /= self.size;
         let mut theta = std::mem::take(&mut self.theta);
@@ -260,15 +260,12 @@ impl Solver {
             .reduced_hessian(&model.hessian, None, &mut self.curvature, &mut self.mixed);
         self.region
             .prepare(&self.tangent, &self.curvature, &self.slope);
-        let flat = self.region.least() >= -stationary.max(self.flat);
-        let stationary = stationary.max(self.stationary);
-        let end = if gradient <= stationary && flat && self.within_limits(&theta) {
-            End::Minimum
-        } else {
-            End::Stalled
-        };
-        self.theta = theta;
+        let rest = self.region.step(STEP, &mut self.step) * self.weight;
+        let minimum =
+            rest <= fall && self.region.least() >= -self.flat && self.within_limits(&theta);
+        let end = if minimum { End::Minimum } else { End::Stalled };
         let reached = self.is_reached(&model);
+        self.theta = theta;
         self.solved(end, reached, gradient, 0)
     }
 

@@ -3,6 +3,7 @@
 use crate::chain::Chain;
 use crate::closure::{self, SingularValues};
 use crate::gradient;
+use crate::joint::Limits;
 use crate::keyframe::Goal;
 use crate::mechanism::Mechanism;
 use crate::newton::{End, Solved, Solver};
@@ -45,6 +46,9 @@ impl Default for Settings {
 const NEWTON_ITERATIONS: usize = 500;
 /// Gradient steps; a goal 0.24 off the workspace of the 3RPS takes some 800.
 const GRADIENT_ITERATIONS: usize = 20_000;
+/// How far f may be above the minimum in a certified answer of the gradient planner: what its stop
+/// leaves in the flattest directions met.
+const GRADIENT_FALL: f64 = 1e-9;
 /// Smallest singular value (in units of the metric's length) below which a position is reported as
 /// nearly singular: some joint rate is then a hundred times the workpiece's.
 const NEAR_SINGULAR: f64 = 1e-2;
@@ -87,6 +91,10 @@ pub fn plan(
         let (count, rank) = (t.mobility_count, t.mobility_rank);
         t.warnings.push(Warning::MobilityDiffers { count, rank });
     }
+    let limited = mechanism.chains().iter().flat_map(Chain::limits);
+    if settings.method == Method::Gradient && limited.into_iter().any(|l| l != Limits::NONE) {
+        t.warnings.push(Warning::LimitsUnknown);
+    }
     t.start.clone_from(&joints);
     let reference = mechanism.scaled(1.0 / settings.metric_length);
     let mut predicted = joints.clone();
@@ -102,7 +110,7 @@ pub fn plan(
                 let descent =
                     gradient::descend(&reference, &near, &mut scaled, max_iterations, &mut |_| {});
                 joints = in_unit(mechanism, &scaled, 1.0 / settings.metric_length);
-                let mut solved = solver.certify(&goal.pose, &joints, gradient::STATIONARY);
+                let mut solved = solver.certify(&goal.pose, &joints, GRADIENT_FALL);
                 solved.iterations = descent.iterations;
                 solved.projected_gradient = descent.projected_gradient;
                 solved

@@ -188,6 +188,13 @@ fn warning(warning: &Warning) -> WarningReport {
             ),
             None,
         ),
+        Warning::LimitsUnknown => say(
+            "limits-unknown",
+            "The gradient planner knows no joint limits; frames beyond one count as stalled. \
+             The Newton planner keeps them."
+                .to_owned(),
+            None,
+        ),
         Warning::Runaway { frame } => say(
             "runaway",
             format!(

@@ -64,6 +64,8 @@ pub enum Warning {
     },
     /// At this frame the distance to the goal keeps falling while a slider without limits runs away.
     Runaway { frame: usize },
+    /// The paper's gradient planner knows no joint limits; frames beyond one are not certified.
+    LimitsUnknown,
     /// The mobility by rank differs from the count of Eq. 10.
     MobilityDiffers { count: isize, rank: usize },
 }
