@@ -14,8 +14,8 @@ pub const MAX_TIME: f64 = 1e9;
 pub const MIN_METRIC_LENGTH: f64 = 1e-6;
 /// Most iterations a frame: five times the limit that the paper's gradient has by itself.
 pub const MAX_ITERATIONS: u32 = 100_000;
-/// Most rows of the tables times frames, 14 numbers each: 224 MB, what a browser still hands out.
-pub const MAX_ROW_FRAMES: usize = 2_000_000;
+/// Most rows of the tables times frames, 14 numbers each: 56 MB, what a phone still hands out.
+pub const MAX_ROW_FRAMES: usize = 500_000;
 /// Characters of a name.
 pub const MAX_NAME: usize = 100;
 /// Characters of the sentences on a mechanism.

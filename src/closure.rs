@@ -1,4 +1,4 @@
-//! Loop closure in the paper's variables r = (θ, q): the residual and the matrix [A] of Eq. 21.
+//! Loop closure in the paper's variables r = (θ, q): the residual and the matrix \[A\] of Eq. 21.
 
 use crate::chain::{Chain, ChainState};
 use crate::linalg;
@@ -31,7 +31,7 @@ pub fn opening(mechanism: &Mechanism, joints: &[f64], pose: &Pose) -> f64 {
         .fold(0.0, |worst: f64, e| if e <= worst { worst } else { e })
 }
 
-/// [J_E] of Eq. 19: the twist of the workpiece per unit of each dual-quaternion component.
+/// \[J_E\] of Eq. 19: the twist of the workpiece per unit of each dual-quaternion component.
 pub fn twist_of_rates(q: &DualQuaternion) -> SMatrix<f64, 6, 8> {
     let [q1, q2, q3, q4, q5, q6, q7, q8] = (*q).into();
     #[rustfmt::skip]
@@ -46,7 +46,7 @@ pub fn twist_of_rates(q: &DualQuaternion) -> SMatrix<f64, 6, 8> {
     half * 2.0
 }
 
-/// [C] of Eq. 20: the rates of the two conditions on a unit dual quaternion.
+/// \[C\] of Eq. 20: the rates of the two conditions on a unit dual quaternion.
 pub fn condition_rates(q: &DualQuaternion) -> SMatrix<f64, 2, 8> {
     let [q1, q2, q3, q4, q5, q6, q7, q8] = (*q).into();
     SMatrix::<f64, 2, 8>::from_row_slice(&[
@@ -69,17 +69,17 @@ pub fn condition_rates(q: &DualQuaternion) -> SMatrix<f64, 2, 8> {
     ])
 }
 
-/// The linearised closure equations [A] Δr = E at one r (Eq. 21), dense.
+/// The linearised closure equations \[A\] Δr = E at one r (Eq. 21), dense.
 #[derive(Clone, Debug)]
 pub struct Linearised {
-    /// [A] by rows: 6k + 2 rows of n entries, the joint variables first and then q.
+    /// \[A\] by rows: 6k + 2 rows of n entries, the joint variables first and then q.
     pub rows: Vec<Vec<f64>>,
-    /// E with the sign of Eq. 23–25: the pseudo-inverse step is r ← r − [A]⁺ E, not + as Eq. 28
+    /// E with the sign of Eq. 23–25: the pseudo-inverse step is r ← r − \[A\]⁺ E, not + as Eq. 28
     /// prints it.
     pub residual: Vec<f64>,
 }
 
-/// [A] and E at the joint values and dual quaternion of the workpiece.
+/// \[A\] and E at the joint values and dual quaternion of the workpiece.
 ///
 /// # Panics
 /// When `joints` does not have one value a joint variable.
@@ -122,7 +122,7 @@ pub fn linearise(mechanism: &Mechanism, joints: &[f64], q: &DualQuaternion) -> L
     Linearised { rows, residual }
 }
 
-/// Buffers of [`smallest_singular_value`].
+/// The smallest singular value of \[A\], with buffers for one frame after the other.
 #[derive(Clone, Debug, Default)]
 pub struct SingularValues {
     gram: Vec<f64>,
@@ -130,10 +130,10 @@ pub struct SingularValues {
 }
 
 impl SingularValues {
-    /// The smallest singular value of [A] that is not zero on account of `redundant` dependent
+    /// The smallest singular value of \[A\] that is not zero on account of `redundant` dependent
     /// equations.
     ///
-    /// It is the root of an eigenvalue of [A][A]ᵀ, which is small and quickly formed from its
+    /// It is the root of an eigenvalue of \[A\]\[A\]ᵀ, which is small and quickly formed from its
     /// blocks; values below 1e-7 are therefore not told apart from 0.
     pub fn smallest(&mut self, chains: &[Chain], joints: &[f64], redundant: usize) -> f64 {
         let n = 6 * chains.len() + 2;

@@ -1,8 +1,8 @@
-//! The paper's planner: projected gradient steps in the null space of [A], Eq. 27–31 and Fig. 3.
+//! The paper's planner: projected gradient steps in the null space of \[A\], Eq. 27–31 and Fig. 3.
 //!
 //! Kept as the reference for [`crate::newton`] and for teaching. It converges linearly: several
 //! hundred iterations a frame where the goal is off the workspace. Its steps, the pseudo-inverse and
-//! the projection on the null space, are taken from a pivoted QR of [A]ᵀ, which gives the same steps
+//! the projection on the null space, are taken from a pivoted QR of \[A\]ᵀ, which gives the same steps
 //! as the singular value decomposition of Eq. 27 in a tenth of the time; the singular values
 //! themselves are there for whoever watches.
 
@@ -36,12 +36,12 @@ pub struct Iteration<'a> {
     pub metric: f64,
     /// |a| of Eq. 31.
     pub projected_gradient: f64,
-    /// [A] and E.
+    /// \[A\] and E.
     pub linearised: &'a Linearised,
 }
 
 impl Iteration<'_> {
-    /// Singular values of [A], largest first (Eq. 27).
+    /// Singular values of \[A\], largest first (Eq. 27).
     pub fn singular_values(&self) -> Vec<f64> {
         svd(self.linearised.rows.clone()).sigma
     }
@@ -129,8 +129,8 @@ pub fn descend(
     descent
 }
 
-/// Eq. 28 with the sign that converges, r ← r − [A]⁺ E, until the loops are closed: [A] and E there,
-/// or `None`. `rank` is the rank of [A] where they are closed.
+/// Eq. 28 with the sign that converges, r ← r − \[A\]⁺ E, until the loops are closed: \[A\] and E there,
+/// or `None`. `rank` is the rank of \[A\] where they are closed.
 fn close(mechanism: &Mechanism, r: &mut [f64], rank: usize) -> Option<Linearised> {
     let mut last = f64::INFINITY;
     for _ in 0..CORRECTIONS {
@@ -161,7 +161,7 @@ fn linearise_at(mechanism: &Mechanism, r: &[f64]) -> Linearised {
     linearise(mechanism, &r[..r.len() - 8], &workpiece(r))
 }
 
-/// [A]ᵀ P = Q R: the first `rank` columns of Q span the row space of [A], the others its null space.
+/// \[A\]ᵀ P = Q R: the first `rank` columns of Q span the row space of \[A\], the others its null space.
 fn factor(linearised: &Linearised, max_rank: usize) -> PivotedQr {
     let mut qr = PivotedQr::default();
     qr.clear(linearised.rows[0].len());

@@ -15,8 +15,8 @@ use nalgebra::{Quaternion, Translation3, UnitQuaternion, Vector3};
 /// More key frames than a person places by hand; a sampled curve of a thousand poses still passes.
 pub const MAX_KEY_FRAMES: usize = 1_000;
 
-/// More frames than 25 minutes at 60 a second need.
-pub const MAX_FRAMES: usize = 100_000;
+/// More frames than three minutes at 60 a second need; keeps a plan from taking for ever.
+pub const MAX_FRAMES: usize = 10_000;
 
 /// A pose that the goal motion meets.
 #[derive(Clone, Debug, PartialEq)]

@@ -52,16 +52,15 @@ impl Mechanism {
     }
 
     /// A length typical of the mechanism, for tolerances: the longest chain, or the span of the
-    /// bases if that is more; 1 for a mechanism without lengths.
+    /// bases if that is more; 1 for a mechanism without lengths worth the name.
     pub fn size(&self) -> f64 {
+        /// Below it, 1/size and its square are no longer safe from overflow.
+        const NONE: f64 = 1e-100;
         let origin = self.chains[0].base().translation.vector;
         let span = |c: &Chain| (c.base().translation.vector - origin).norm();
-        let size = self
-            .chains
-            .iter()
-            .map(|c| c.reach().max(span(c)))
-            .fold(0.0, f64::max);
-        if size > 0.0 { size } else { 1.0 }
+        let longest = |m: f64, c: &Chain| m.max(c.reach()).max(span(c));
+        let size = self.chains.iter().fold(0.0, longest);
+        if size > NONE { size } else { 1.0 }
     }
 
     /// The same mechanism in another unit of length: every length times `factor`.

@@ -204,7 +204,7 @@ impl Solver {
     }
 
     /// Number of independent motions at the last factored position, inner freedoms included:
-    /// n − rank [A].
+    /// n − rank \[A\].
     pub fn mobility(&mut self, joints: &[f64]) -> usize {
         let mut theta = std::mem::take(&mut self.trial);
         self.load(joints, &mut theta);

@@ -17,7 +17,7 @@ pub struct Report {
     pub chains: Vec<ChainReport>,
     /// Mobility by Eq. 10.
     pub mobility_count: isize,
-    /// n − rank [A] at the start.
+    /// n − rank \[A\] at the start.
     pub mobility_rank: usize,
     /// What deserves a look.
     pub warnings: Vec<WarningReport>,

@@ -91,7 +91,7 @@ pub struct Trajectory {
     pub rotation_gap: Vec<f64>,
     /// Largest opening of a loop (lengths and rad).
     pub closure: Vec<f64>,
-    /// Smallest singular value of [A] that is not zero by dependent equations.
+    /// Smallest singular value of \[A\] that is not zero by dependent equations.
     pub sigma_min: Vec<f64>,
     /// Norm of the projected gradient, the measure of convergence.
     pub projected_gradient: Vec<f64>,
@@ -101,7 +101,7 @@ pub struct Trajectory {
     pub status: Vec<Status>,
     /// Mobility by Eq. 10.
     pub mobility_count: isize,
-    /// n − rank [A] at the start: independent motions, inner freedoms of the chains included.
+    /// n − rank \[A\] at the start: independent motions, inner freedoms of the chains included.
     pub mobility_rank: usize,
     /// The joint values from which the motion was planned.
     pub start: Vec<f64>,
