@@ -109,7 +109,7 @@ fn worst(values: impl Iterator<Item = f64>) -> f64 {
 
 fn solve(task: &Task) -> Answer {
     let mut microseconds = [0.0; RUNS];
-    let mut run = || {
+    let run = || {
         let clock = Instant::now();
         let t = plan(
             &task.mechanism,

@@ -12,9 +12,10 @@ use crate::mechanism::Mechanism;
 use crate::pose::{self, DualQuaternion, Pose};
 
 /// Length |a| of the projected gradient (Eq. 31) at which the iteration stops. The distance f is then
-/// within |a|²/2h of the minimum, h the least curvature: 1e-10 where a frame takes thousands of
-/// iterations. Newton's 1e-9 would take twice as many.
-pub const STATIONARY: f64 = 3e-7;
+/// within |a|²/2κ of the minimum, κ the least curvature along r: 1e-8 for the 5e-7 met on the
+/// flattest of the golden motions (3RPS, near gimbal lock), below 1e-10 as a rule. A tenth of it
+/// would cost hundreds of thousands of iterations on some frames.
+pub const STATIONARY: f64 = 1e-7;
 /// Largest entry of the residual at which Eq. 28 stops.
 const CLOSED: f64 = 1e-13;
 /// Residual that rounding may leave where it no longer falls.

@@ -165,45 +165,62 @@ impl Solver {
     /// stay open. Also learns how many constraints imply each other. To be called once before
     /// [`Solver::solve`].
     pub fn assemble(&mut self, joints: &mut [f64]) -> bool {
+        let mut theta = std::mem::take(&mut self.trial);
+        // Joints that meet a limit are held there; if that does not close, they may come back.
+        let closed = [true, false].into_iter().any(|hold| {
+            self.load(joints, &mut theta);
+            self.stops.fill(Stop::None);
+            self.assemble_holding(hold, &mut theta)
+        });
+        self.stops.fill(Stop::None);
+        self.store(&theta, joints);
+        self.trial = theta;
+        closed
+    }
+
+    fn assemble_holding(&mut self, hold: bool, theta: &mut [f64]) -> bool {
         /// Gauss–Newton from a random start takes about a dozen steps.
         const STEPS: usize = 100;
         /// While the loops are open by e, dependent constraints look independent by about e.
         const BLUR: f64 = 0.1;
-        let mut theta = std::mem::take(&mut self.trial);
-        self.load(joints, &mut theta);
-        self.stops.fill(Stop::None);
-        let mut closed = false;
         for _ in 0..STEPS {
-            for (t, l) in theta.iter_mut().zip(&self.limits) {
-                *t = t.clamp(l.min, l.max);
+            for (j, l) in self.limits.iter().enumerate() {
+                let within = theta[j].clamp(l.min, l.max);
+                if hold && (theta[j] - within).abs() > LIMIT {
+                    let low = theta[j] < within;
+                    self.stops[j] = if low { Stop::Min } else { Stop::Max };
+                }
+                theta[j] = within;
             }
-            let open = self.tangent.evaluate(&self.chains, &theta);
-            self.tangent.factor(
-                &self.stops,
-                (open > self.closed).then_some(BLUR * open.min(0.1)),
-                0,
-            );
+            let open = self.tangent.evaluate(&self.chains, theta);
             if open <= self.closed {
-                closed = true;
+                self.stops.fill(Stop::None);
+                self.tangent.factor(&self.stops, None, 0);
                 self.redundant = self.tangent.redundant();
-                break;
+                return true;
             }
+            let blur = (open > self.closed).then_some(BLUR * open.min(0.1));
+            self.tangent.factor(&self.stops, blur, 0);
             self.tangent.close(&mut self.correction, &mut self.step);
             let longest = longest(&self.step);
             if !longest.is_finite() {
-                break;
+                return false;
             }
             let scale = (1.0 / longest).min(1.0);
             for (t, s) in theta.iter_mut().zip(&self.step) {
                 *t += scale * s;
             }
         }
-        self.store(&theta, joints);
-        self.trial = theta;
-        closed
+        false
     }
 
-    /// Number of independent motions at the last factored position, inner freedoms included:
+    /// Number of constraints at the closed position `joints` that the others imply.
+    pub fn redundancy(&mut self, joints: &[f64]) -> usize {
+        self.mobility(joints);
+        self.tangent.redundant()
+    }
+
+    /// Number of independent motions at the closed position `joints`, inner freedoms included:
     /// n − rank \[A\].
     pub fn mobility(&mut self, joints: &[f64]) -> usize {
         let mut theta = std::mem::take(&mut self.trial);
@@ -252,7 +269,7 @@ impl Solver {
         self.load(joints, &mut theta);
         self.stops.fill(Stop::None);
         self.tangent.evaluate(&self.chains, &theta);
-        self.tangent.factor(&self.stops, None, self.redundant);
+        self.tangent.factor(&self.stops, None, 0);
         self.tangent.span();
         let model = self.model(&goal);
         let gradient = self.project(&model);

@@ -20,19 +20,19 @@ pub struct Objective {
 ///
 /// With p = r r_g* the rotation from the goal and c = d_g × d,
 /// f = 1 − p₀ + w/2 (|d|² + |d_g|²) − w (p₀ d·d_g + p_v·c), w = 1/(4 length²):
-/// Eq. 29 multiplied out, the sign of g chosen so that p₀ ≥ 0. Its derivatives follow from
+/// Eq. 29 multiplied out, the sign of g chosen so that q·g = p₀ + w (p₀ d·d_g + p_v·c) ≥ 0. Its derivatives follow from
 /// p → exp(ω/2) p and d → d + v.
 #[inline]
 pub fn objective(q: &Pose, g: &Pose, length: f64) -> Objective {
     let w = 0.25 / (length * length);
     let (d, dg) = (q.translation.vector, g.translation.vector);
     let mut p = q.rotation.quaternion() * g.rotation.quaternion().conjugate();
-    if p.w < 0.0 {
+    let c = dg.cross(&d);
+    let dot = d.dot(&dg);
+    if p.w + w * (p.w * dot + p.imag().dot(&c)) < 0.0 {
         p = -p;
     }
     let (p0, pv) = (p.w, p.imag());
-    let c = dg.cross(&d);
-    let dot = d.dot(&dg);
 
     let force = (d - dg * p0 - pv.cross(&dg)) * w;
     let moment = pv * (0.5 + 0.5 * w * dot) - (c * p0 + pv.cross(&c)) * (0.5 * w);

@@ -44,11 +44,11 @@ impl Default for Settings {
 
 /// Linear systems that no certified frame was seen to need.
 const NEWTON_ITERATIONS: usize = 500;
-/// Gradient steps; a goal 0.24 off the workspace of the 3RPS takes some 800.
-const GRADIENT_ITERATIONS: usize = 20_000;
-/// How far f may be above the minimum in a certified answer of the gradient planner: what its stop
-/// leaves in the flattest directions met.
-const GRADIENT_FALL: f64 = 1e-9;
+/// Gradient steps; near gimbal lock the 3RPS takes some 20,000.
+const GRADIENT_ITERATIONS: usize = 50_000;
+/// How far f may be above the minimum in a certified answer of the gradient planner: twice what its
+/// stop leaves in the flattest directions met.
+const GRADIENT_FALL: f64 = 2e-8;
 /// Smallest singular value (in units of the metric's length) below which a position is reported as
 /// nearly singular: some joint rate is then a hundred times the workpiece's.
 const NEAR_SINGULAR: f64 = 1e-2;
@@ -128,7 +128,13 @@ pub fn plan(
             t.warnings.push(Warning::Runaway { frame });
         }
     }
-    survey(&mut t, mechanism, &reference, settings.metric_length);
+    survey(
+        &mut t,
+        mechanism,
+        &mut solver,
+        &reference,
+        settings.metric_length,
+    );
     t
 }
 
@@ -221,10 +227,20 @@ fn record(
 }
 
 /// What only the whole motion shows: singular values, nearly singular intervals, jumps.
-fn survey(t: &mut Trajectory, mechanism: &Mechanism, reference: &Mechanism, length: f64) {
-    let equations = 6 * mechanism.chains().len() + 2;
-    let rank = t.variables + 8 - t.mobility_rank;
-    let redundant = equations.saturating_sub(rank);
+fn survey(
+    t: &mut Trajectory,
+    mechanism: &Mechanism,
+    solver: &mut Solver,
+    reference: &Mechanism,
+    length: f64,
+) {
+    // Equations that depend on the others all along; in a singular start there are more.
+    let mut redundant = solver.redundancy(&t.start);
+    for frame in 0..t.frames() {
+        if redundant > 0 {
+            redundant = redundant.min(solver.redundancy(t.joints_at(frame)));
+        }
+    }
     let mut values = SingularValues::default();
     let turns: Vec<bool> = mechanism.chains().iter().flat_map(Chain::turns).collect();
     for frame in 0..t.frames() {
