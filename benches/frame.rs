@@ -106,7 +106,10 @@ fn frames_alone(mechanism: &Mechanism, start: &[f64], goals: &[Goal]) {
 
 fn between(goals: &[Goal], s: f64) -> Goal {
     let place = s * (goals.len() - 1) as f64;
-    let i = (place as usize).min(goals.len() - 2);
+    let i = (0..goals.len() - 1)
+        .rev()
+        .find(|&i| i as f64 <= place)
+        .unwrap_or(0);
     let (a, b) = (&goals[i], &goals[i + 1]);
     let pose = a.pose.lerp_slerp(&b.pose, place - i as f64);
     Goal { time: s, pose }

@@ -1,6 +1,5 @@
 //! Every analytic derivative against finite differences, over all joints and all 214 chain types.
 
-#[allow(dead_code, reason = "the goals of whole motions are for other tests")]
 mod common;
 
 use common::{Linkage, Random, assemblies, chain, goals, linkage};

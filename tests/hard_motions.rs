@@ -7,10 +7,6 @@ mod by_axes;
 #[allow(dead_code, reason = "each test file wants some of it")]
 #[path = "common/checks.rs"]
 mod checks;
-#[allow(
-    dead_code,
-    reason = "only the random numbers and the golden motions are wanted"
-)]
 mod common;
 
 use by_axes::{Line, chain, limited};

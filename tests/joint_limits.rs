@@ -56,7 +56,10 @@ fn arm(limits: [Limits; 3]) -> Mechanism {
 }
 
 fn limits(m: &Mechanism) -> Vec<Limits> {
-    m.chains().iter().flat_map(|c| c.limits()).collect()
+    m.chains()
+        .iter()
+        .flat_map(synthetica::chain::Chain::limits)
+        .collect()
 }
 
 /// No published joint is beyond its limit by more than rounding, and a joint at a limit is what
@@ -241,7 +244,7 @@ fn several_limits_at_once() {
         // A grid of the box has no point that is closer.
         for i in [5, 11, 17] {
             let best = (0..21_usize.pow(3)).map(|code| {
-                let joint = |k: usize| -0.25 + 0.0225 * (code / 21_usize.pow(k as u32) % 21) as f64;
+                let joint = |k: u32| -0.25 + 0.0225 * (code / 21_usize.pow(k) % 21) as f64;
                 let pose: Pose = m.chains()[0].pose(&[joint(0), joint(1), joint(2)]);
                 synthetica::pose::metric(&pose, &path[i].pose, 1.0)
             });

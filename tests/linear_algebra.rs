@@ -1,7 +1,6 @@
 //! The small linear algebra against what defines each factorisation, on random matrices of the
 //! sizes met here, many of them rank-deficient.
 
-#[allow(dead_code, reason = "only the random numbers are wanted")]
 mod common;
 
 use common::Random;

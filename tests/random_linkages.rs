@@ -27,7 +27,7 @@ impl Tally {
             .mechanism
             .chains()
             .iter()
-            .map(|c| c.type_name())
+            .map(synthetica::chain::Chain::type_name)
             .collect();
         for (frame, &status) in t.status.iter().enumerate() {
             let case = format!(

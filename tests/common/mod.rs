@@ -29,7 +29,8 @@ impl Random {
     }
 
     pub fn below(&mut self, n: usize) -> usize {
-        (self.bits() % n as u64) as usize
+        let below = self.bits() % n as u64;
+        usize::try_from(below).expect("below a usize")
     }
 
     pub fn pose(&mut self, length: f64, angle: f64) -> Pose {
