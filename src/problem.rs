@@ -68,6 +68,15 @@ impl Problem {
         )
     }
 
+    /// For drawing: each table row's frame before its joint and behind it, frame by frame.
+    pub fn row_frames(&self, trajectory: &Trajectory) -> Vec<Pose> {
+        (0..trajectory.frames())
+            .flat_map(|i| self.mechanism.split(trajectory.joints_at(i)))
+            .flat_map(|(chain, theta)| chain.frames(theta))
+            .flat_map(|(seat, moved)| [seat, moved])
+            .collect()
+    }
+
     /// Plans the motion.
     pub fn plan(&self) -> Trajectory {
         plan(

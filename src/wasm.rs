@@ -132,7 +132,7 @@ fn motion(problem: &Problem, t: &Trajectory, milliseconds: f64) -> Result<Object
     set("goal", &numbers(&placed(&t.goals)))?;
     set("pose", &numbers(&placed(&t.poses)))?;
     set("joints", &numbers(&t.joints))?;
-    set("rows", &numbers(&row_frames(problem, t)))?;
+    set("rows", &numbers(&placed(&problem.row_frames(t))))?;
     set("metric", &numbers(&t.metric))?;
     set("translation_gap", &numbers(&t.translation_gap))?;
     set("rotation_gap", &numbers(&t.rotation_gap))?;
@@ -153,15 +153,6 @@ fn placed<'a>(poses: impl IntoIterator<Item = &'a Pose>) -> Vec<f64> {
         column.extend_from_slice(pose.rotation.coords.as_slice());
     }
     column
-}
-
-/// For drawing: seat and moved frame of every table row, frame by frame.
-fn row_frames(problem: &Problem, t: &Trajectory) -> Vec<f64> {
-    let frames = (0..t.frames())
-        .flat_map(|i| problem.mechanism.split(t.joints_at(i)))
-        .flat_map(|(chain, theta)| chain.frames(theta))
-        .flat_map(|(seat, moved)| [seat, moved]);
-    placed(&frames.collect::<Vec<_>>())
 }
 
 fn refusal(fault: &Fault) -> JsValue {
