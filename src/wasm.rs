@@ -18,13 +18,6 @@ const TYPES: &str = include_str!("wasm.d.ts");
 
 #[wasm_bindgen]
 extern "C" {
-    /// Milliseconds of the clock that windows, workers and node have alike.
-    #[wasm_bindgen(js_namespace = performance)]
-    fn now() -> f64;
-
-    #[wasm_bindgen(js_namespace = console)]
-    fn error(text: &str);
-
     /// A type of wasm.d.ts.
     #[wasm_bindgen(typescript_type = "Motion")]
     pub type JsMotion;
@@ -39,7 +32,9 @@ extern "C" {
 /// Reports panics, which are our own defects, to the console before the instance is lost.
 #[wasm_bindgen(start)]
 pub fn start() {
-    std::panic::set_hook(Box::new(|info| error(&info.to_string())));
+    std::panic::set_hook(Box::new(|info| {
+        web_sys::console::error_1(&info.to_string().into());
+    }));
 }
 
 /// Plans a document.
@@ -178,4 +173,16 @@ fn index(k: f64) -> Option<u64> {
     )]
     let whole = k as u64;
     ((0.0..9_007_199_254_740_992.0).contains(&k) && k.fract() == 0.0).then_some(whole)
+}
+
+/// Milliseconds of the window's or the worker's clock; 0 where there is none.
+fn now() -> f64 {
+    let global = js_sys::global();
+    let clock = match global.dyn_ref::<web_sys::WorkerGlobalScope>() {
+        Some(worker) => worker.performance(),
+        None => global
+            .dyn_ref::<web_sys::Window>()
+            .and_then(web_sys::Window::performance),
+    };
+    clock.map_or(0.0, |clock| clock.now())
 }
