@@ -65,6 +65,61 @@ export interface ChainReport {
 
 export type JointType = "R" | "P" | "C" | "T" | "S" | "E";
 
+/** One position of the linkage, outside any motion: pulled or driven by hand. Columns as in Motion, of one frame. */
+export interface Posture {
+  /** Joint values chain by chain, rad or lengths. */
+  joints: Float64Array;
+  /** Reached pose, 7. */
+  pose: Float64Array;
+  /** Every table row's frame before its joint and behind it, 14 a row. */
+  rows: Float64Array;
+  /** What was asked for, 7: the pose pulled at; the reached pose itself where a joint was driven. */
+  goal: Float64Array;
+  /** Name of the status, one of Report.statuses. */
+  status: Report["statuses"][number];
+  metric: number;
+  translation_gap: number;
+  /** rad */
+  rotation_gap: number;
+  closure: number;
+  projected_gradient: number;
+  iterations: number;
+  /** Of a driven joint: the value that it got, rad or length; less than asked where the linkage cannot follow. */
+  value?: number;
+  /** Of a driven joint that did not get its value: why, as a sentence. */
+  obstacle?: string;
+}
+
+/** A screw: its axis passes through `point` along `direction` (unit, fixed frame); pitch in length per rad. */
+export interface Screw {
+  /** (v, ω) of the workpiece's origin, in the fixed frame; ω or, for a shift, v has unit length. */
+  twist: number[];
+  point: number[];
+  direction: number[];
+  /** null for a pure shift along `direction`. */
+  pitch: number | null;
+}
+
+/** What holds the workpiece at a posture, and what leaves it free. */
+export interface Insight {
+  /** Instantaneous freedoms of the workpiece here, and a basis of them, simplest screws first. */
+  freedoms: Screw[];
+  /** Singular values of [A] here, largest first. */
+  singular_values: number[];
+  /** n − rank [A] here. */
+  mobility_rank: number;
+  /** Norm of the projected gradient and least curvature in the free directions (null: none is free): the certificate. */
+  projected_gradient: number;
+  least_curvature: number | null;
+  /** The remaining gap as a twist (v, ω) from reached pose to goal, and its parts in free and blocked directions. */
+  gap: number[];
+  free_part: number[];
+  blocked_part: number[];
+  /** Which chain holds the workpiece back: the wrench (force, moment about the workpiece's origin) with which it
+   * balances the goal's pull, and its share of the sum of all (0 to 1; all 0 where nothing is held back). */
+  chains: { wrench: number[]; share: number }[];
+}
+
 /** Parts of documents with their defaults; `document` is the text of a whole one. */
 export interface Defaults {
   document: string;

@@ -6,8 +6,8 @@
  * @typedef {import('./types.js').Fault} Fault
  * @typedef {import('./types.js').Defaults} Defaults
  * @typedef {import('./planner.worker.js').Answer} Answer
- * @typedef {'plan' | 'normalise' | 'find_start' | 'defaults'} Call
- * @typedef {{id: number, call: Call, text: string, resolve: (value: any) => void, reject: (reason: Error) => void}} Job
+ * @typedef {import('./planner.worker.js').Call} Call
+ * @typedef {{id: number, call: Call, args: unknown[], resolve: (value: any) => void, reject: (reason: Error) => void}} Job
  */
 
 /** How long a plan may hold up a newer edit before its worker is ended, in milliseconds. */
@@ -22,7 +22,7 @@ export class DocumentFault extends Error {
   }
 }
 
-/** A newer plan took this one's place; its answer would have been out of date. */
+/** A newer call of the same kind took this one's place; its answer would have been out of date. */
 export class Superseded extends Error {}
 
 /** The planner itself failed: our mistake, not the document's. */
@@ -41,12 +41,7 @@ export class Planner {
 
   /** @param {string} text a document @returns {Promise<Motion>} */
   plan(text) {
-    const old = this.#waiting.find((job) => job.call === 'plan');
-    if (old) {
-      this.#waiting = this.#waiting.filter((job) => job !== old);
-      old.reject(new Superseded());
-    }
-    return this.#ask('plan', text);
+    return this.#askLatest('plan', text);
   }
 
   /** The document with every default written out. @param {string} text @returns {Promise<string>} */
@@ -61,13 +56,23 @@ export class Planner {
 
   /** @returns {Promise<Defaults>} */
   defaults() {
-    return this.#ask('defaults', '');
+    return this.#ask('defaults');
   }
 
-  /** @param {Call} call @param {string} text @returns {Promise<any>} */
-  #ask(call, text) {
+  /** Takes the place of the same call that is still waiting: its answer would be out of date. @param {Call} call @param {...unknown} args */
+  #askLatest(call, ...args) {
+    const old = this.#waiting.find((job) => job.call === call);
+    if (old) {
+      this.#waiting = this.#waiting.filter((job) => job !== old);
+      old.reject(new Superseded());
+    }
+    return this.#ask(call, ...args);
+  }
+
+  /** @param {Call} call @param {...unknown} args @returns {Promise<any>} */
+  #ask(call, ...args) {
     return new Promise((resolve, reject) => {
-      this.#waiting.push({ id: ++this.#lastId, call, text, resolve, reject });
+      this.#waiting.push({ id: ++this.#lastId, call, args, resolve, reject });
       this.#next();
     });
   }
@@ -91,7 +96,7 @@ export class Planner {
     if (!job) return;
     this.#running = job;
     this.#worker ??= this.#start();
-    this.#worker.postMessage({ id: job.id, call: job.call, text: job.text });
+    this.#worker.postMessage({ id: job.id, call: job.call, args: job.args });
     if (this.#waiting.length) this.#next();
   }
 

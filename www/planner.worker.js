@@ -4,17 +4,19 @@
  * @typedef {{id: number, kind: 'value', value: unknown}
  *   | {id: number, kind: 'fault', fault: import('./types.js').Fault}
  *   | {id: number, kind: 'failure', message: string}} Answer
+ * @typedef {'plan' | 'normalise' | 'find_start' | 'defaults'} Call the functions of the package that the page asks for
  */
 import init, { defaults, find_start, normalise, plan } from './pkg/synthetica.js';
 
-const calls = { plan, normalise, find_start, defaults: (/** @type {string} */ _) => defaults() };
+/** @type {Record<Call, (...args: any[]) => unknown>} */
+const calls = { plan, normalise, find_start, defaults };
 
 // Set at once: a message that arrives before the handler exists would be lost.
 const ready = init();
-onmessage = async ({ data: { id, call, text } }) => {
+onmessage = async ({ data: { id, call, args } }) => {
   try {
     await ready;
-    const value = calls[/** @type {keyof typeof calls} */ (call)](text);
+    const value = calls[/** @type {Call} */ (call)](...args);
     answer({ id, kind: 'value', value });
   } catch (error) {
     if (isFault(error)) answer({ id, kind: 'fault', fault: error });

@@ -60,12 +60,12 @@ export class Player {
     if (!motion) return;
     const kept = Math.min(motion.frames - 1, Math.max(0, Math.round(frame)));
     this.#time = motion.time[kept];
-    this.#store.setView({ frame: kept });
+    this.#store.setView({ frame: kept, posture: null });
     this.invalidate();
   }
 
   play() {
-    this.#store.setView({ playing: true });
+    this.#store.setView({ playing: true, posture: null });
     this.#schedule();
   }
 

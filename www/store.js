@@ -1,11 +1,12 @@
 /**
- * The page's three kinds of state: the document (saved, undoable), the result (a function of the document)
- * and the view (neither). Knows no DOM and no planner.
+ * The page's kinds of state: the document (saved, undoable), the result (a function of the document), the view
+ * (neither), and the insight (a function of what the view shows). Knows no DOM and no planner.
  *
  * @typedef {import('./types.js').MechanismDocument} MechanismDocument
  * @typedef {import('./types.js').Result} Result
  * @typedef {import('./types.js').View} View
- * @typedef {'document' | 'result' | 'view'} Part
+ * @typedef {import('./types.js').Insight} Insight
+ * @typedef {'document' | 'result' | 'view' | 'insight'} Part
  * @typedef {ReturnType<typeof createStore>} Store
  */
 
@@ -24,9 +25,11 @@ export function createStore(first) {
   /** @type {Result} */
   let result = { motion: null, document: null, fault: null, trouble: '' };
   /** @type {View} */
-  let view = { frame: 0, playing: false };
+  let view = { frame: 0, playing: false, posture: null, selected: '', hovered: '' };
+  /** @type {Insight | null} */
+  let insight = null;
   /** @type {Record<Part, Set<() => void>>} */
-  const listeners = { document: new Set(), result: new Set(), view: new Set() };
+  const listeners = { document: new Set(), result: new Set(), view: new Set(), insight: new Set() };
 
   /** @param {Part} part */
   const tell = (part) => {
@@ -48,6 +51,9 @@ export function createStore(first) {
     },
     get view() {
       return view;
+    },
+    get insight() {
+      return insight;
     },
     get canUndo() {
       return past.length > 0;
@@ -121,6 +127,13 @@ export function createStore(first) {
       if (keys.every((key) => view[key] === change[key])) return;
       view = { ...view, ...change };
       tell('view');
+    },
+
+    /** What is known of the posture that is shown; null while it is being asked for. @param {Insight | null} next */
+    setInsight(next) {
+      if (next === insight) return;
+      insight = next;
+      tell('insight');
     },
   };
 }

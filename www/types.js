@@ -4,6 +4,8 @@
  * @typedef {import('./pkg/synthetica.js').Motion} Motion
  * @typedef {import('./pkg/synthetica.js').Report} Report
  * @typedef {import('./pkg/synthetica.js').Fault} Fault
+ * @typedef {import('./pkg/synthetica.js').Posture} Posture
+ * @typedef {import('./pkg/synthetica.js').Insight} Insight
  *
  * A number as typed: text that is no number stays text, so that Rust can refuse it by name and
  * the person can mend it.
@@ -28,6 +30,10 @@
  * The last good motion with the document that it belongs to; the fault, if the present document has one;
  * `trouble`, if the planner itself failed.
  * @typedef {{motion: Motion | null, document: MechanismDocument | null, fault: Fault | null, trouble: string}} Result
- * @typedef {{frame: number, playing: boolean}} View
+ *
+ * What is looked at. `posture` is shown in place of the frame while the linkage is moved by hand (pulled or taught);
+ * playing, scrubbing or an edit ends it. `selected` and `hovered` are places of the document, such as `chains[1]`,
+ * `chains[1].joints[0]` or `motion.key_frames[2]`, or `workpiece`; empty for nothing.
+ * @typedef {{frame: number, playing: boolean, posture: Posture | null, selected: string, hovered: string}} View
  */
 export {};

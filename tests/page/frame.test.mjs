@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { frameMatrix } from '../../www/view/frame.js';
+import { frameMatrix } from '../../www/scene/frame.js';
 
 const read = (path) => JSON.parse(readFileSync(new URL(path, import.meta.url), 'utf8'));
 const golden = read('../golden/closest-motion.json');

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { afterEach, beforeEach, mock, test } from 'node:test';
 import { DocumentFault, Planner, PlannerFailure, Superseded } from '../../www/planner.js';
 
-/** @type {{requests: {id: number, call: string, text: string}[], ended: boolean, onmessage: Function, onerror: Function}[]} */
+/** @type {{requests: {id: number, call: string, args: unknown[]}[], ended: boolean, onmessage: Function, onerror: Function}[]} */
 let workers;
 
 beforeEach(() => {
@@ -41,7 +41,7 @@ test('the latest edit wins: of the waiting plans only the newest is made', async
   answer(workers[0], { kind: 'value', value: 3 });
   assert.deepEqual([await plans[0], await plans[2]], [1, 3]);
   await overtaken;
-  assert.deepEqual(workers[0].requests.map((r) => r.text), ['a', 'c']);
+  assert.deepEqual(workers[0].requests.map((r) => r.args[0]), ['a', 'c']);
 });
 
 test('a fault of the document is told with its place, and the worker lives', async () => {

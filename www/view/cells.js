@@ -16,7 +16,7 @@
 import { entry, setValue } from '../edits.js';
 import { short } from '../format.js';
 import { valueAt } from '../path.js';
-import { element } from './dom.js';
+import { element } from '../dom.js';
 
 /** @param {Store} store */
 export function createCells(store) {

@@ -9,7 +9,7 @@
 import * as edits from '../edits.js';
 import { ANGLE_DECIMALS, degrees, lengthUnit, short } from '../format.js';
 import { JOINT_LETTERS, JOINT_TYPES, chainType, chainVariables, variableName } from '../joint-types.js';
-import { element, setText } from './dom.js';
+import { element, setText } from '../dom.js';
 import { coordinateCells, coordinateHeads } from './frame-table.js';
 
 /** @type {['alpha' | 'a' | 'theta' | 'd', string, 'angle' | 'length'][]} */

@@ -4,7 +4,7 @@
  * @typedef {import('../types.js').Fault} Fault
  */
 import { covers } from '../path.js';
-import { element } from './dom.js';
+import { element } from '../dom.js';
 
 const ID = 'fault-note';
 

@@ -2,7 +2,7 @@
  * The paper's table of frames: x, y, z, longitude, latitude, roll, one frame a row.
  */
 import { ANGLE_DECIMALS, lengthUnit } from '../format.js';
-import { element } from './dom.js';
+import { element } from '../dom.js';
 
 /** @type {[import('../types.js').Frame extends infer F ? keyof F : never, string, 'length' | 'angle', string][]} */
 export const COORDINATES = [

@@ -3,7 +3,7 @@
  *
  * @typedef {import('../store.js').Store} Store
  */
-import { byId } from './dom.js';
+import { byId } from '../dom.js';
 
 /** @param {Store} store */
 export function createHistory(store) {

@@ -6,7 +6,7 @@
  */
 import * as edits from '../edits.js';
 import { lengthUnit, plural } from '../format.js';
-import { element } from './dom.js';
+import { element } from '../dom.js';
 import { coordinateCells, coordinateHeads } from './frame-table.js';
 
 /**

@@ -5,7 +5,7 @@
  * @typedef {import('../player.js').Player} Player
  */
 import { angle, length, plural, scientific, short } from '../format.js';
-import { byId, element, setText } from './dom.js';
+import { byId, element, setText } from '../dom.js';
 import { parts, sentence } from './fault-note.js';
 import { countStatuses, frameSentence, mobilitySentence, statusName, statusWords, worstFrame } from './words.js';
 

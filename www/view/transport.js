@@ -5,7 +5,7 @@
  * @typedef {import('../player.js').Player} Player
  */
 import { short } from '../format.js';
-import { byId, setText } from './dom.js';
+import { byId, setText } from '../dom.js';
 import { drawStrip } from './strip.js';
 import { frameSentence } from './words.js';
 

@@ -139,8 +139,7 @@ export function createScene({ canvas, labels: layer }, changed) {
     resting = false;
   }
 
-  /** @type {Motion | null} */
-  let shown = null;
+  let built = false;
   return {
     fit: view.fit,
 
@@ -150,7 +149,7 @@ export function createScene({ canvas, labels: layer }, changed) {
      */
     show({ motion, document }, afresh) {
       if (!motion || !document) return;
-      shown = motion;
+      built = true;
       measure(motion, afresh);
       const r = LINK_RADIUS * size.radius;
       const bases = document.chains.map((chain) => Number(chain.base?.z) || 0);
@@ -165,11 +164,11 @@ export function createScene({ canvas, labels: layer }, changed) {
       changed();
     },
 
-    /** @param {number} frame */
-    draw(frame) {
-      if (shown) {
-        linkage.show(shown, Math.min(frame, shown.frames - 1));
-        paths.show(shown, Math.min(frame, shown.frames - 1));
+    /** @param {import('./frame.js').Shown} what the columns and the frame in them that are drawn */
+    draw(what) {
+      if (built) {
+        linkage.show(what);
+        paths.show(what);
       }
       if (slow) waitForRest();
       renderer.render(scene, view.camera);

@@ -1,5 +1,7 @@
 /**
  * Frames of the document as transformations to draw: x, y, z and R = Y(longitude) · X(−latitude) · Z(roll), in degrees.
+ *
+ * @typedef {NonNullable<ReturnType<typeof import('../shown.js').shown>>} Shown
  */
 import { Euler, Matrix4, Quaternion, Vector3 } from 'three';
 

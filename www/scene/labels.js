@@ -2,7 +2,7 @@
  * Names in the scene, as text over the canvas.
  */
 import { Vector3 } from 'three';
-import { element, setText } from './dom.js';
+import { element, setText } from '../dom.js';
 
 /** @param {HTMLElement} layer covers the canvas */
 export function createLabels(layer) {

@@ -46,13 +46,13 @@ export class MotionPaths {
     this.#ghost.add(triad(6 * r, materials.faintAxes));
     this.#reached.add(triad(6 * r, materials.axes));
     this.group.add(this.#ghost, this.#reached, this.#gap);
-    this.show(motion, 0);
+    this.show({ ...motion, index: 0 });
   }
 
-  /** @param {Motion} motion @param {number} frame */
-  show(motion, frame) {
-    moveTo(this.#ghost, motion.goal, frame);
-    moveTo(this.#reached, motion.pose, frame);
+  /** @param {Pick<import('./frame.js').Shown, 'goal' | 'pose' | 'index'>} what */
+  show({ goal, pose, index }) {
+    moveTo(this.#ghost, goal, index);
+    moveTo(this.#reached, pose, index);
     if (this.#gap) layRod(this.#gap, this.#ghost.position, this.#reached.position);
   }
 }

@@ -95,15 +95,14 @@ export class Linkage {
     this.#workpiece.add(solid);
     if (middle.length() > 3 * r) this.#workpiece.add(rod(middle, new Vector3(), STALK * r, materials.workpiece));
     this.group.add(this.#workpiece);
-    this.show(motion, 0);
+    this.show({ ...motion, index: 0 });
   }
 
-  /** @param {Motion} motion @param {number} frame */
-  show(motion, frame) {
-    const { rows, pose } = motion;
-    const offset = frame * (rows.length / motion.frames / POSE);
+  /** @param {Pick<import('./frame.js').Shown, 'rows' | 'pose' | 'frames' | 'index'>} what */
+  show({ rows, pose, frames, index }) {
+    const offset = index * (rows.length / frames / POSE);
     const at = (/** @type {number} */ row) => offset + PER_ROW * row;
-    moveTo(this.#workpiece, pose, frame);
+    moveTo(this.#workpiece, pose, index);
     for (const { shape, first, last } of this.#joints) {
       const seatTurn = shape.fixed.userData.turn;
       moveTo(shape.fixed, rows, at(first));

@@ -1,0 +1,24 @@
+/**
+ * What is shown now: a frame of the motion, or the posture that stands in its place while the linkage is moved by hand.
+ */
+
+/**
+ * Columns with the index of the shown frame in them, and how many frames they hold. The document is the one that
+ * the motion belongs to.
+ * @param {{result: import('./types.js').Result, view: import('./types.js').View}} store
+ */
+export function shown({ result: { motion, document }, view: { frame, posture } }) {
+  if (!motion || !document) return null;
+  if (posture) {
+    const { joints, pose, rows, goal } = posture;
+    return { document, index: 0, frames: 1, joints, pose, rows, goal };
+  }
+  const { frames, joints, pose, rows, goal } = motion;
+  return { document, index: Math.min(frame, frames - 1), frames, joints, pose, rows, goal };
+}
+
+/** One frame's group of a column. @param {Float64Array} column @param {{index: number, frames: number}} at */
+export function groupAt(column, { index, frames }) {
+  const width = column.length / frames;
+  return column.subarray(index * width, (index + 1) * width);
+}
