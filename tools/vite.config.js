@@ -1,8 +1,35 @@
 // How Vite serves and builds the page in www/.
+import { createHash } from 'node:crypto';
+import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
+import { join, relative } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 
 const at = (path) => fileURLToPath(new URL(path, import.meta.url));
+
+/** Every file below a folder, by its path from there. @param {string} folder */
+const filesIn = (folder) =>
+  readdirSync(folder, { recursive: true, withFileTypes: true })
+    .filter((entry) => entry.isFile())
+    .map((entry) => relative(folder, join(entry.parentPath, entry.name)).replaceAll('\\', '/'))
+    .sort();
+
+/** Writes www/service-worker.js into the build, with the list of its files. */
+const serviceWorker = () => ({
+  name: 'service-worker',
+  apply: 'build',
+  closeBundle() {
+    const dist = at('../www/dist');
+    const files = filesIn(dist).filter((file) => file !== 'service-worker.js' && file !== 'index.html');
+    const version = createHash('sha256');
+    for (const file of ['index.html', ...files]) version.update(file).update(readFileSync(join(dist, file)));
+    const list = { version: version.digest('hex').slice(0, 12), files: ['./', ...files.map((file) => `./${file}`)] };
+    const place = "{ version: '', files: [] }";
+    const text = readFileSync(at('../www/service-worker.js'), 'utf8');
+    if (!text.includes(place)) throw new Error(`www/service-worker.js has lost its ${place}`);
+    writeFileSync(join(dist, 'service-worker.js'), text.replace(place, JSON.stringify(list)));
+  },
+});
 
 export default defineConfig({
   root: at('../www'),
@@ -12,4 +39,5 @@ export default defineConfig({
   server: { fs: { allow: [at('../www'), at('node_modules')] } },
   build: { target: 'es2022', outDir: at('../www/dist'), emptyOutDir: true },
   worker: { format: 'es' },
+  plugins: [serviceWorker()],
 });

@@ -13,6 +13,7 @@
  */
 import { createStage } from './stage.js';
 import { byId, element, setText } from './dom.js';
+import { workOffline } from './offline.js';
 import { Planner, PlannerFailure } from './planner.js';
 import { Player } from './player.js';
 import { createReplanning } from './replan.js';
@@ -72,6 +73,7 @@ try {
   connect(await planner.defaults());
   await open(samples[0].text);
   if (!matchMedia('(prefers-reduced-motion: reduce)').matches) player.play();
+  workOffline();
 } catch (error) {
   if (!(error instanceof PlannerFailure)) throw error;
   byId('trouble').hidden = false;

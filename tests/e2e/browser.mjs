@@ -6,13 +6,13 @@ import { preview } from 'vite';
 /** The page is opened in a small window: without a graphics card every pixel is computed. */
 const WINDOW = { width: 800, height: 600 };
 
+/** How Chromium is started. */
+export const LAUNCH = { executablePath: process.env.CHROMIUM || '/usr/bin/chromium', args: ['--no-sandbox'] };
+
 /** Serves www/dist and starts a browser. */
 export async function openBrowser() {
   const server = await preview({ configFile: 'tools/vite.config.js', preview: { port: 0 } });
-  const browser = await chromium.launch({
-    executablePath: process.env.CHROMIUM || '/usr/bin/chromium',
-    args: ['--no-sandbox'],
-  });
+  const browser = await chromium.launch(LAUNCH);
   const address = server.resolvedUrls.local[0];
 
   return {
