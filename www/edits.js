@@ -156,6 +156,15 @@ function duplicateTime(document, index) {
   return withValueAt(document, `motion.key_frames[${index}].time`, time);
 }
 
+/**
+ * Moves a key frame; coordinates that are not given stay.
+ * @param {MechanismDocument} document
+ * @param {number} key
+ * @param {import('./types.js').Frame} frame
+ */
+export const setKeyFramePose = (document, key, frame) =>
+  withKeys(document, document.motion.key_frames.map((old, index) => (index === key ? { ...old, ...frame } : old)));
+
 /** @param {MechanismDocument} document @param {number} key */
 export const removeKeyFrame = (document, key) => withKeys(document, without(document.motion.key_frames, key));
 

@@ -2,7 +2,8 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { frameMatrix } from '../../www/scene/frame.js';
+import { Quaternion, Vector3 } from 'three';
+import { frameMatrix, frameOf } from '../../www/scene/frame.js';
 
 const read = (path) => JSON.parse(readFileSync(new URL(path, import.meta.url), 'utf8'));
 const golden = read('../golden/closest-motion.json');
@@ -21,3 +22,36 @@ for (const name of ['2TPR', '3RPS']) {
     }
   });
 }
+
+const poseOf = (frame) => {
+  const [at, turn, size] = [new Vector3(), new Quaternion(), new Vector3()];
+  frameMatrix(frame).decompose(at, turn, size);
+  return [...at.toArray(), ...turn.toArray()];
+};
+const close = (a, b, tolerance, what) => assert.ok(Math.abs(a - b) < tolerance, `${what}: ${a} is not ${b}`);
+
+test('the coordinates of a pose are those that it was made of, also beyond the poles and over several turns', () => {
+  for (const longitude of [-400, -170, 0, 33]) {
+    for (const latitude of [-135, -90, -89.9999, 0, 40, 90, 120]) {
+      for (const roll of [-200, 0, 75]) {
+        const frame = { x: 1, y: -2, z: 0.5, longitude, latitude, roll };
+        const found = frameOf(poseOf(frame), { ...frame, longitude: longitude + 3, latitude: latitude - 2, roll: roll + 1 });
+        const same = poseOf(found);
+        poseOf(frame).forEach((value, i) => close(Math.abs(same[i]), Math.abs(value), 1e-7, `${JSON.stringify(frame)} ${i}`));
+        if (Math.abs(Math.abs(latitude) - 90) > 1) {
+          for (const key of ['longitude', 'latitude', 'roll']) close(found[key], frame[key], 1e-6, `${JSON.stringify(frame)} ${key}`);
+        }
+      }
+    }
+  }
+});
+
+test('a turn through the pole keeps longitude and roll from jumping', () => {
+  let near = { longitude: 20, latitude: 88, roll: 10 };
+  for (let latitude = 88; latitude <= 92; latitude += 0.25) {
+    const found = frameOf(poseOf({ longitude: 20, latitude, roll: 10 }), near);
+    close(found.longitude, 20, 1e-4, `longitude at ${latitude}`);
+    close(found.latitude, latitude, 1e-4, 'latitude');
+    near = found;
+  }
+});
