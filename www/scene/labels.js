@@ -1,27 +1,32 @@
 /**
- * Names in the scene, as text over the canvas.
+ * Names in the scene, as text over the canvas; each says by `data-place` which thing it names.
  */
 import { Vector3 } from 'three';
 import { element, setText } from '../dom.js';
+
+/** @typedef {{at: Vector3, text: string, place: string}} Label */
 
 /** @param {HTMLElement} layer covers the canvas */
 export function createLabels(layer) {
   /** @type {{at: Vector3, tag: HTMLElement}[]} */
   let labels = [];
+  const seen = new Vector3();
   return {
-    /** @param {{at: Vector3, text: string}[]} items */
+    /** @param {Label[]} items */
     set(items) {
       while (labels.length > items.length) labels.pop()?.tag.remove();
-      items.forEach(({ at, text }, index) => {
+      items.forEach(({ at, text, place }, index) => {
         labels[index] ??= { at, tag: layer.appendChild(element('span', {})) };
+        const { tag } = labels[index];
         labels[index].at = at;
-        setText(labels[index].tag, text);
+        if (tag.dataset.place !== place) tag.dataset.place = place;
+        setText(tag, text);
       });
     },
     /** @param {import('three').Camera} camera @param {number} width @param {number} height */
     place(camera, width, height) {
       for (const { at, tag } of labels) {
-        const seen = at.clone().project(camera);
+        seen.copy(at).project(camera);
         tag.hidden = seen.z > 1 || Math.abs(seen.x) > 1 || Math.abs(seen.y) > 1;
         const x = ((seen.x + 1) / 2) * width;
         const y = ((1 - seen.y) / 2) * height;

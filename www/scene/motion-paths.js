@@ -1,58 +1,92 @@
 /**
  * The goal motion (dark) and the closest motion (light), key frames, the goal's ghost and the gap at the playhead.
+ * Laid anew in place: a goal that is dragged costs no new bodies.
  *
  * @typedef {import('../types.js').Motion} Motion
  * @typedef {import('three').Material} Material
  * @typedef {{goal: Material, closest: Material, gap: Material, ghost: Material, axes: Material[], faintAxes: Material[]}} PathMaterials
  */
-import { Group, Mesh, Vector3 } from 'three';
-import { frameMatrix, moveTo, originOf } from './frame.js';
-import { dispose, layRod, rod, triad, tube } from './solids.js';
+import { BufferGeometry, Group, Mesh, Vector3 } from 'three';
+import { frameMatrix, moveTo } from './frame.js';
+import { layRod, rod, triad } from './solids.js';
+import { Tube } from './tube.js';
+
+/** Sizes in link radii. */
+const PATH = 0.42;
+const GAP = 0.3;
+const KEY = 7;
+const AXES = 6;
 
 export class MotionPaths {
   group = new Group();
-  /** Key frames' places and names. @type {{at: Vector3, text: string}[]} */
+  /** Key frames' places and names. @type {{at: Vector3, text: string, place: string}[]} */
   labels = [];
+  #materials;
+  #goal;
+  #closest;
+  /** @type {Group[]} */
+  #keys = [];
   #ghost = new Group();
-  #reached = new Group();
-  /** @type {Group | null} */
-  #gap = null;
+  #ghostBody;
+  #ghostAxes;
+  #reached;
+  #gap;
+
+  /** @param {PathMaterials} materials */
+  constructor(materials) {
+    this.#materials = materials;
+    this.#goal = new Tube(materials.goal);
+    this.#goal.mesh.userData.place = 'goal';
+    this.#closest = new Tube(materials.closest);
+    this.#closest.mesh.userData.place = 'closest';
+    this.#ghostBody = new Mesh(new BufferGeometry(), materials.ghost);
+    this.#ghostAxes = triad(1, materials.faintAxes);
+    this.#ghost.add(this.#ghostBody, this.#ghostAxes);
+    this.#reached = triad(1, materials.axes);
+    this.#reached.userData.place = 'workpiece';
+    this.#gap = rod(new Vector3(), new Vector3(), 1, materials.gap);
+    this.#gap.userData.place = 'gap';
+    this.group.add(this.#goal.mesh, this.#closest.mesh, this.#ghost, this.#reached, this.#gap);
+  }
 
   /**
    * @param {Motion} motion
    * @param {import('../types.js').MechanismDocument} document
-   * @param {PathMaterials} materials
    * @param {number} r radius of a link
-   * @param {import('three').BufferGeometry | null} body the workpiece's shape
+   * @param {BufferGeometry | null} body the workpiece's shape
    */
-  build(motion, document, materials, r, body) {
-    dispose(this.group);
-    this.group.clear();
-    this.#ghost.clear();
-    this.#reached.clear();
-    const points = (/** @type {Float64Array} */ column) => Array.from({ length: motion.frames }, (_, frame) => originOf(column, frame));
-    this.group.add(new Mesh(tube(points(motion.goal), 0.42 * r), materials.goal));
-    this.group.add(new Mesh(tube(points(motion.pose), 0.42 * r), materials.closest));
+  update(motion, document, r, body) {
+    this.#goal.lay(motion.goal, motion.frames, PATH * r);
+    this.#closest.lay(motion.pose, motion.frames, PATH * r);
+    if (body) this.#ghostBody.geometry = body;
+    this.#ghostAxes.scale.setScalar(AXES * r);
+    this.#reached.scale.setScalar(AXES * r);
+    const [shaft, ...ends] = this.#gap.children;
+    shaft.scale.set(GAP * r, 1, GAP * r);
+    for (const end of ends) end.scale.setScalar(GAP * r);
 
-    this.labels = document.motion.key_frames.map((key, index) => {
-      const place = triad(7 * r, materials.axes);
-      frameMatrix(key).decompose(place.position, place.quaternion, place.scale);
-      this.group.add(place);
-      return { at: place.position.clone(), text: key.name || `key ${index + 1}` };
+    const keys = document.motion.key_frames;
+    while (this.#keys.length > keys.length) this.#keys.pop()?.removeFromParent();
+    this.labels = keys.map((key, index) => {
+      const mark = (this.#keys[index] ??= this.#addKey(index));
+      frameMatrix(key).decompose(mark.position, mark.quaternion, mark.scale);
+      mark.scale.setScalar(KEY * r);
+      return { at: mark.position, text: key.name || `key ${index + 1}`, place: mark.userData.place };
     });
+  }
 
-    this.#gap = rod(new Vector3(), new Vector3(), 0.3 * r, materials.gap);
-    if (body) this.#ghost.add(new Mesh(body, materials.ghost));
-    this.#ghost.add(triad(6 * r, materials.faintAxes));
-    this.#reached.add(triad(6 * r, materials.axes));
-    this.group.add(this.#ghost, this.#reached, this.#gap);
-    this.show({ ...motion, index: 0 });
+  /** @param {number} index */
+  #addKey(index) {
+    const mark = triad(1, this.#materials.axes);
+    mark.userData.place = `motion.key_frames[${index}]`;
+    this.group.add(mark);
+    return mark;
   }
 
   /** @param {Pick<import('./frame.js').Shown, 'goal' | 'pose' | 'index'>} what */
   show({ goal, pose, index }) {
     moveTo(this.#ghost, goal, index);
     moveTo(this.#reached, pose, index);
-    if (this.#gap) layRod(this.#gap, this.#ghost.position, this.#reached.position);
+    layRod(this.#gap, this.#ghost.position, this.#reached.position);
   }
 }

@@ -1,16 +1,34 @@
 /**
- * Rounded solids: rods between points, bodies around points, tubes along curves, triads.
+ * Rounded solids: rods between points, bodies around points, triads. Bodies of one form share one geometry, scaled to
+ * size, so that a changed dimension costs no new buffers.
  */
-import {
-  BufferGeometry, CatmullRomCurve3, ConeGeometry, CylinderGeometry, Group, IcosahedronGeometry, Mesh, SphereGeometry, TubeGeometry, Vector3,
-} from 'three';
+import { BufferGeometry, ConeGeometry, CylinderGeometry, Group, IcosahedronGeometry, Mesh, SphereGeometry, Vector3 } from 'three';
 import { ConvexGeometry } from 'three/addons/geometries/ConvexGeometry.js';
 import { mergeVertices, toCreasedNormals } from 'three/addons/utils/BufferGeometryUtils.js';
 
 const Y = new Vector3(0, 1, 0);
 
-/** Pieces of a curve: enough to look smooth across a screen. */
-const CURVE_PIECES = 200;
+/** @type {Map<string, BufferGeometry>} */
+const forms = new Map();
+
+/**
+ * The one geometry of a form; it lives as long as the page.
+ * @param {string} form @param {() => BufferGeometry} make
+ */
+export function shared(form, make) {
+  const known = forms.get(form);
+  if (known) return known;
+  const made = make();
+  forms.set(form, made);
+  return made;
+}
+
+/** @param {Mesh} mesh */
+export function solid(mesh) {
+  mesh.castShadow = true;
+  mesh.receiveShadow = true;
+  return mesh;
+}
 
 /**
  * A round rod with round ends between two points.
@@ -21,13 +39,11 @@ const CURVE_PIECES = 200;
  */
 export function rod(from, to, radius, material) {
   const group = new Group();
-  const shaft = new Mesh(new CylinderGeometry(radius, radius, 1, 20, 1, true), material);
-  const ends = [0, 1].map(() => new Mesh(new SphereGeometry(radius, 18, 10), material));
+  const shaft = solid(new Mesh(shared('shaft', () => new CylinderGeometry(1, 1, 1, 20, 1, true)), material));
+  const ends = [0, 1].map(() => solid(new Mesh(shared('rod end', () => new SphereGeometry(1, 18, 10)), material)));
   group.add(shaft, ...ends);
-  for (const mesh of [shaft, ...ends]) {
-    mesh.castShadow = true;
-    mesh.receiveShadow = true;
-  }
+  shaft.scale.set(radius, 1, radius);
+  for (const end of ends) end.scale.setScalar(radius);
   layRod(group, from, to);
   return group;
 }
@@ -66,20 +82,6 @@ export function roundedHull(points, radius) {
 }
 
 /**
- * A tube through points; empty if they are all one point.
- * @param {Vector3[]} points
- * @param {number} radius
- * @returns {BufferGeometry}
- */
-export function tube(points, radius) {
-  /** @type {Vector3[]} */
-  const spread = [];
-  for (const point of points) if (!spread.length || point.distanceTo(spread[spread.length - 1]) > radius * 0.1) spread.push(point);
-  if (spread.length < 2) return new BufferGeometry();
-  return new TubeGeometry(new CatmullRomCurve3(spread), Math.min(CURVE_PIECES, spread.length * 2), radius, 7);
-}
-
-/**
  * Three arrows along x, y and z.
  * @param {number} size
  * @param {import('three').Material[]} materials
@@ -88,20 +90,12 @@ export function triad(size, materials) {
   const group = new Group();
   materials.forEach((material, axis) => {
     const arrow = new Group();
-    const shaft = new Mesh(new CylinderGeometry(size * 0.03, size * 0.03, size * 0.8, 10), material);
-    shaft.position.y = size * 0.4;
-    const head = new Mesh(new ConeGeometry(size * 0.085, size * 0.24, 14), material);
-    head.position.y = size * 0.88;
+    const shaft = new Mesh(shared('arrow shaft', () => new CylinderGeometry(0.03, 0.03, 0.8, 10).translate(0, 0.4, 0)), material);
+    const head = new Mesh(shared('arrow head', () => new ConeGeometry(0.085, 0.24, 14).translate(0, 0.88, 0)), material);
     arrow.add(shaft, head);
     arrow.quaternion.setFromUnitVectors(Y, new Vector3().setComponent(axis, 1));
     group.add(arrow);
   });
+  group.scale.setScalar(size);
   return group;
-}
-
-/** Frees what a group's meshes hold on the graphics card. @param {import('three').Object3D} root */
-export function dispose(root) {
-  root.traverse((object) => {
-    if (object instanceof Mesh) object.geometry.dispose();
-  });
 }

@@ -1,0 +1,48 @@
+/**
+ * Light: a sky, and a sun that casts shadows; on a machine without a graphics card, only once nothing moves.
+ */
+import { DirectionalLight, HemisphereLight, Vector3 } from 'three';
+
+/** Without a graphics card, the rest in milliseconds after which the picture is drawn once more, with shadows. */
+const REST = 250;
+
+/** @param {boolean} slow whether shadows wait @param {() => void} changed */
+export function createLight(slow, changed) {
+  const sky = new HemisphereLight(0xffffff, 0xb9b4ac, 1.9);
+  sky.position.set(0, 0, 1);
+  const sun = new DirectionalLight(0xffffff, 2.0);
+  sun.castShadow = true;
+  sun.shadow.mapSize.set(1024, 1024);
+  sun.shadow.radius = 5;
+  sun.shadow.bias = -0.0006;
+  sun.shadow.normalBias = 0.01;
+
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let rest;
+  let resting = false;
+  return {
+    objects: [sky, sun, sun.target],
+    sky,
+    /** @param {Vector3} centre @param {number} radius of what is lit */
+    aim(centre, radius) {
+      sun.position.copy(centre).add(new Vector3(0.9, -0.7, 2.2).multiplyScalar(radius * 1.6));
+      sun.target.position.copy(centre);
+      const reach = 1.7 * radius;
+      Object.assign(sun.shadow.camera, { left: -reach, right: reach, top: reach, bottom: -reach, near: 0.1 * radius, far: 9 * radius });
+      sun.shadow.camera.updateProjectionMatrix();
+    },
+    /** Called at every draw. */
+    beforeDraw() {
+      if (!slow) return;
+      sun.castShadow = resting;
+      clearTimeout(rest);
+      if (!resting) {
+        rest = setTimeout(() => {
+          resting = true;
+          changed();
+        }, REST);
+      }
+      resting = false;
+    },
+  };
+}

@@ -1,0 +1,40 @@
+/**
+ * What the bodies of the scene are made of, and their colours, which the style sheet has.
+ */
+import { DoubleSide, MeshBasicMaterial, MeshStandardMaterial } from 'three';
+
+/** Chains beyond this number begin again with the first colour; labels tell them apart. */
+const CHAIN_COLOURS = 5;
+
+export function createMaterials() {
+  const axes = (/** @type {object} */ more) => [0, 1, 2].map(() => new MeshBasicMaterial(more));
+  const materials = {
+    chain: Array.from({ length: CHAIN_COLOURS }, () => new MeshStandardMaterial({ roughness: 0.5, metalness: 0.05, side: DoubleSide })),
+    metal: new MeshStandardMaterial({ roughness: 0.4, metalness: 0.15 }),
+    dark: new MeshStandardMaterial({ roughness: 0.45, metalness: 0.1 }),
+    workpiece: new MeshStandardMaterial({ roughness: 0.55, metalness: 0.05 }),
+    goal: new MeshStandardMaterial({ roughness: 0.8 }),
+    closest: new MeshStandardMaterial({ roughness: 0.8 }),
+    gap: new MeshBasicMaterial(),
+    ghost: new MeshStandardMaterial({ transparent: true, opacity: 0.26, depthWrite: false, roughness: 0.9 }),
+    axes: axes({}),
+    faintAxes: axes({ transparent: true, opacity: 0.35 }),
+  };
+  return {
+    ...materials,
+    /** @param {import('./palette.js').Palette} palette */
+    paint(palette) {
+      materials.chain.forEach((material, index) => material.color.copy(palette[/** @type {'chain-0'} */ (`chain-${index}`)]));
+      materials.metal.color.copy(palette.metal);
+      materials.dark.color.copy(palette['dark-metal']);
+      materials.workpiece.color.copy(palette.workpiece);
+      materials.goal.color.copy(palette.goal);
+      materials.closest.color.copy(palette.closest);
+      materials.gap.color.copy(palette.gap);
+      materials.ghost.color.copy(palette.goal);
+      for (const triad of [materials.axes, materials.faintAxes]) {
+        triad.forEach((material, axis) => material.color.copy(palette[/** @type {'axis-x'} */ (`axis-${'xyz'[axis]}`)]));
+      }
+    },
+  };
+}
