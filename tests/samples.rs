@@ -34,6 +34,13 @@ const FILES: &[(&str, &str)] = files![
     "spacecraft.json",
 ];
 
+/// The documents of the lessons.
+const LESSONS: &[(&str, &str)] = &[
+    ("mobility", include_str!("../www/lessons/mobility.json")),
+    ("why", include_str!("../www/lessons/why.json")),
+    ("metric", include_str!("../www/lessons/metric.json")),
+];
+
 /// No sample is to look shaky, except where that is its lesson: none is.
 const LEAST_SINGULAR_VALUE: f64 = 0.02;
 
@@ -58,6 +65,10 @@ fn sample(file: &'static str, text: &str) -> Sample {
 
 fn samples() -> impl Iterator<Item = Sample> {
     FILES.iter().map(|(file, text)| sample(file, text))
+}
+
+fn samples_and_lessons() -> impl Iterator<Item = Sample> {
+    samples().chain(LESSONS.iter().map(|(file, text)| sample(file, text)))
 }
 
 fn named(wanted: &str) -> Sample {
@@ -105,7 +116,7 @@ fn no_file_is_left_out_of_the_index() {
 
 #[test]
 fn every_frame_is_closed_and_certified() {
-    for Sample { file, motion, .. } in samples() {
+    for Sample { file, motion, .. } in samples_and_lessons() {
         for frame in 0..motion.frames() {
             let (status, open) = (motion.status[frame], motion.closure[frame]);
             assert!(

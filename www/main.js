@@ -13,6 +13,7 @@
  */
 import { createStage } from './stage.js';
 import { byId, element, setText } from './dom.js';
+import { createHelp } from './help/help.js';
 import { workOffline } from './offline.js';
 import { Planner, PlannerFailure } from './planner.js';
 import { Player } from './player.js';
@@ -53,6 +54,7 @@ function connect(defaults) {
   createStatus(store, player, () => tables.focusFault((panel) => tabs.choosePanel(panel)));
   createTransport(store, player);
   createHistory(store);
+  createHelp(app);
 
   store.subscribe('document', () => {
     setText(byId('about'), store.document.about ?? '');

@@ -31,8 +31,18 @@ export async function openBrowser() {
       await page.waitForFunction(() => document.querySelector('#closure').textContent !== '–');
       return { page, problems };
     },
-    async blankPage(options) {
+    /** A page that is nowhere yet; the first minute counts as seen, unless it is the visitor's first. */
+    async blankPage({ firstVisit = false, ...options } = {}) {
       const context = await browser.newContext({ viewport: WINDOW, reducedMotion: 'reduce', ...options });
+      if (!firstVisit) {
+        await context.addInitScript(() => {
+          try {
+            localStorage.setItem('synthetica.first-minute', 'in a test');
+          } catch {
+            // A test of blocked storage: the page sees to it.
+          }
+        });
+      }
       const page = await context.newPage();
       const problems = [];
       page.on('console', (message) => {

@@ -1,0 +1,161 @@
+// The first minute, the keys, the numbers, the lessons.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { after, before, test } from 'node:test';
+import { cell, openBrowser, text } from './browser.mjs';
+
+let browser;
+before(async () => {
+  browser = await openBrowser();
+});
+after(() => browser.close());
+
+const fromMenu = async (page, item) => {
+  await page.getByRole('button', { name: 'Help' }).click();
+  await page.getByRole('menuitem', { name: item }).click();
+};
+
+test('the first minute comes once, walks through the page, and comes again only when asked', async () => {
+  const { page, problems } = await browser.openPage({ firstVisit: true });
+  const note = page.getByRole('region', { name: 'First minute' });
+  await note.waitFor();
+  assert.equal(await page.evaluate(() => document.activeElement === document.body), true, 'the focus is left alone');
+  const texts = [];
+  for (;;) {
+    texts.push(await note.locator('p').textContent());
+    const box = await note.boundingBox();
+    assert.ok(box.x >= 0 && box.y >= 0 && box.x + box.width <= 800 && box.y + box.height <= 600, 'the note is in the window');
+    assert.equal(await page.locator('.tour-here').count(), 1, texts.at(-1));
+    const next = note.getByRole('button', { name: /Next|Done/ });
+    const last = (await next.textContent()) === 'Done';
+    await next.click();
+    if (last) break;
+  }
+  assert.equal(new Set(texts).size, texts.length);
+  await note.waitFor({ state: 'detached' });
+
+  await page.reload();
+  await page.waitForFunction(() => document.querySelector('#closure').textContent !== '–');
+  assert.equal(await note.count(), 0);
+  await fromMenu(page, 'First minute');
+  await note.waitFor();
+  await page.keyboard.press('Escape');
+  await note.waitFor({ state: 'detached' });
+  assert.deepEqual(problems, []);
+});
+
+test('the first minute can be skipped, and the page is usable beside it', async () => {
+  const { page } = await browser.openPage({ firstVisit: true });
+  await page.locator('#step-forward').click();
+  assert.match(await text(page, 'frame-number'), /^2 \//);
+  await page.getByRole('button', { name: 'Skip' }).click();
+  await page.reload();
+  await page.waitForFunction(() => document.querySelector('#closure').textContent !== '–');
+  assert.equal(await page.getByRole('region', { name: 'First minute' }).count(), 0);
+});
+
+test('? lists the keys, from the menu too; Escape gives the focus back', async () => {
+  const { page, problems } = await browser.openPage();
+  await page.locator('#scrub').focus();
+  await page.keyboard.press('?');
+  const dialog = page.getByRole('dialog', { name: 'Keys' });
+  await dialog.getByText('play or pause').waitFor();
+  await page.keyboard.press('Escape');
+  await dialog.waitFor({ state: 'detached' });
+  assert.equal(await page.evaluate(() => document.activeElement.id), 'scrub');
+  await fromMenu(page, 'Keys');
+  await dialog.waitFor();
+  assert.deepEqual(problems, []);
+});
+
+test('every number of the info panel is explained', async () => {
+  const { page } = await browser.openPage({ viewport: { width: 1280, height: 800 } });
+  const plain = (list) => list.map((name) => name.replace(/[\s_]|½‖q − g‖²|\[A\]|of/g, '').toLowerCase());
+  const named = plain(await page.locator('#info .numbers dt').allTextContents());
+  await fromMenu(page, 'What the numbers mean');
+  const dialog = page.getByRole('dialog', { name: 'What the numbers mean' });
+  await dialog.waitFor();
+  const explained = plain(await dialog.locator('dt').allTextContents());
+  for (const name of named) assert.ok(explained.includes(name), `${name} is explained`);
+  assert.ok((await dialog.locator('math').count()) > 5, 'with equations');
+});
+
+const lessons = JSON.parse(readFileSync(new URL('../../www/lessons/index.json', import.meta.url), 'utf8'));
+
+for (const { id, title } of lessons) {
+  test(`lesson “${title}” opens by its address, and everything in it works`, async () => {
+    const { page, problems } = await browser.blankPage();
+    await page.goto(`${browser.address}?lesson=${id}`);
+    const panel = page.getByRole('tabpanel', { name: 'Lesson' });
+    await panel.getByRole('heading', { name: title }).waitFor();
+    const buttons = panel.locator('article button');
+    const count = await buttons.count();
+    assert.ok(count >= 3);
+    for (let i = 0; i < count; i++) {
+      await page.getByRole('tab', { name: 'Lesson' }).click();
+      await buttons.nth(i).click();
+      await page.waitForFunction(() => [...document.querySelectorAll('.lesson .live output')].some((output) => output.textContent !== ''));
+      assert.equal(await page.locator('#notices').textContent(), '', `button ${i + 1} acts`);
+      await page.locator('#fault-note').waitFor({ state: 'detached' });
+    }
+    await page.getByRole('tab', { name: 'Lesson' }).click();
+    assert.ok((await panel.locator('details').count()) >= 2, 'has questions');
+    await panel.getByRole('button', { name: 'Close the lesson' }).click();
+    await page.getByRole('tab', { name: 'Lesson' }).waitFor({ state: 'hidden' });
+    assert.deepEqual(problems, []);
+  });
+}
+
+/** Waits until an output of the lesson reads so. */
+const reads = (page, value, wanted) =>
+  page.waitForFunction(([name, pattern]) => new RegExp(pattern).test(document.querySelector(`.lesson [data-value=${name}]`)?.textContent), [value, wanted]);
+
+test('the lessons’ claims hold: counts, ranks, gaps', async () => {
+  const { page } = await browser.blankPage();
+  const button = (name) => page.locator('.lesson').getByRole('button', { name, exact: true });
+  await page.goto(`${browser.address}?lesson=mobility`);
+  await reads(page, 'count', '^−2$');
+  await reads(page, 'rank', '^1$');
+  await button('Open the 3RPS').click();
+  await reads(page, 'count', '^3$');
+  await reads(page, 'rank', '^3$');
+  await button('α = 1°').click();
+  await reads(page, 'count', '^3$');
+  await button('Open the four-bar').click();
+  await reads(page, 'rank', '^1$');
+  await button('α = 1°').click();
+  await reads(page, 'warnings', 'cannot be closed');
+  await button('Open the 3CRR').click();
+  await reads(page, 'count', '^0$');
+  await reads(page, 'rank', '^3$');
+
+  const worst = async () => {
+    const [shift, turn] = (await page.locator('.lesson [data-value=worst]').first().textContent()).split(' and ').map(parseFloat);
+    return { shift, turn };
+  };
+  const after = async (name) => {
+    const old = await page.locator('.lesson [data-value=worst]').first().textContent();
+    await button(name).first().click();
+    await page.waitForFunction((was) => document.querySelector('.lesson [data-value=worst]').textContent !== was, old);
+    return worst();
+  };
+  await page.goto(`${browser.address}?lesson=metric`);
+  await reads(page, 'worst', 'and');
+  const paper = await worst();
+  const dear = await after('L = 0.3 m');
+  assert.ok(dear.shift < paper.shift && dear.turn > paper.turn, 'a small L makes shifts dear');
+  const cheap = await after('L = 10 m');
+  assert.ok(cheap.shift > paper.shift && cheap.turn < paper.turn, 'a large L makes them cheap');
+  assert.deepEqual(await after('L = 1 m'), paper);
+  const millimetres = await after('1 m → 1000 mm');
+  assert.ok(millimetres.shift / 1000 < 0.9 * paper.shift, 'the unit changes the motion');
+  const again = await after('L = 1000 mm');
+  assert.ok(Math.abs(again.shift / 1000 - paper.shift) < 1e-4 && again.turn === paper.turn, 'and the metric length mends it');
+
+  await page.goto(`${browser.address}?lesson=why`);
+  await reads(page, 'worst', 'and');
+  const three = await worst();
+  const two = await after('Remove chain 3');
+  await reads(page, 'rank', '^4$');
+  assert.ok(two.shift + two.turn / 57 < three.shift + three.turn / 57, 'a freedom more, a smaller gap');
+});

@@ -1,0 +1,36 @@
+// A mechanism in another unit of length is the same mechanism.
+import assert from 'node:assert/strict';
+import { readFileSync, readdirSync } from 'node:fs';
+import { test } from 'node:test';
+import { convertLengths } from '../../www/units.js';
+
+const folder = new URL('../../www/mechanisms/', import.meta.url);
+const documents = readdirSync(folder).filter((name) => name.endsWith('.json') && name !== 'index.json');
+const read = (name) => JSON.parse(readFileSync(new URL(name, folder), 'utf8'));
+
+for (const name of documents) {
+  test(`${name}: lengths are converted, angles are not, and back again`, () => {
+    const before = read(name);
+    const after = convertLengths(before, 1000, 'mm');
+    assert.equal(after.length_unit, 'mm');
+    const [chain, scaled] = [before.chains[0], after.chains[0]];
+    if (chain.base) {
+      assert.equal(scaled.base.x, Number((chain.base.x * 1000).toPrecision(12)));
+      assert.equal(scaled.base.longitude, chain.base.longitude);
+    }
+    assert.equal(scaled.joints[0].rows?.[0].alpha, chain.joints[0].rows?.[0].alpha);
+    assert.equal(after.planner?.metric_length, before.planner?.metric_length);
+    assert.deepEqual(convertLengths(after, 1 / 1000, before.length_unit), before);
+  });
+}
+
+test('of a start and of limits only the sliders’ values are lengths', () => {
+  const rps = read('3rps.json');
+  rps.chains[0].joints[1].limits = [{ min: 1, max: 2 }];
+  rps.chains[0].joints[0].limits = [{ min: -90 }];
+  const { start, joints } = convertLengths(rps, 10, 'dm').chains[0];
+  const [r, p, ...s] = rps.chains[0].start;
+  assert.deepEqual(start, [r, Number((p * 10).toPrecision(12)), ...s]);
+  assert.deepEqual(joints[1].limits, [{ min: 10, max: 20 }]);
+  assert.deepEqual(joints[0].limits, [{ min: -90 }]);
+});

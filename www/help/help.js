@@ -1,0 +1,41 @@
+/**
+ * The Help menu: the first minute, the keys, what the numbers mean, the lessons.
+ *
+ * @typedef {import('../main.js').App} App
+ */
+import { byId } from '../dom.js';
+import { menuButton } from '../view/menu.js';
+import { askedLesson, lessons, openLesson } from './lessons.js';
+import { startTour, wasSeen } from './tour.js';
+
+/** @param {App} app */
+export function createHelp(app) {
+  const reference = () => import('./reference.js');
+  const showKeys = () => reference().then(({ showKeys: show }) => show());
+  const showNumbers = () => reference().then(({ showNumbers: show }) => show());
+
+  byId('menus').append(
+    menuButton('Help', () => [
+      { label: 'First minute', hint: 'A short tour of the page', act: () => startTour({ focus: true }) },
+      { label: 'Keys', hint: 'Everything from the keyboard: ?', act: showKeys },
+      { label: 'What the numbers mean', hint: 'Each with its equation', act: showNumbers },
+      'line',
+      ...lessons.map(({ id, title, line }) => ({ label: `Lesson: ${title}`, hint: line, act: () => openLesson(app, id) })),
+    ]),
+  );
+  document.addEventListener('keydown', (event) => {
+    const typing = /** @type {Element | null} */ (event.target)?.closest('input:not([type=range]), select, textarea');
+    if (event.key !== '?' || event.ctrlKey || event.metaKey || typing || document.querySelector('dialog[open]')) return;
+    event.preventDefault();
+    showKeys();
+  });
+
+  // After the first motion: the lesson of the address, or the first minute of a first visit.
+  const leave = app.store.subscribe('result', () => {
+    if (!app.store.result.motion) return;
+    leave();
+    const lesson = askedLesson();
+    if (lesson !== null) openLesson(app, lesson);
+    else if (!wasSeen()) startTour({ focus: false });
+  });
+}

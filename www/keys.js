@@ -1,0 +1,22 @@
+/**
+ * The page's keys, as Help lists them: what each does, and where it works. A part that listens to keys adds its own here.
+ *
+ * @typedef {{keys: string[], does: string, where: string}} Key
+ */
+
+/** @type {Key[]} */
+export const KEYS = [
+  { keys: ['Space'], does: 'play or pause', where: 'Anywhere but in a field' },
+  { keys: ['?'], does: 'show these keys', where: 'Anywhere but in a field' },
+  { keys: ['Ctrl+Z'], does: 'undo', where: 'Anywhere' },
+  { keys: ['Ctrl+Shift+Z', 'Ctrl+Y'], does: 'redo', where: 'Anywhere' },
+  { keys: ['←', '→', '↑', '↓'], does: 'turn the view', where: '3D view' },
+  { keys: ['Shift+arrows'], does: 'shift the view', where: '3D view' },
+  { keys: ['+', '−'], does: 'zoom', where: '3D view' },
+  { keys: ['Home'], does: 'show the whole linkage', where: '3D view' },
+  { keys: ['←', '→'], does: 'one frame back or on', where: 'Scrub bar' },
+  { keys: ['Home', 'End'], does: 'first or last frame', where: 'Scrub bar' },
+  { keys: ['↑', '↓', 'Enter'], does: 'cell above or below', where: 'Tables' },
+  { keys: ['Tab'], does: 'next cell', where: 'Tables' },
+  { keys: ['Escape'], does: 'give the cell its old value', where: 'Tables' },
+];

@@ -1,0 +1,36 @@
+/**
+ * The same mechanism written in another unit of length.
+ *
+ * @typedef {import('./types.js').MechanismDocument} MechanismDocument
+ */
+import { JOINT_TYPES } from './joint-types.js';
+
+/**
+ * Multiplies every length by a factor. The metric length stays: it is a choice, not a size.
+ * @param {MechanismDocument} document
+ * @param {number} factor
+ * @param {string} unit
+ * @returns {MechanismDocument}
+ */
+export function convertLengths(document, factor, unit) {
+  // What is no number is at fault, and stays as typed.
+  const times = (/** @type {any} */ value) => (typeof value === 'number' ? Number((value * factor).toPrecision(12)) : value);
+  /** @template {object} T @param {T} from @param {string[]} keys @returns {T} */
+  const scaled = (from, keys) => /** @type {T} */ (Object.fromEntries(Object.entries(from).map(([key, value]) => [key, keys.includes(key) ? times(value) : value])));
+  const place = (/** @type {any} */ frame) => frame && scaled(frame, ['x', 'y', 'z']);
+
+  const chains = document.chains.map((chain) => {
+    const slides = chain.joints.flatMap(({ type }) => JOINT_TYPES[type]?.rows.flat() ?? []).map((variable) => variable === 'd');
+    let variable = 0;
+    const joints = chain.joints.map((joint) => {
+      const first = variable;
+      variable += JOINT_TYPES[joint.type]?.rows.flat().length ?? 0;
+      const limits = joint.limits?.map((limit, i) => (limit && slides[first + i] ? scaled(limit, ['min', 'max']) : limit));
+      return { ...joint, ...(joint.rows && { rows: joint.rows.map((row) => scaled(row, ['a', 'd'])) }), ...(limits && { limits }) };
+    });
+    const start = chain.start?.map((value, i) => (slides[i] ? times(value) : value));
+    return { ...chain, joints, ...(chain.base && { base: place(chain.base) }), ...(chain.gripper && { gripper: place(chain.gripper) }), ...(start && { start }) };
+  });
+  const motion = { ...scaled(document.motion, ['radius']), key_frames: document.motion.key_frames.map(place) };
+  return { ...document, length_unit: unit, chains, motion };
+}
