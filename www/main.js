@@ -22,6 +22,7 @@ import { samples } from './samples.js';
 import { createStore } from './store.js';
 import { createHistory } from './view/history.js';
 import { createNotices } from './view/notice.js';
+import { createPointing } from './view/pointing.js';
 import { createStatus } from './view/status.js';
 import { createTables } from './view/tables.js';
 import { createTabs } from './view/tabs.js';
@@ -55,6 +56,7 @@ function connect(defaults) {
   createTransport(store, player);
   createHistory(store);
   createHelp(app);
+  createPointing(app);
 
   store.subscribe('document', () => {
     setText(byId('about'), store.document.about ?? '');

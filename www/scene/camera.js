@@ -73,6 +73,7 @@ export function createCamera(canvas, changed) {
 
   return {
     camera,
+    controls,
     fit,
     /** What `fit` shows. @param {Vector3} centre @param {number} radius */
     setHome(centre, radius) {

@@ -12,14 +12,15 @@ export function createLabels(layer) {
   let labels = [];
   const seen = new Vector3();
   return {
-    /** @param {Label[]} items */
-    set(items) {
+    /** @param {Label[]} items @param {string} chosen @param {string} pointed places */
+    set(items, chosen, pointed) {
       while (labels.length > items.length) labels.pop()?.tag.remove();
       items.forEach(({ at, text, place }, index) => {
         labels[index] ??= { at, tag: layer.appendChild(element('span', {})) };
         const { tag } = labels[index];
         labels[index].at = at;
         if (tag.dataset.place !== place) tag.dataset.place = place;
+        tag.className = place === chosen ? 'chosen' : place === pointed ? 'pointed' : '';
         setText(tag, text);
       });
     },

@@ -40,10 +40,14 @@ export class MotionPaths {
     this.#closest = new Tube(materials.closest);
     this.#closest.mesh.userData.place = 'closest';
     this.#ghostBody = new Mesh(new BufferGeometry(), materials.ghost);
+    this.#ghostBody.userData.faint = true;
     this.#ghostAxes = triad(1, materials.faintAxes);
+    this.#ghost.userData.place = 'goal';
     this.#ghost.add(this.#ghostBody, this.#ghostAxes);
     this.#reached = triad(1, materials.axes);
     this.#reached.userData.place = 'workpiece';
+    this.#goal.mesh.userData.anchor = this.#ghost;
+    this.#closest.mesh.userData.anchor = this.#reached;
     this.#gap = rod(new Vector3(), new Vector3(), 1, materials.gap);
     this.#gap.userData.place = 'gap';
     this.group.add(this.#goal.mesh, this.#closest.mesh, this.#ghost, this.#reached, this.#gap);
@@ -79,6 +83,7 @@ export class MotionPaths {
   #addKey(index) {
     const mark = triad(1, this.#materials.axes);
     mark.userData.place = `motion.key_frames[${index}]`;
+    mark.userData.anchor = mark;
     this.group.add(mark);
     return mark;
   }

@@ -5,7 +5,7 @@ import { Color } from 'three';
 
 const NAMES = /** @type {const} */ ([
   'metal', 'dark-metal', 'workpiece', 'ground', 'grid', 'goal', 'closest', 'gap',
-  'chain-0', 'chain-1', 'chain-2', 'chain-3', 'chain-4', 'axis-x', 'axis-y', 'axis-z',
+  'accent', 'chain-0', 'chain-1', 'chain-2', 'chain-3', 'chain-4', 'axis-x', 'axis-y', 'axis-z',
 ]);
 
 /** @typedef {Record<typeof NAMES[number], Color>} Palette */

@@ -4,9 +4,10 @@
  * @typedef {import('../types.js').Motion} Motion
  * @typedef {import('../types.js').Result} Result
  */
-import { Scene, WebGLRenderer } from 'three';
+import { Scene, Vector3, WebGLRenderer } from 'three';
 import { createCamera } from './camera.js';
 import { createGround } from './ground.js';
+import { createHighlight } from './highlight.js';
 import { createLabels } from './labels.js';
 import { createLight } from './light.js';
 import { Linkage } from './linkage.js';
@@ -14,6 +15,7 @@ import { createMaterials } from './materials.js';
 import { createMeasure } from './measure.js';
 import { MotionPaths } from './motion-paths.js';
 import { readPalette } from './palette.js';
+import { createPicker } from './pick.js';
 
 /**
  * @param {{canvas: HTMLCanvasElement, labels: HTMLElement}} place
@@ -34,11 +36,15 @@ export function createScene({ canvas, labels: layer }, changed) {
   const linkage = new Linkage(materials);
   const paths = new MotionPaths(materials);
   const { size, take } = createMeasure();
+  const things = [linkage.group, paths.group];
+  const highlight = createHighlight(things);
+  const pick = createPicker(things, canvas, () => view.camera);
   root.add(...light.objects, ground.group, linkage.group, paths.group);
 
   function paint() {
     const palette = readPalette(canvas);
     materials.paint(palette);
+    highlight.paint(palette.accent);
     light.sky.groundColor.copy(palette.ground);
     ground.material.color.copy(palette.grid);
     changed();
@@ -55,15 +61,75 @@ export function createScene({ canvas, labels: layer }, changed) {
     renderer.setPixelRatio(Math.min(2, devicePixelRatio));
     renderer.setSize(width, height, false);
     view.setAspect(width / height);
+    highlight.resize(width, height);
     changed();
   }
   new ResizeObserver(resize).observe(canvas);
   resize();
 
+  /** What is chosen and what is pointed at, with the names that stand beside them; none for an empty text. */
+  const marks = [
+    { place: '', text: '', at: new Vector3() },
+    { place: '', text: '', at: new Vector3() },
+  ];
+  const [chosen, pointed] = marks;
+
+  function setLabels() {
+    const bases = linkage.bases.map((at, index) => ({ at, text: String(index + 1), place: `chains[${index}].base` }));
+    const standing = [...paths.labels, ...bases];
+    const named = marks.filter(({ place, text }, index) => text && !(index && place === chosen.place) && highlight.anchorOf(place, marks[index].at));
+    labels.set([...standing.filter(({ place }) => !named.some((mark) => mark.place === place)), ...named], chosen.place, pointed.place);
+  }
+
   let built = false;
   let draws = 0;
+  /** @type {Set<(event: PointerEvent) => boolean>} */
+  const claimants = new Set();
+  /** @type {Set<() => void>} */
+  const drawn = new Set();
   return {
+    canvas,
+    /** Where other bodies, such as handles, are added. */
+    root,
+    changed,
     fit: view.fit,
+    /** Orbit, pan and zoom; `enabled` is off while something else is dragged. */
+    controls: view.controls,
+    get camera() {
+      return view.camera;
+    },
+    /** Of the scene, and of a link. */
+    get radius() {
+      return size.radius;
+    },
+    get linkRadius() {
+      return size.link;
+    },
+    /** The place of the thing under a pointer; empty for none. */
+    pick,
+    /** Asked before a pointer points at a thing or selects it: true takes the pointer. */
+    claimants,
+    /** @param {PointerEvent} event */
+    claims: (event) => [...claimants].some((claim) => claim(event)),
+    /** Called before every draw. */
+    drawn,
+
+    /**
+     * Outlines what is chosen and what is pointed at, and names them unless the text is empty.
+     * @param {{place: string, text: string}} select
+     * @param {{place: string, text: string}} point
+     */
+    highlight(select, point) {
+      const same = chosen.place === select.place && chosen.text === select.text && pointed.place === point.place && pointed.text === point.text;
+      if (same || !built) return;
+      Object.assign(chosen, select);
+      Object.assign(pointed, point);
+      highlight.set(select.place, point.place);
+      canvas.dataset.selected = select.place;
+      canvas.dataset.hovered = point.place;
+      setLabels();
+      changed();
+    },
 
     /**
      * @param {Result} result with a motion
@@ -79,7 +145,8 @@ export function createScene({ canvas, labels: layer }, changed) {
       ground.lay(size.centre, size.radius, size.ground);
       linkage.update(motion, document, size.link, size.ground);
       paths.update(motion, document, size.link, linkage.body);
-      labels.set([...paths.labels, ...linkage.bases.map((at, index) => ({ at, text: String(index + 1), place: `chains[${index}].base` }))]);
+      highlight.set(chosen.place, pointed.place);
+      setLabels();
       if (afresh) view.fit();
       changed();
     },
@@ -90,6 +157,8 @@ export function createScene({ canvas, labels: layer }, changed) {
         linkage.show(what);
         paths.show(what);
       }
+      for (const { place, text, at } of marks) if (text) highlight.anchorOf(place, at);
+      for (const tell of drawn) tell();
       light.beforeDraw();
       renderer.render(root, view.camera);
       labels.place(view.camera, width, height);
