@@ -67,6 +67,17 @@ test('every sample: every frame is closed, and its numbers are shown', async () 
   assert.deepEqual(problems, []);
 });
 
+test('mobility is told by count, by n − m and by rank, and a difference is put into words', async () => {
+  const { page } = await browser.openPage();
+  const told = () => Promise.all(['mobility-count', 'mobility-difference', 'mobility-rank'].map((id) => text(page, id)));
+  assert.deepEqual(await told(), ['3', '23 − 20 = 3', '3']);
+  assert.match(await text(page, 'mobility-sentence'), /as the count says/);
+  await page.selectOption('#sample', 'four-bar.json');
+  await page.waitForFunction(() => document.querySelector('#mobility-rank').textContent === '1');
+  assert.deepEqual(await told(), ['−2', '12 − 14 = −2', '1']);
+  assert.match(await text(page, 'mobility-sentence'), /repeat each other/);
+});
+
 test('steps, scrubs and plays from the keyboard', async () => {
   const { page } = await browser.openPage();
   await page.getByRole('button', { name: 'One frame on' }).click();

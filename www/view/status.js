@@ -72,6 +72,7 @@ export function createStatus(store, player, goToFault) {
       '.',
     );
     setText(byId('mobility-count'), short(report.mobility_count));
+    setText(byId('mobility-difference'), unknownsLessEquations(report.chains));
     setText(byId('mobility-rank'), String(report.mobility_rank));
     setText(byId('mobility-sentence'), mobilitySentence(report.mobility_count, report.mobility_rank));
     byId('chain-rows').replaceChildren(
@@ -117,4 +118,14 @@ export function createStatus(store, player, goToFault) {
     showFrame();
     speak();
   });
+}
+
+/**
+ * Eq. 26 as a sum: n = 8 + Σnᵢ unknowns, the dual quaternion and the joint values, less m = 6k + 2 equations.
+ * @param {{freedoms: number}[]} chains
+ */
+function unknownsLessEquations(chains) {
+  const n = chains.reduce((sum, { freedoms }) => sum + freedoms, 8);
+  const m = 6 * chains.length + 2;
+  return `${n} − ${m} = ${short(n - m)}`;
 }
