@@ -20,7 +20,9 @@ import { Player } from './player.js';
 import { createReplanning } from './replan.js';
 import { samples } from './samples.js';
 import { createStore } from './store.js';
+import { createDock } from './view/dock.js';
 import { createHistory } from './view/history.js';
+import { whenSeen } from './view/lazy.js';
 import { createNotices } from './view/notice.js';
 import { createPointing } from './view/pointing.js';
 import { createStatus } from './view/status.js';
@@ -33,7 +35,7 @@ const store = createStore(JSON.parse(samples[0].text));
 const player = new Player(store, () => stage.draw());
 const stage = createStage(store, player);
 const tabs = createTabs(byId('tabs'));
-createTabs(byId('dock-tabs'));
+createDock(tabs, createTabs(byId('dock-tabs')));
 const say = createNotices(byId('notices'));
 
 /** @param {string} text a document */
@@ -57,6 +59,7 @@ function connect(defaults) {
   createHistory(store);
   createHelp(app);
   createPointing(app);
+  whenSeen(byId('charts'), 'The charts', async () => (await import('./view/charts.js')).createCharts(app, byId('charts')));
 
   store.subscribe('document', () => {
     setText(byId('about'), store.document.about ?? '');

@@ -25,7 +25,10 @@ export function createStore(first) {
   /** @type {Result} */
   let result = { motion: null, document: null, fault: null, trouble: '' };
   /** @type {View} */
-  let view = { frame: 0, playing: false, posture: null, selected: '', hovered: '' };
+  let view = {
+    frame: 0, playing: false, posture: null, selected: '', hovered: '',
+    speed: 1, loop: 'bounce', charts: ['translation', 'rotation', 'joints', 'sigma'],
+  };
   /** @type {Insight | null} */
   let insight = null;
   /** @type {Record<Part, Set<() => void>>} */

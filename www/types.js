@@ -33,7 +33,9 @@
  *
  * What is looked at. `posture` is shown in place of the frame while the linkage is moved by hand (pulled or taught);
  * playing, scrubbing or an edit ends it. `selected` and `hovered` are places of the document, such as `chains[1]`,
- * `chains[1].joints[0]` or `motion.key_frames[2]`, or `workpiece`; empty for nothing.
- * @typedef {{frame: number, playing: boolean, posture: Posture | null, selected: string, hovered: string}} View
+ * `chains[1].joints[0]` or `motion.key_frames[2]`, or `workpiece`; empty for nothing. `charts` are groups of charts
+ * (view/chart-list.js); `speed` is a factor; `loop` is what the player does at the end.
+ * @typedef {{frame: number, playing: boolean, posture: Posture | null, selected: string, hovered: string,
+ *   speed: number, loop: 'once' | 'loop' | 'bounce', charts: string[]}} View
  */
 export {};

@@ -76,5 +76,8 @@ test('listeners hear of their part only, until they leave', () => {
   leave();
   store.setView({ frame: 4 });
   assert.deepEqual(heard, ['view', 'result']);
-  assert.deepEqual(store.view, { frame: 4, playing: false, posture: null, selected: '', hovered: '' });
+  assert.deepEqual(store.view, {
+    frame: 4, playing: false, posture: null, selected: '', hovered: '',
+    speed: 1, loop: 'bounce', charts: ['translation', 'rotation', 'joints', 'sigma'],
+  });
 });

@@ -4,12 +4,13 @@
 
 /** @param {HTMLElement} list holds the tabs, each naming its panel by `aria-controls` */
 export function createTabs(list) {
-  const tabs = /** @type {HTMLElement[]} */ ([...list.querySelectorAll('[role=tab]')]);
+  /** The dock's tabs come and go with the width of the window. */
+  const all = () => /** @type {HTMLElement[]} */ ([...list.querySelectorAll('[role=tab]')]);
   const panel = (/** @type {HTMLElement} */ tab) => document.getElementById(tab.getAttribute('aria-controls') ?? '');
 
   /** @param {HTMLElement} chosen */
   function choose(chosen) {
-    for (const tab of tabs) {
+    for (const tab of all()) {
       const on = tab === chosen;
       tab.setAttribute('aria-selected', String(on));
       tab.tabIndex = on ? 0 : -1;
@@ -18,12 +19,12 @@ export function createTabs(list) {
   }
 
   list.addEventListener('click', (event) => {
-    const tab = tabs.find((candidate) => candidate.contains(/** @type {Node} */ (event.target)));
+    const tab = all().find((candidate) => candidate.contains(/** @type {Node} */ (event.target)));
     if (tab) choose(tab);
   });
   list.addEventListener('keydown', (event) => {
     const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
-    const shown = tabs.filter((tab) => tab.offsetParent);
+    const shown = all().filter((tab) => tab.offsetParent);
     if (!step) return;
     const at = shown.findIndex((tab) => tab.getAttribute('aria-selected') === 'true');
     const next = shown[(at + step + shown.length) % shown.length];
@@ -33,14 +34,20 @@ export function createTabs(list) {
   });
 
   return {
+    /** After tabs have come or gone: exactly one is chosen. */
+    settle() {
+      const chosen = all().filter((tab) => tab.getAttribute('aria-selected') === 'true');
+      const first = chosen[0] ?? all()[0];
+      if (first) choose(first);
+    },
     /** @param {Element} shown a panel */
     choosePanel(shown) {
-      const tab = tabs.find((candidate) => panel(candidate) === shown);
+      const tab = all().find((candidate) => panel(candidate) === shown);
       if (tab) choose(tab);
     },
     /** Marks the tab whose panel holds the fault. @param {Element | null} faulty */
     mark(faulty) {
-      for (const tab of tabs) tab.classList.toggle('faulty', faulty !== null && panel(tab) === faulty);
+      for (const tab of all()) tab.classList.toggle('faulty', faulty !== null && panel(tab) === faulty);
     },
   };
 }

@@ -1,0 +1,106 @@
+/**
+ * The dock below the view: its height, folded or not, and where its panels are on a phone: among the other tabs.
+ *
+ * @typedef {ReturnType<typeof import('./tabs.js').createTabs>} Tabs
+ */
+import { byId } from '../dom.js';
+
+/** Where the browser remembers the dock. */
+const KEY = 'synthetica.dock';
+/** Below this height of the window, in pixels, the view needs the room itself. */
+const LOW_WINDOW = 700;
+const PHONE = '(max-width: 759px)';
+/** Pixels. */
+const LEAST = 90;
+const STEP = 24;
+/** What stays of the view's height, in pixels. */
+const VIEW = 160;
+
+/** @param {Tabs} tabs of the tables @param {Tabs} dockTabs */
+export function createDock(tabs, dockTabs) {
+  const dock = byId('dock');
+  const handle = byId('dock-handle');
+  const toggle = byId('dock-toggle');
+  const view = /** @type {HTMLElement} */ (dock.parentElement?.querySelector('.view'));
+  const state = { height: 210, open: innerHeight >= LOW_WINDOW, ...recall() };
+
+  const panelHeight = () => /** @type {HTMLElement} */ (dock.querySelector('.panel.shown')).offsetHeight;
+  const most = () => Math.max(LEAST, panelHeight() + view.offsetHeight - VIEW);
+
+  function show() {
+    dock.classList.toggle('closed', !state.open);
+    dock.style.setProperty('--dock-height', `${state.height}px`);
+    toggle.setAttribute('aria-expanded', String(state.open));
+    toggle.title = state.open ? 'Fold the charts away' : 'Show the charts';
+    handle.setAttribute('aria-valuenow', String(state.open ? state.height : 0));
+  }
+
+  /** @param {{height?: number, open?: boolean}} change */
+  function set(change) {
+    Object.assign(state, change);
+    show();
+    remember(state);
+  }
+
+  /** Below the least height the dock folds. @param {number} height */
+  function resize(height) {
+    if (height < LEAST / 2) return set({ open: false });
+    set({ open: true });
+    set({ height: Math.round(Math.min(most(), Math.max(LEAST, height))) });
+  }
+
+  toggle.addEventListener('click', () => set({ open: !state.open }));
+  byId('dock-tabs').addEventListener('click', (event) => {
+    if (/** @type {Element} */ (event.target).closest('[role=tab]')) set({ open: true });
+  });
+  handle.addEventListener('keydown', (event) => {
+    const now = state.open ? state.height : 0;
+    const next = { ArrowUp: now ? now + STEP : LEAST, ArrowDown: now > LEAST ? Math.max(LEAST, now - STEP) : 0, Home: 0, End: Infinity }[event.key];
+    if (next === undefined) return;
+    event.preventDefault();
+    resize(next);
+  });
+  let grip = 0;
+  handle.addEventListener('pointerdown', (event) => {
+    handle.setPointerCapture(event.pointerId);
+    grip = event.clientY + (state.open ? panelHeight() : 0);
+  });
+  handle.addEventListener('pointermove', (event) => {
+    if (handle.hasPointerCapture(event.pointerId)) resize(grip - event.clientY);
+  });
+
+  const phone = matchMedia(PHONE);
+  /** Moves the tabs with their panels. */
+  function arrange() {
+    const [row, panels] = phone.matches ? [byId('tabs'), byId('tables')] : [byId('dock-tabs'), dock];
+    for (const name of ['charts', 'algorithm']) {
+      row.append(byId(`tab-${name}`));
+      panels.append(byId(name));
+    }
+    tabs.settle();
+    dockTabs.settle();
+  }
+  phone.addEventListener('change', arrange);
+  arrange();
+  show();
+}
+
+/** @returns {{height?: number, open?: boolean}} */
+function recall() {
+  try {
+    const { height, open } = JSON.parse(localStorage.getItem(KEY) ?? '{}');
+    return { ...(height >= LEAST && { height }), ...(typeof open === 'boolean' && { open }) };
+  } catch {
+    // Storage may be forbidden, or hold something else.
+    return {};
+  }
+}
+
+/** @param {object} state */
+function remember(state) {
+  try {
+    localStorage.setItem(KEY, JSON.stringify(state));
+  } catch {
+    // Then the dock opens as it does for the first time.
+  }
+}
