@@ -1,11 +1,13 @@
 //! Plans documents without a browser: `cargo run --release --example plan -- DOCUMENT` prints the
-//! motion as CSV (rad and lengths), warnings and faults go to standard error.
+//! motion as CSV, warnings and faults go to standard error.
 //!
 //! With `--time` before the documents it prints one JSON line each instead: the median time from text
 //! to planned motion and its frames for drawing, for comparison with the same in a browser.
 
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
+use synthetica::columns::csv;
+use synthetica::document::Document;
 use synthetica::fault::Fault;
 use synthetica::json;
 use synthetica::problem::Problem;
@@ -31,15 +33,19 @@ fn main() -> ExitCode {
             }
         };
         match solve(&text) {
-            Ok((problem, trajectory)) if time => {
+            Ok((_, _, trajectory)) if time => {
                 let microseconds = median_microseconds(&text);
                 println!(
                     "{}",
                     serde_json::json!({ "document": file, "frames": trajectory.frames(), "microseconds": microseconds })
                 );
-                drop(problem);
             }
-            Ok((problem, trajectory)) => print_csv(&problem, &trajectory),
+            Ok((document, problem, trajectory)) => {
+                for warning in Report::new(&problem.mechanism, &trajectory).warnings {
+                    eprintln!("{}", warning.message);
+                }
+                print!("{}", csv(&document, &problem.mechanism, &trajectory));
+            }
             Err(fault) => {
                 eprintln!("{file}: {}", fault.message);
                 return ExitCode::FAILURE;
@@ -49,42 +55,11 @@ fn main() -> ExitCode {
     ExitCode::SUCCESS
 }
 
-fn solve(text: &str) -> Result<(Problem, Trajectory), Fault> {
-    let problem = Problem::new(&json::parse(text)?)?;
+fn solve(text: &str) -> Result<(Document, Problem, Trajectory), Fault> {
+    let document = json::parse(text)?;
+    let problem = Problem::new(&document)?;
     let trajectory = problem.plan();
-    Ok((problem, trajectory))
-}
-
-fn print_csv(problem: &Problem, t: &Trajectory) {
-    let report = Report::new(&problem.mechanism, t);
-    for warning in &report.warnings {
-        eprintln!("{}", warning.message);
-    }
-    let mut header = "frame,time,status,metric,translation_gap,rotation_gap,closure,sigma_min,projected_gradient,iterations,x,y,z,qx,qy,qz,qw".to_owned();
-    for (i, chain) in report.chains.iter().enumerate() {
-        for variable in &chain.variables {
-            header += &format!(",chain{}_{}", i + 1, variable.label);
-        }
-    }
-    println!("{header}");
-    for i in 0..t.frames() {
-        let (d, q) = (t.poses[i].translation.vector, t.poses[i].rotation.coords);
-        let mut line = format!("{},{},{}", i + 1, t.time[i], t.status[i].name());
-        let numbers = [
-            t.metric[i],
-            t.translation_gap[i],
-            t.rotation_gap[i],
-            t.closure[i],
-            t.sigma_min[i],
-            t.projected_gradient[i],
-            f64::from(t.iterations[i]),
-        ];
-        let place = [d.x, d.y, d.z, q.x, q.y, q.z, q.w];
-        for x in numbers.iter().chain(&place).chain(t.joints_at(i)) {
-            line += &format!(",{x}");
-        }
-        println!("{line}");
-    }
+    Ok((document, problem, trajectory))
 }
 
 /// Median of 15 samples, each a batch that lasts 20 ms or more: a browser's clock is coarse, and
@@ -97,7 +72,7 @@ fn median_microseconds(text: &str) -> f64 {
             let clock = Instant::now();
             let mut runs = 0;
             while clock.elapsed() < BATCH {
-                let solved = solve(text).map(|(problem, motion)| problem.row_frames(&motion));
+                let solved = solve(text).map(|(_, problem, motion)| problem.row_frames(&motion));
                 std::hint::black_box(solved.is_ok());
                 runs += 1;
             }

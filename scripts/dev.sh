@@ -15,7 +15,7 @@ usage: scripts/dev.sh COMMAND
   bench                 benchmarks; native against wasm
 
 environment: CHROMIUM, CHROMEDRIVER  the browser and its driver, where they are not on the PATH
-             SYNTHETICA_CACHE        where the wasm tools are kept (default ~/.cache/synthetica)
+             SYNTHETICA_CACHE        where the wasm tools and MuJoCo are kept (default ~/.cache/synthetica)
 TXT
 }
 
@@ -37,11 +37,13 @@ setup_rust() {
   fi
 }
 
+cache() { printf %s "${SYNTHETICA_CACHE:-${XDG_CACHE_HOME:-$HOME/.cache}/synthetica}"; }
+
 # wasm-pack and wasm-bindgen, built once for every clone with the same tools/ and toolchain.
 setup_wasm_tools() {
-  local cache=${SYNTHETICA_CACHE:-${XDG_CACHE_HOME:-$HOME/.cache}/synthetica} key tool
+  local key tool
   key=$(cat rust-toolchain.toml tools/Cargo.toml tools/Cargo.lock tools/src/bin/*.rs | git hash-object --stdin)
-  local root=$cache/tools-${key:0:12}
+  local root; root=$(cache)/tools-${key:0:12}
   for tool in wasm-pack wasm-bindgen wasm-bindgen-test-runner; do
     if [ ! -x "$root/bin/$tool" ]; then
       say "wasm-pack and wasm-bindgen, into $root (about three minutes, once)"
@@ -83,6 +85,29 @@ setup_browser() {
   # Tells wasm-bindgen's test runner which browser to start.
   export WASM_BINDGEN_TEST_WEBDRIVER_JSON=$PWD/tools/node_modules/.webdriver.json
   printf '{"goog:chromeOptions": {"binary": "%s"}}\n' "$CHROMIUM" >"$WASM_BINDGEN_TEST_WEBDRIVER_JSON"
+}
+
+# Python with MuJoCo in an environment of its own, made once for every clone with the same requirements.
+setup_mujoco() {
+  local wanted=tests/mujoco/requirements.txt key
+  if ! has python3 || ! python3 -c 'import venv, ensurepip' 2>/dev/null; then
+    if has apt-get && [ "$(id -u)" = 0 ]; then
+      say "Python, by apt-get"
+      { apt-get update -q && apt-get install -q -y --no-install-recommends python3 python3-venv; } </dev/null
+    fi
+  fi
+  python3 -c 'import sys, venv, ensurepip; sys.exit(sys.version_info < (3, 11))' 2>/dev/null \
+    || fail "needs python3 (3.11 or later) with its venv module, to check the exported models with MuJoCo"
+  key=$({ cat "$wanted"; python3 -c 'import sys; print(sys.version, sys.executable)'; } | git hash-object --stdin)
+  local root; root=$(cache)/mujoco-${key:0:12}
+  if [ ! -d "$root" ]; then
+    say "MuJoCo, into $root"
+    # Only a whole one gets its name, so that what was interrupted is made anew.
+    python3 -m venv "$root-$$"
+    "$root-$$/bin/python" -m pip install --quiet --disable-pip-version-check --only-binary :all: -r "$wanted"
+    if [ -d "$root" ]; then rm -r "$root-$$"; else mv "$root-$$" "$root"; fi
+  fi
+  MUJOCO_PYTHON=$root/bin/python
 }
 
 # --- what is done ---------------------------------------------------------------------------------
@@ -136,6 +161,13 @@ test_wasm() {
   wasm-pack test --mode no-install --headless --chrome --chromedriver "$CHROMEDRIVER" . | some_ran
 }
 
+# Every sample as a MuJoCo model: MuJoCo's own residuals at every frame.
+test_mujoco() {
+  say "exported models, in MuJoCo"
+  cargo build --quiet --locked --all-features --example export
+  "$MUJOCO_PYTHON" tests/mujoco/check.py "${CARGO_TARGET_DIR:-target}/debug/examples/export" www/mechanisms
+}
+
 # The bytes that a visitor's browser loads for the planner.
 check_size() {
   local limit=150000 size # bytes after gzip
@@ -169,6 +201,7 @@ PATH=$PWD/tools/node_modules/.bin:$PATH
 case $command in
   setup)
     setup_browser
+    setup_mujoco
     say "all there"
     ;;
   serve)
@@ -193,8 +226,10 @@ case $command in
     ;;
   test)
     setup_browser
+    setup_mujoco
     lint_rust
     test_rust
+    test_mujoco
     test_wasm
     build_package
     check_size

@@ -49,7 +49,8 @@
 //! # Modules, from the top down
 //!
 //! ```text
-//! wasm        →  report, problem, json, defaults, enumerate
+//! wasm        →  export, report, problem, json, defaults, enumerate
+//! export      →  columns, mjcf                       columns, mjcf → report
 //! problem     →  document, start, planner            report → problem, trajectory
 //! planner     →  newton, gradient, keyframe, trajectory, closure
 //! start       →  newton, mechanism
@@ -73,10 +74,12 @@
 pub mod bounds;
 pub mod chain;
 pub mod closure;
+pub mod columns;
 pub mod defaults;
 pub mod dh;
 pub mod document;
 pub mod enumerate;
+pub mod export;
 pub mod fault;
 pub mod gradient;
 pub mod joint;
@@ -84,6 +87,7 @@ pub mod json;
 pub mod keyframe;
 pub mod linalg;
 pub mod mechanism;
+pub mod mjcf;
 pub mod newton;
 mod node;
 pub mod objective;

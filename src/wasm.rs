@@ -3,6 +3,7 @@
 use crate::defaults;
 use crate::document::SCHEMA;
 use crate::enumerate;
+use crate::export::{self, Format};
 use crate::fault::Fault;
 use crate::json;
 use crate::pose::Pose;
@@ -71,6 +72,26 @@ pub fn find_start(text: &str) -> Result<String, JsValue> {
     let problem = Problem::new(&document).map_err(|fault| refusal(&fault))?;
     document.set_start(&problem.mechanism, &problem.find_start());
     Ok(document.text())
+}
+
+/// The planned motion as text for other programs: `csv`, `json` or `mjcf`.
+///
+/// # Errors
+/// A `Fault` where the document is at fault, or where there is no such format.
+#[wasm_bindgen]
+pub fn export_motion(text: &str, format: &str) -> Result<String, JsValue> {
+    let written = Format::named(format).and_then(|format| {
+        let document = json::parse(text)?;
+        let problem = Problem::new(&document)?;
+        let motion = problem.plan();
+        Ok(export::write(
+            format,
+            &document,
+            &problem.mechanism,
+            &motion,
+        ))
+    });
+    written.map_err(|fault| refusal(&fault))
 }
 
 /// What a page starts from: one of everything that can be added to a document.

@@ -20,6 +20,9 @@ const LAYERS: &[&[(&str, &str)]] = layers! {
     [document start]
     [defaults json problem]
     [report]
+    [columns]
+    [mjcf]
+    [export]
     [wasm]
 };
 

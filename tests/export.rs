@@ -1,0 +1,195 @@
+//! What other programs are given: the table, the JSON and the MuJoCo model of a motion. (That MuJoCo
+//! finds the loops closed is tested by tests/mujoco.)
+
+use serde_json::Value;
+use synthetica::document::{Document, LimitsEntry};
+use synthetica::export::{Format, write};
+use synthetica::fault::FaultCode;
+use synthetica::json;
+use synthetica::problem::Problem;
+use synthetica::trajectory::Trajectory;
+
+const THREE_RPS: &str = include_str!("../www/mechanisms/3rps.json");
+const SCARA: &str = include_str!("../www/mechanisms/scara.json");
+const BENNETT: &str = include_str!("../www/mechanisms/bennett.json");
+
+fn read(text: &str) -> Document {
+    json::parse(text).expect("a document")
+}
+
+fn exported(document: &Document, format: Format) -> (String, Trajectory) {
+    let problem = Problem::new(document).expect("a problem");
+    let motion = problem.plan();
+    (write(format, document, &problem.mechanism, &motion), motion)
+}
+
+/// The values of an attribute of every element of this name, in order.
+fn attributes<'a>(xml: &'a str, element: &str, name: &str) -> Vec<&'a str> {
+    xml.lines()
+        .map(str::trim_start)
+        .filter_map(|line| line.strip_prefix('<')?.strip_prefix(element))
+        .filter_map(|rest| {
+            let (_, value) = rest.split_once(&format!(" {name}=\""))?;
+            value.split('"').next()
+        })
+        .collect()
+}
+
+#[test]
+fn the_table_has_units_in_its_headings_and_every_digit() {
+    let (text, motion) = exported(&read(THREE_RPS), Format::Csv);
+    let lines: Vec<Vec<&str>> = text.lines().map(|line| line.split(',').collect()).collect();
+    assert_eq!(lines.len(), motion.frames() + 1);
+    assert!(lines.iter().all(|line| line.len() == lines[0].len()));
+    let column = |heading: &str| {
+        let found = lines[0].iter().position(|h| *h == heading);
+        found.unwrap_or_else(|| panic!("no column {heading}: {:?}", lines[0]))
+    };
+    let number = |frame: usize, heading: &str| -> f64 {
+        lines[frame + 1][column(heading)].parse().expect("a number")
+    };
+    let same = |a: f64, b: f64| assert_eq!(a.to_bits(), b.to_bits());
+    for frame in [0, 64, 128] {
+        let joints = motion.joints_at(frame);
+        same(number(frame, "chain1_theta1[deg]"), joints[0].to_degrees());
+        same(number(frame, "chain1_d2[m]"), joints[1]);
+        same(number(frame, "chain3_theta5[deg]"), joints[14].to_degrees());
+        same(number(frame, "x[m]"), motion.poses[frame].translation.x);
+        same(
+            number(frame, "rotation_gap[deg]"),
+            motion.rotation_gap[frame].to_degrees(),
+        );
+        assert_eq!(
+            lines[frame + 1][column("status")],
+            motion.status[frame].name()
+        );
+    }
+    let mut document = read(SCARA);
+    document.length_unit = "mm, \"rough\"".into();
+    let (text, _) = exported(&document, Format::Csv);
+    assert!(text.starts_with("frame,time,status,\"x[mm, \"\"rough\"\"]\","));
+    document.length_unit.clear();
+    let (text, _) = exported(&document, Format::Csv);
+    assert!(text.starts_with("frame,time,status,x[length],"));
+}
+
+#[test]
+fn the_json_has_the_columns_and_the_document() {
+    let mut document = read(SCARA);
+    document.name = "a \"b\" \\ c".into();
+    let (text, motion) = exported(&document, Format::Json);
+    let value: Value = serde_json::from_str(&text).expect("JSON");
+    let columns = value["columns"].as_array().expect("columns");
+    let (table, _) = exported(&document, Format::Csv);
+    let headings = table.lines().next().expect("headings").split(',');
+    let names: Vec<String> = columns
+        .iter()
+        .map(|c| match (&c["name"], &c["unit"]) {
+            (Value::String(name), Value::String(unit)) if unit.is_empty() => name.clone(),
+            (Value::String(name), Value::String(unit)) => format!("{name}[{unit}]"),
+            other => panic!("{other:?}"),
+        })
+        .collect();
+    assert_eq!(names, headings.collect::<Vec<_>>());
+    for column in columns {
+        let values = column["values"].as_array().map(Vec::len);
+        assert_eq!(values, Some(motion.frames()), "{}", column["name"]);
+    }
+    assert_eq!(value["name"], "a \"b\" \\ c");
+    assert_eq!(value["frames"], motion.frames());
+    let kept = json::parse(&value["document"].to_string()).expect("the document");
+    assert_eq!(kept.text(), document.text());
+}
+
+#[test]
+fn the_model_has_a_joint_a_variable_and_a_weld_a_loop() {
+    let (xml, motion) = exported(&read(THREE_RPS), Format::Mjcf);
+    let joints = attributes(&xml, "joint", "name");
+    assert_eq!(joints.len(), motion.variables);
+    assert_eq!(
+        joints[..6],
+        [
+            "chain1_theta1",
+            "chain1_d2",
+            "chain1_theta3",
+            "chain1_theta4",
+            "chain1_theta5",
+            "chain2_theta1"
+        ]
+    );
+    assert_eq!(
+        attributes(&xml, "weld", "body2"),
+        ["chain2_end", "chain3_end"]
+    );
+    assert_eq!(attributes(&xml, "weld", "body1"), ["workpiece"; 2]);
+    let bodies = attributes(&xml, "body", "name");
+    assert_eq!(bodies.len(), 3 * (1 + 5 + 1));
+    assert_eq!(xml.matches("</body>").count(), bodies.len());
+    let keys = attributes(&xml, "key", "qpos");
+    assert_eq!(keys.len(), motion.frames());
+    for (frame, key) in keys.iter().enumerate() {
+        let values: Vec<f64> = key.split(' ').map(|x| x.parse().expect("x")).collect();
+        assert_eq!(values, motion.joints_at(frame));
+    }
+    let references: Vec<f64> = (attributes(&xml, "joint", "ref").iter())
+        .map(|x| x.parse().expect("a number"))
+        .collect();
+    assert_eq!(references, motion.joints_at(0));
+}
+
+/// A C is a hinge and a slide in one body; a single chain needs no weld.
+#[test]
+fn a_cylindric_joint_is_a_hinge_and_a_slide() {
+    let (xml, _) = exported(&read(SCARA), Format::Mjcf);
+    let kinds = attributes(&xml, "joint", "type");
+    assert_eq!(kinds, ["hinge", "hinge", "hinge", "slide"]);
+    let names = attributes(&xml, "joint", "name");
+    assert_eq!(names[2..], ["chain1_theta3", "chain1_d3"]);
+    assert_eq!(attributes(&xml, "body", "name").len(), 5);
+    assert!(!xml.contains("<equality>"));
+}
+
+#[test]
+fn limits_are_ranges_and_a_fixed_joint_is_held() {
+    let mut document = read(BENNETT);
+    let limits = |min, max| Some(vec![Some(LimitsEntry { min, max })]);
+    let joints = &mut document.chains[0].joints;
+    joints[0].limits = limits(Some(-360.0), None);
+    joints[1].limits = limits(Some(-720.0), Some(720.0));
+    document.chains[1].joints[0].limits = limits(Some(45.0), Some(45.0));
+    let (xml, _) = exported(&document, Format::Mjcf);
+    let ranges: Vec<f64> = (attributes(&xml, "joint", "range").iter())
+        .flat_map(|range| range.split(' ').map(|x| x.parse().expect("a number")))
+        .collect();
+    let degrees = [-360.0_f64, 1e6, -720.0, 720.0];
+    assert_eq!(ranges, degrees.map(f64::to_radians));
+    assert_eq!(
+        attributes(&xml, "joint", "joint1"),
+        ["chain2_theta1"],
+        "{xml}"
+    );
+}
+
+#[test]
+fn a_model_of_open_loops_has_no_key_frames_and_any_name_is_text() {
+    let mut document = read(BENNETT);
+    document.name = "<a> & \"b\"\u{1}".into();
+    document.chains[0].joints[1].rows[0].alpha = 31.0;
+    let (xml, motion) = exported(&document, Format::Mjcf);
+    assert!(motion.closure.iter().all(|&opening| opening > 1e-6));
+    assert!(!xml.contains("<keyframe>"));
+    assert!(xml.starts_with("<mujoco model=\"&lt;a&gt; &amp; &quot;b&quot;\">"));
+}
+
+#[test]
+fn formats_are_asked_for_by_name() {
+    for format in Format::ALL {
+        assert_eq!(Format::named(format.name()), Ok(format));
+    }
+    let fault = Format::named("xls").expect_err("none");
+    assert_eq!(fault.code, FaultCode::UnknownValue);
+    assert_eq!(
+        fault.message,
+        "Format: “xls” is none. Accepted: csv, json, mjcf."
+    );
+}
