@@ -115,6 +115,12 @@ setup_mujoco() {
 build_package() {
   say "wasm package, into www/pkg"
   wasm-pack build --mode no-install --release --target web --out-dir www/pkg . -- --locked
+  # npm's binaryen, not wasm-pack's choice (see Cargo.toml), with what the compiler was let use. -Oz is no smaller
+  # after gzip, and slower.
+  wasm-opt -O2 --enable-simd --enable-bulk-memory --enable-bulk-memory-opt --enable-nontrapping-float-to-int \
+    --enable-reference-types --enable-sign-ext --enable-mutable-globals --enable-multivalue \
+    www/pkg/synthetica_bg.wasm -o www/pkg/optimised.wasm
+  mv www/pkg/optimised.wasm www/pkg/synthetica_bg.wasm
 }
 
 build_page() {
