@@ -29,6 +29,7 @@ import { createStatus } from './view/status.js';
 import { createTables } from './view/tables.js';
 import { createTabs } from './view/tabs.js';
 import { createTransport } from './view/transport.js';
+import { createViewBar } from './view/view-bar.js';
 
 const planner = new Planner();
 const store = createStore(JSON.parse(samples[0].text));
@@ -60,6 +61,7 @@ function connect(defaults) {
   createHelp(app);
   createPointing(app);
   whenSeen(byId('charts'), 'The charts', async () => (await import('./view/charts.js')).createCharts(app, byId('charts')));
+  createViewBar(app);
 
   store.subscribe('document', () => {
     setText(byId('about'), store.document.about ?? '');

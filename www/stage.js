@@ -27,7 +27,6 @@ export function createStage(store, player) {
   });
   const scene = createScene({ canvas, labels: byId('labels') }, () => player.invalidate());
   if (!scene) tell('This browser shows no 3D graphics (WebGL 2). Tables and numbers work without them.');
-  byId('fit').addEventListener('click', () => scene?.fit());
 
   store.subscribe('result', () => {
     const { motion, document } = store.result;

@@ -36,6 +36,7 @@
  * `chains[1].joints[0]` or `motion.key_frames[2]`, or `workpiece`; empty for nothing. `charts` are groups of charts
  * (view/chart-list.js); `speed` is a factor; `loop` is what the player does at the end.
  * @typedef {{frame: number, playing: boolean, posture: Posture | null, selected: string, hovered: string,
- *   speed: number, loop: 'once' | 'loop' | 'bounce', charts: string[]}} View
+ *   speed: number, loop: 'once' | 'loop' | 'bounce', charts: string[],
+ *   projection: 'perspective' | 'orthographic'}} View
  */
 export {};

@@ -73,6 +73,68 @@ test('the keyboard goes through the things, says them, and leaves the view with 
   assert.notEqual(await page.evaluate(() => document.activeElement.id), 'canvas');
 });
 
+test('standard views, by key and by menu, each another picture; fitting the selection another still', async () => {
+  const { page, problems } = await browser.openPage();
+  await scrubTo(page, 60);
+  const canvas = page.locator('#canvas');
+  await canvas.focus();
+  const pictures = new Set();
+  for (const key of ['1', '2', '3', '4', '5', '6', '7']) {
+    await page.keyboard.press(key);
+    await drawn(page);
+    pictures.add((await canvas.screenshot()).toString('base64'));
+  }
+  assert.equal(pictures.size, 7);
+  await page.getByRole('button', { name: 'Views' }).click();
+  await page.getByRole('menuitem', { name: 'Top' }).click();
+  await page.locator('#view-live').filter({ hasText: 'Top view' }).waitFor();
+  await canvas.focus();
+  await page.keyboard.press(']');
+  await page.keyboard.press('Enter');
+  await drawn(page);
+  const before = await canvas.screenshot();
+  await page.keyboard.press('f');
+  await drawn(page);
+  assert.notDeepEqual(await canvas.screenshot(), before);
+  assert.deepEqual(problems, []);
+});
+
+test('without reduced motion a standard view is reached too', async () => {
+  const { page } = await browser.openPage({ reducedMotion: 'no-preference' });
+  await page.getByRole('button', { name: 'Pause' }).click();
+  const across = () => page.locator('#labels [data-place="chains[1].base"]').evaluate((tag) => tag.style.transform);
+  await page.locator('#canvas').focus();
+  await page.keyboard.press('p');
+  const before = await across();
+  await page.keyboard.press('1');
+  await page.waitForFunction((old) => document.querySelector('#labels [data-place="chains[1].base"]').style.transform !== old, before);
+  let last = '';
+  while (last !== (last = await across())) await page.waitForTimeout(300);
+  const heights = await page.locator('#labels [data-place$=".base"]').evaluateAll((tags) => tags.map((tag) => Number(tag.style.transform.match(/[\d.]+(?=px\))/)[0])));
+  assert.ok(Math.max(...heights) - Math.min(...heights) < 0.5, `bases on one ground are level from the front: ${heights}`);
+});
+
+test('orthographic keeps parallel lines parallel, zooms, and goes back', async () => {
+  const { page } = await browser.openPage();
+  const canvas = page.locator('#canvas');
+  await canvas.focus();
+  await page.keyboard.press('1');
+  await page.keyboard.press('p');
+  await page.locator('#canvas[data-projection="orthographic"]').waitFor();
+  await drawn(page);
+  // From the front, three bases on the ground lie at one height, however far away.
+  const places = () => page.locator('#labels [data-place$=".base"]').evaluateAll((tags) => tags.map((tag) => tag.style.transform.match(/[\d.]+(?=px)/g).map(Number)));
+  const flat = await places();
+  for (const [, y] of flat) assert.ok(Math.abs(y - flat[0][1]) < 0.2, String(flat));
+  await page.keyboard.press('+');
+  await drawn(page);
+  const near = await places();
+  const spread = (all) => Math.max(...all.map(([x]) => x)) - Math.min(...all.map(([x]) => x));
+  assert.ok(Math.abs(spread(near) / spread(flat) - 1 / 0.9) < 0.01, 'one step of zoom');
+  await page.getByRole('button', { name: 'Orthographic' }).click();
+  await page.locator('#canvas[data-projection="perspective"]').waitFor();
+});
+
 test('a tap selects', async () => {
   const { page } = await browser.openPage({ viewport: { width: 390, height: 844 }, isMobile: true, hasTouch: true });
   const at = await placeOf(page, 'chains[0].joints[1]');

@@ -4,7 +4,7 @@
  * @typedef {import('../types.js').Motion} Motion
  * @typedef {import('../types.js').Result} Result
  */
-import { Scene, Vector3, WebGLRenderer } from 'three';
+import { Scene, Sphere, Vector3, WebGLRenderer } from 'three';
 import { createCamera } from './camera.js';
 import { createGround } from './ground.js';
 import { createHighlight } from './highlight.js';
@@ -93,6 +93,16 @@ export function createScene({ canvas, labels: layer }, changed) {
     root,
     changed,
     fit: view.fit,
+    turnTo: view.turnTo,
+    setParallel: view.setParallel,
+    /** Brings a thing into the middle. @param {string} place @returns {boolean} false if there is no such thing */
+    fitTo(place) {
+      const box = highlight.boxOf(place);
+      if (box.isEmpty()) return false;
+      const { center, radius } = box.getBoundingSphere(new Sphere());
+      view.fitTo(center, Math.max(1.3 * radius, 0.1 * size.radius));
+      return true;
+    },
     /** Orbit, pan and zoom; `enabled` is off while something else is dragged. */
     controls: view.controls,
     get camera() {
@@ -147,12 +157,13 @@ export function createScene({ canvas, labels: layer }, changed) {
       paths.update(motion, document, size.link, linkage.body);
       highlight.set(chosen.place, pointed.place);
       setLabels();
-      if (afresh) view.fit();
+      if (afresh) view.begin();
       changed();
     },
 
     /** @param {import('./frame.js').Shown} what the columns and the frame in them that are drawn */
     draw(what) {
+      view.step();
       if (built) {
         linkage.show(what);
         paths.show(what);

@@ -1,7 +1,8 @@
 /**
  * Menu buttons, by the ARIA pattern: arrow keys and letters go through the items, Escape and a click outside close.
  *
- * @typedef {{label: string, hint?: string, disabled?: boolean, act: () => void} | 'line'} MenuItem
+ * @typedef {{label: string, hint?: string, key?: string, checked?: boolean, disabled?: boolean, act: () => void} | 'line'} MenuItem
+ *   `key` does the same without the menu; an item that is `checked` or not is a switch
  */
 import { element } from '../dom.js';
 
@@ -28,7 +29,10 @@ export function menuButton(label, items) {
           close();
           item.act();
         };
-        const entry = element('button', { role: 'menuitem', tabindex: -1, disabled: item.disabled, click: act }, item.label);
+        const role = item.checked === undefined ? 'menuitem' : 'menuitemcheckbox';
+        const entry = element('button', { role, tabindex: -1, disabled: item.disabled, click: act, 'aria-keyshortcuts': item.key }, item.label);
+        if (item.checked !== undefined) entry.setAttribute('aria-checked', String(item.checked));
+        if (item.key) entry.append(element('kbd', { 'aria-hidden': 'true' }, item.key));
         if (item.hint) entry.append(element('small', {}, item.hint));
         return entry;
       }),
