@@ -2,8 +2,10 @@
  * The playhead, in the media element's language, and the page's one animation loop, which draws only when
  * something changed.
  *
+ * @typedef {import('./playhead.js').Loop} Loop
  * @typedef {import('./store.js').Store} Store
  */
+import { advance, frameAt, isTimed } from './playhead.js';
 
 /** Seconds that a motion without times takes from its first to its last key frame. */
 const UNTIMED_SECONDS = 5;
@@ -47,8 +49,27 @@ export class Player {
   set currentTime(time) {
     const [from, to] = this.#range();
     this.#time = Math.min(to, Math.max(from, from + time));
-    this.#store.setView({ frame: this.#frameAt(this.#time) });
+    this.#store.setView({ frame: this.#frameAt(this.#time), posture: null });
     this.invalidate();
+  }
+
+  /** A factor: 2 is twice as fast. */
+  get playbackRate() {
+    return this.#store.view.speed;
+  }
+
+  set playbackRate(speed) {
+    this.#store.setView({ speed });
+  }
+
+  /** What happens at the end. */
+  get loop() {
+    return this.#store.view.loop;
+  }
+
+  set loop(loop) {
+    this.#forwards = true;
+    this.#store.setView({ loop });
   }
 
   get frame() {
@@ -65,6 +86,8 @@ export class Player {
   }
 
   play() {
+    const [from, to] = this.#range();
+    if (this.loop === 'once' && this.#time >= to) this.#time = from;
     this.#store.setView({ playing: true, posture: null });
     this.#schedule();
   }
@@ -97,27 +120,17 @@ export class Player {
     this.#schedule();
   }
 
-  /** To the last frame and back again. @param {number} seconds */
+  /** @param {number} seconds */
   #advance(seconds) {
     const [from, to] = this.#range();
-    const length = to - from;
-    if (!(length > 0)) return;
-    const timed = this.#store.result.document?.motion.key_frames[0]?.time != null;
-    const step = (seconds * (timed ? 1 : length / UNTIMED_SECONDS)) % (2 * length);
-    let time = this.#time + (this.#forwards ? step : -step);
-    if (time > to) {
-      time = 2 * to - time;
-      this.#forwards = false;
-    }
-    if (time < from) {
-      time = 2 * from - time;
-      this.#forwards = true;
-    }
-    this.#time = Math.min(to, Math.max(from, time));
-    const frame = this.#frameAt(this.#time);
-    if (frame === this.frame) return;
-    this.#store.setView({ frame });
-    this.#dirty = true;
+    const rate = isTimed(this.#store.result.document) ? 1 : (to - from) / UNTIMED_SECONDS;
+    const at = { time: this.#time, forwards: this.#forwards };
+    const { time, forwards, ended } = advance(at, seconds * this.playbackRate * rate, { from, to, loop: this.loop });
+    this.#time = time;
+    this.#forwards = forwards;
+    const frame = this.#frameAt(time);
+    if (frame !== this.frame) this.#dirty = true;
+    this.#store.setView({ frame, playing: !ended });
   }
 
   /** A new motion: the same moment of it. */
@@ -139,16 +152,8 @@ export class Player {
     return time?.length ? [time[0], time[time.length - 1]] : [0, 0];
   }
 
-  /** The frame nearest to a time: times grow with the frames. @param {number} time */
+  /** @param {number} time */
   #frameAt(time) {
-    const times = this.#store.result.motion?.time ?? new Float64Array(1);
-    let low = 0;
-    let high = times.length - 1;
-    while (high - low > 1) {
-      const middle = (low + high) >> 1;
-      if (times[middle] <= time) low = middle;
-      else high = middle;
-    }
-    return time - times[low] <= times[high] - time ? low : high;
+    return frameAt(this.#store.result.motion?.time ?? [0], time);
   }
 }

@@ -1,5 +1,5 @@
 /**
- * The strip above the scrub bar: the gap of every frame as a curve and its status as a coloured band.
+ * The strip of the animation bar: the gap of every frame as a curve and its status as a band.
  *
  * @typedef {import('../types.js').Motion} Motion
  */
@@ -8,6 +8,7 @@ import { statusName } from './words.js';
 const SVG = 'http://www.w3.org/2000/svg';
 const HEIGHT = 24;
 const BAND = 4;
+const LINE = 1.4;
 
 /** Ends that need a look stand higher, so that they are told apart without colour. @type {Record<string, number>} */
 const HIGHER = { at_limit: 7, stalled: 11, closure_lost: HEIGHT };
@@ -37,7 +38,12 @@ export function drawStrip(svg, motion) {
     const from = Math.max(0, first - 0.5);
     const to = Math.min(last, end + 0.5);
     const height = HIGHER[name] ?? BAND;
-    add(svg, 'rect', { x: from, y: HEIGHT - height, width: to - from, height, class: `band ${name}` });
+    const band = { x: from, width: to - from, class: `band ${name}` };
+    if (name === 'closest') {
+      // A double line: not reached.
+      add(svg, 'rect', { ...band, y: HEIGHT - height, height: LINE });
+      add(svg, 'rect', { ...band, y: HEIGHT - LINE, height: LINE });
+    } else add(svg, 'rect', { ...band, y: HEIGHT - height, height });
     first = end + 1;
   }
 }

@@ -1,64 +1,78 @@
 /**
- * The animation bar: play and pause, step, scrub, frame number and time, and the strip of statuses.
+ * The animation bar: play and pause, step, what happens at the end, speed, frame number and time, and the track.
  *
  * @typedef {import('../store.js').Store} Store
  * @typedef {import('../player.js').Player} Player
  */
-import { short } from '../format.js';
 import { byId, setText } from '../dom.js';
-import { drawStrip } from './strip.js';
-import { frameSentence } from './words.js';
+import { isTimed } from '../playhead.js';
+import { createFrameField } from './frame-field.js';
+import { createTrack } from './track.js';
+
+/** What takes keys itself. */
+const TAKES_KEYS = 'input:not([type=range]), select, button, summary, textarea, [role=tab]';
+const TAKES_TEXT = 'input:not([type=range], [type=checkbox]), select, textarea';
 
 /** @param {Store} store @param {Player} player */
 export function createTransport(store, player) {
-  /** @type {HTMLInputElement} */
-  const scrub = byId('scrub');
   const play = byId('play');
-  /** @type {SVGSVGElement} */
-  const strip = byId('strip');
+  /** @type {HTMLSelectElement} */
+  const loop = byId('loop');
+  /** @type {HTMLSelectElement} */
+  const speed = byId('speed');
 
   const toggle = () => (player.paused ? player.play() : player.pause());
-  /** @param {number} frames */
-  const step = (frames) => {
+  /** @param {number} frame */
+  const goTo = (frame) => {
     player.pause();
-    player.frame += frames;
+    player.frame = frame;
   };
+  const step = (/** @type {number} */ frames) => goTo(player.frame + frames);
 
+  createTrack(store, goTo);
+  createFrameField(store, goTo);
   play.addEventListener('click', toggle);
   byId('step-back').addEventListener('click', () => step(-1));
   byId('step-forward').addEventListener('click', () => step(1));
   byId('to-start').addEventListener('click', () => step(-Infinity));
-  scrub.addEventListener('input', () => {
-    player.pause();
-    player.frame = Number(scrub.value);
+  byId('to-end').addEventListener('click', () => step(Infinity));
+  byId('back-to-motion').addEventListener('click', () => {
+    step(0);
+    play.focus();
   });
+  loop.addEventListener('change', () => {
+    player.loop = /** @type {import('../playhead.js').Loop} */ (loop.value);
+  });
+  speed.addEventListener('change', () => {
+    player.playbackRate = Number(speed.value);
+  });
+
   document.addEventListener('keydown', (event) => {
     const target = /** @type {Element | null} */ (event.target);
-    if (event.key !== ' ' || event.ctrlKey || target?.closest('input:not([type=range]), select, button, summary, textarea, [role=tab]')) return;
-    event.preventDefault();
-    toggle();
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    if (event.key === ' ' && !target?.closest(TAKES_KEYS)) {
+      event.preventDefault();
+      toggle();
+    }
+    // Only beside the animation: single letters everywhere would be in the way of people who speak to their browser.
+    const steps = { ',': -1, '.': 1 }[event.key];
+    if (steps && target?.closest('.stage, #charts') && !target.closest(TAKES_TEXT)) step(steps);
   });
 
-  function showPlayhead() {
+  function show() {
     const { motion, document } = store.result;
     if (!motion) return;
-    const { frame, playing } = store.view;
-    scrub.value = String(frame);
-    scrub.setAttribute('aria-valuetext', frameSentence(store));
+    const { frame, playing, posture } = store.view;
     play.setAttribute('aria-label', playing ? 'Pause' : 'Play');
     play.classList.toggle('playing', playing);
-    const timed = document?.motion.key_frames[0]?.time != null;
+    loop.value = store.view.loop;
+    speed.value = String(store.view.speed);
+    byId('by-hand').hidden = posture === null;
+    const timed = isTimed(document);
     setText(byId('frame-number'), `${frame + 1} / ${motion.frames}`);
     setText(byId('frame-time'), `t = ${motion.time[frame].toFixed(timed ? 2 : 3)}${timed ? ' s' : ''}`);
+    byId('frame-time').title = timed ? 'Time' : 'From 0 to 1: the key frames name no times';
   }
-
-  store.subscribe('view', showPlayhead);
-  store.subscribe('result', () => {
-    const { motion } = store.result;
-    if (!motion) return;
-    if (scrub.max !== String(motion.frames - 1)) scrub.max = String(motion.frames - 1);
-    drawStrip(strip, motion);
-    strip.setAttribute('aria-label', `Gap at every frame, at most ${short(Math.sqrt(2 * Math.max(...motion.metric)))}`);
-    showPlayhead();
-  });
+  store.subscribe('view', show);
+  store.subscribe('result', show);
 }
