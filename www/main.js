@@ -13,6 +13,7 @@
  */
 import { createStage } from './stage.js';
 import { byId, element, setText } from './dom.js';
+import { createExport } from './export/menu.js';
 import { createHelp } from './help/help.js';
 import { workOffline } from './offline.js';
 import { Planner, PlannerFailure } from './planner.js';
@@ -58,6 +59,7 @@ function connect(defaults) {
   createStatus(store, player, () => tables.focusFault((panel) => tabs.choosePanel(panel)));
   createTransport(store, player);
   createHistory(store);
+  createExport(app);
   createHelp(app);
   createPointing(app);
   whenSeen(byId('charts'), 'The charts', async () => (await import('./view/charts.js')).createCharts(app, byId('charts')));

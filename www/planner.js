@@ -54,6 +54,14 @@ export class Planner {
     return this.#ask('find_start', text);
   }
 
+  /**
+   * The planned motion as a text for other programs.
+   * @param {string} text a document @param {'csv' | 'json' | 'mjcf'} format @returns {Promise<string>}
+   */
+  exportMotion(text, format) {
+    return this.#ask('export_motion', text, format);
+  }
+
   /** @returns {Promise<Defaults>} */
   defaults() {
     return this.#ask('defaults');

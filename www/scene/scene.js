@@ -74,9 +74,10 @@ export function createScene({ canvas, labels: layer }, changed) {
   ];
   const [chosen, pointed] = marks;
 
+  const names = () => [...paths.labels, ...linkage.bases.map((at, index) => ({ at, text: String(index + 1), place: `chains[${index}].base` }))];
+
   function setLabels() {
-    const bases = linkage.bases.map((at, index) => ({ at, text: String(index + 1), place: `chains[${index}].base` }));
-    const standing = [...paths.labels, ...bases];
+    const standing = names();
     const named = marks.filter(({ place, text }, index) => text && !(index && place === chosen.place) && highlight.anchorOf(place, marks[index].at));
     labels.set([...standing.filter(({ place }) => !named.some((mark) => mark.place === place)), ...named], chosen.place, pointed.place);
   }
@@ -92,6 +93,12 @@ export function createScene({ canvas, labels: layer }, changed) {
     /** Where other bodies, such as handles, are added. */
     root,
     changed,
+    /** What belongs into a picture; handles and the like do not. */
+    pictured: [...light.objects, ground.group, linkage.group, paths.group],
+    /** The names that always stand in the scene. */
+    get names() {
+      return names();
+    },
     fit: view.fit,
     turnTo: view.turnTo,
     setParallel: view.setParallel,

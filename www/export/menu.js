@@ -1,0 +1,35 @@
+/**
+ * The Export menu. What makes the files is loaded when it is first asked for.
+ *
+ * @typedef {import('../main.js').App} App
+ */
+import { byId } from '../dom.js';
+import { menuButton } from '../view/menu.js';
+
+/** @param {App} app */
+export function createExport(app) {
+  const { store, scene, say } = app;
+
+  /** @param {() => Promise<unknown>} make */
+  const attempt = (make) => () =>
+    make().catch((error) => {
+      console.warn(error);
+      say(`The file could not be made (${error.message}).`);
+    });
+  /** @param {'csv' | 'json' | 'mjcf'} format */
+  const motion = (format) => attempt(async () => (await import('./motion.js')).exportMotion(app, format));
+
+  byId('menus').append(
+    menuButton('Export', () => {
+      const nothing = !store.result.motion;
+      const unseen = nothing || !scene;
+      return [
+        { label: 'Picture (PNG) …', hint: 'The view, in any size', disabled: unseen, act: attempt(async () => (await import('./png.js')).exportPng(app)) },
+        'line',
+        { label: 'Table (CSV)', hint: 'Joints, poses, gaps at every frame; degrees', disabled: nothing, act: motion('csv') },
+        { label: 'Data (JSON)', hint: 'The same with the document', disabled: nothing, act: motion('json') },
+        { label: 'MuJoCo model (MJCF)', hint: 'Every joint, loops closed by welds, a key frame a frame', disabled: nothing, act: motion('mjcf') },
+      ];
+    }),
+  );
+}

@@ -1,0 +1,20 @@
+/**
+ * The motion as text: a table, data, a MuJoCo model; the planner writes them.
+ */
+import { fileName, saveFile } from '../files/save.js';
+
+const FILES = {
+  csv: { ending: 'csv', type: 'text/csv' },
+  json: { ending: 'motion.json', type: 'application/json' },
+  mjcf: { ending: 'mjcf.xml', type: 'application/xml' },
+};
+
+/** @param {import('../main.js').App} app @param {keyof typeof FILES} format */
+export async function exportMotion({ store, planner, say }, format) {
+  const { document } = store.result;
+  const text = await planner.exportMotion(JSON.stringify(document), format);
+  const { ending, type } = FILES[format];
+  const name = fileName(document, ending);
+  saveFile(name, new Blob([text], { type }));
+  say(`Saved ${name}.`);
+}
