@@ -64,6 +64,12 @@ function connect(defaults) {
   createPointing(app);
   whenSeen(byId('charts'), 'The charts', async () => (await import('./view/charts.js')).createCharts(app, byId('charts')));
   createViewBar(app);
+  // What moves by hand waits until there is something to move.
+  const first = store.subscribe('result', () => {
+    if (!store.result.motion) return;
+    first();
+    import('./drag/drag.js').then(({ createDrag }) => createDrag(app));
+  });
 
   store.subscribe('document', () => {
     setText(byId('about'), store.document.about ?? '');
