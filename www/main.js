@@ -24,6 +24,7 @@ import { createStore } from './store.js';
 import { createDock } from './view/dock.js';
 import { createHistory } from './view/history.js';
 import { whenSeen } from './view/lazy.js';
+import { createLegend } from './view/legend.js';
 import { createNotices } from './view/notice.js';
 import { createPointing } from './view/pointing.js';
 import { createStatus } from './view/status.js';
@@ -64,6 +65,7 @@ function connect(defaults) {
   createPointing(app);
   whenSeen(byId('charts'), 'The charts', async () => (await import('./view/charts.js')).createCharts(app, byId('charts')));
   createViewBar(app);
+  createLegend(byId('legend'), app);
   // What moves by hand waits until there is something to move.
   const first = store.subscribe('result', () => {
     if (!store.result.motion) return;

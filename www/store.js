@@ -28,7 +28,7 @@ export function createStore(first) {
   let view = {
     frame: 0, playing: false, posture: null, selected: '', hovered: '',
     speed: 1, loop: 'bounce', charts: ['translation', 'rotation', 'joints', 'sigma'],
-    projection: 'perspective',
+    projection: 'perspective', show: { goal: true, closest: true, gaps: true, names: true, axes: true, ground: true }, ghosts: 'none',
   };
   /** @type {Insight | null} */
   let insight = null;

@@ -34,9 +34,13 @@
  * What is looked at. `posture` is shown in place of the frame while the linkage is moved by hand (pulled or taught);
  * playing, scrubbing or an edit ends it. `selected` and `hovered` are places of the document, such as `chains[1]`,
  * `chains[1].joints[0]` or `motion.key_frames[2]`, or `workpiece`; empty for nothing. `charts` are groups of charts
- * (view/chart-list.js); `speed` is a factor; `loop` is what the player does at the end.
+ * (view/chart-list.js); `speed` is a factor; `loop` is what the player does at the end; `ghosts`
+ * are the frames at which the workpiece is drawn too: at the key frames, spread evenly, or these.
  * @typedef {{frame: number, playing: boolean, posture: Posture | null, selected: string, hovered: string,
  *   speed: number, loop: 'once' | 'loop' | 'bounce', charts: string[],
- *   projection: 'perspective' | 'orthographic'}} View
+ *   projection: 'perspective' | 'orthographic', show: Shown, ghosts: 'none' | 'keys' | 'spread' | number[]}} View
+ *
+ * What the 3D view draws beside the linkage.
+ * @typedef {{goal: boolean, closest: boolean, gaps: boolean, names: boolean, axes: boolean, ground: boolean}} Shown
  */
 export {};

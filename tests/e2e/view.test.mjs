@@ -154,3 +154,28 @@ test('at rest nothing is drawn', async () => {
   await page.keyboard.press('ArrowLeft');
   await page.waitForFunction((old) => document.querySelector('#canvas').dataset.draws !== old, last);
 });
+
+test('ghosts, and leaving out parts, change the picture; the legend tells the sizes of gaps', async () => {
+  const { page, problems } = await browser.openPage();
+  await scrubTo(page, 60);
+  const canvas = page.locator('#canvas');
+  const choose = async (name) => {
+    await page.getByRole('button', { name: 'Show' }).click();
+    await page.getByRole('menuitemcheckbox', { name }).click();
+    await drawn(page);
+    return (await canvas.screenshot()).toString('base64');
+  };
+  await page.locator('#legend').getByText(/^gap of [\d.]+ m or more$/).first().waitFor();
+  const pictures = new Set([(await canvas.screenshot()).toString('base64')]);
+  for (const name of ['Ghosts at key frames', /Ghosts every \d+ frames/, 'Ghost at this frame', 'Goal motion', 'Closest motion', 'Gap lines', 'Axes', 'Ground']) {
+    pictures.add(await choose(name));
+  }
+  assert.equal(pictures.size, 9, 'each choice is another picture');
+  assert.equal(await page.locator('#legend li').count(), 0);
+  await page.locator('#labels').getByText('between').waitFor();
+  await choose('Names');
+  assert.equal(await page.locator('#labels span').count(), 0);
+  await page.getByRole('button', { name: 'Show' }).click();
+  await page.getByRole('menuitemcheckbox', { name: 'Names', checked: false }).waitFor();
+  assert.deepEqual(problems, []);
+});

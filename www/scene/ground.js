@@ -31,7 +31,7 @@ export function createGround() {
 }
 
 /** 1, 2 or 5 times a power of ten, at most `wish`. @param {number} wish */
-function roundSize(wish) {
+export function roundSize(wish) {
   const power = 10 ** Math.floor(Math.log10(wish));
   return ([5, 2].find((step) => step * power <= wish) ?? 1) * power;
 }

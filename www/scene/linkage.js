@@ -82,11 +82,13 @@ export class Linkage {
     if (shape === this.#bodyShape) return false;
     this.#bodyShape = shape;
     this.body?.dispose();
-    this.body = roundedHull(ends, BODY * r);
+    // What one chain carries reaches to its own origin, where the goal is.
+    const corners = ends.length > 1 ? ends : [...ends, new Vector3()];
+    this.body = roundedHull(corners, BODY * r);
     const middle = ends.reduce((sum, p) => sum.add(p), new Vector3()).divideScalar(ends.length);
     this.#workpiece.clear();
     this.#workpiece.add(solid(new Mesh(this.body, this.#materials.workpiece)));
-    if (middle.length() > 3 * r) this.#workpiece.add(rod(middle, new Vector3(), STALK * r, this.#materials.workpiece));
+    if (ends.length > 1 && middle.length() > 3 * r) this.#workpiece.add(rod(middle, new Vector3(), STALK * r, this.#materials.workpiece));
     ends.forEach((end, index) => this.#workpiece.add(this.#flange(end, ends.length > 1 ? middle : new Vector3(), index, r)));
     return true;
   }

@@ -16,7 +16,11 @@ export function createMaterials() {
     goal: new MeshStandardMaterial({ roughness: 0.8 }),
     closest: new MeshStandardMaterial({ roughness: 0.8 }),
     gap: new MeshBasicMaterial(),
+    gaps: [0, 1, 2].map(() => new MeshBasicMaterial()),
     ghost: new MeshStandardMaterial({ transparent: true, opacity: 0.26, depthWrite: false, roughness: 0.9 }),
+    /** The workpiece at other frames. */
+    ghosts: new MeshStandardMaterial({ transparent: true, opacity: 0.34, depthWrite: false, roughness: 0.9 }),
+    keyAxes: axes({}),
     axes: axes({}),
     faintAxes: axes({ transparent: true, opacity: 0.35 }),
   };
@@ -31,10 +35,19 @@ export function createMaterials() {
       materials.goal.color.copy(palette.goal);
       materials.closest.color.copy(palette.closest);
       materials.gap.color.copy(palette.gap);
+      materials.gaps.forEach((material, size) => material.color.copy(palette[/** @type {'gap-0'} */ (`gap-${size}`)]));
       materials.ghost.color.copy(palette.goal);
-      for (const triad of [materials.axes, materials.faintAxes]) {
+      materials.ghosts.color.copy(palette.closest);
+      for (const triad of [materials.keyAxes, materials.axes, materials.faintAxes]) {
         triad.forEach((material, axis) => material.color.copy(palette[/** @type {'axis-x'} */ (`axis-${'xyz'[axis]}`)]));
       }
+    },
+    /** Which of the things that can be left out are drawn. @param {import('../types.js').Shown} show */
+    show({ goal, closest, gaps, axes }) {
+      for (const material of [materials.goal, materials.ghost]) material.visible = goal;
+      materials.closest.visible = closest;
+      for (const material of [materials.gap, ...materials.gaps]) material.visible = gaps;
+      for (const material of [...materials.axes, ...materials.faintAxes]) material.visible = axes;
     },
   };
 }

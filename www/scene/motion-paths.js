@@ -1,13 +1,16 @@
 /**
- * The goal motion (dark) and the closest motion (light), key frames, the goal's ghost and the gap at the playhead.
+ * The goal motion (dark) and the closest motion (light), key frames, the goal's ghost, gaps, and ghosts of the workpiece.
  * Laid anew in place: a goal that is dragged costs no new bodies.
  *
  * @typedef {import('../types.js').Motion} Motion
  * @typedef {import('three').Material} Material
- * @typedef {{goal: Material, closest: Material, gap: Material, ghost: Material, axes: Material[], faintAxes: Material[]}} PathMaterials
+ * @typedef {{goal: Material, closest: Material, gap: Material, gaps: Material[], ghost: Material, ghosts: Material,
+ *   axes: Material[], keyAxes: Material[], faintAxes: Material[]}} PathMaterials
  */
 import { BufferGeometry, Group, Mesh, Vector3 } from 'three';
 import { frameMatrix, moveTo } from './frame.js';
+import { GapLines } from './gap-lines.js';
+import { Ghosts } from './ghosts.js';
 import { layRod, rod, triad } from './solids.js';
 import { Tube } from './tube.js';
 
@@ -31,6 +34,8 @@ export class MotionPaths {
   #ghostAxes;
   #reached;
   #gap;
+  #gaps;
+  #ghosts;
 
   /** @param {PathMaterials} materials */
   constructor(materials) {
@@ -50,16 +55,22 @@ export class MotionPaths {
     this.#closest.mesh.userData.anchor = this.#reached;
     this.#gap = rod(new Vector3(), new Vector3(), 1, materials.gap);
     this.#gap.userData.place = 'gap';
+    this.#gaps = new GapLines(materials.gaps);
+    this.#ghosts = new Ghosts(materials.ghosts);
+    this.group.add(this.#gaps.group, this.#ghosts.mesh);
     this.group.add(this.#goal.mesh, this.#closest.mesh, this.#ghost, this.#reached, this.#gap);
   }
 
   /**
    * @param {Motion} motion
    * @param {import('../types.js').MechanismDocument} document
-   * @param {number} r radius of a link
+   * @param {{link: number, radius: number}} size radii of a link and of the scene
    * @param {BufferGeometry | null} body the workpiece's shape
+   * @param {number[]} ghosts frames
    */
-  update(motion, document, r, body) {
+  update(motion, document, { link: r, radius }, body, ghosts) {
+    this.#gaps.lay(motion, r, radius);
+    if (body) this.#ghosts.lay(motion, ghosts, body);
     this.#goal.lay(motion.goal, motion.frames, PATH * r);
     this.#closest.lay(motion.pose, motion.frames, PATH * r);
     if (body) this.#ghostBody.geometry = body;
@@ -81,11 +92,16 @@ export class MotionPaths {
 
   /** @param {number} index */
   #addKey(index) {
-    const mark = triad(1, this.#materials.axes);
+    const mark = triad(1, this.#materials.keyAxes);
     mark.userData.place = `motion.key_frames[${index}]`;
     mark.userData.anchor = mark;
     this.group.add(mark);
     return mark;
+  }
+
+  /** Other ghosts of the same motion. @param {Motion} motion @param {number[]} frames @param {BufferGeometry | null} body */
+  showGhosts(motion, frames, body) {
+    if (body) this.#ghosts.lay(motion, frames, body);
   }
 
   /** @param {Pick<import('./frame.js').Shown, 'goal' | 'pose' | 'index'>} what */

@@ -1,7 +1,7 @@
 /**
  * Things of the scene by their places in the document: which there are, what each is called, which belong together.
  * Beside the document's own places there are `workpiece`, `goal`, `closest` (the two motions), `gap` (at the playhead)
- * and `gap[40]` (at frame 40, from 0). A link is the table row that holds its dimensions.
+ * and `gap[40]` (at frame 40, from 0), and `ghost[40]`. A link is the table row that holds its dimensions.
  *
  * @typedef {import('../types.js').MechanismDocument} MechanismDocument
  * @typedef {Pick<import('../store.js').Store, 'result' | 'view'>} Shown
@@ -49,6 +49,7 @@ export function nameOf(place, { result, view }) {
   if (place === 'goal') return 'goal motion';
   if (place === 'closest') return 'closest motion';
   if (head === 'gap') return gapName(typeof first === 'number' ? first : null, { result, view });
+  if (head === 'ghost') return `ghost of the workpiece at frame ${Number(first) + 1}`;
   if (head === 'motion' && first === 'key_frames' && typeof part === 'number') {
     const key = document.motion.key_frames[part];
     return key ? `key frame ${key.name ? `“${key.name}”` : part + 1}` : '';

@@ -4,7 +4,7 @@
 import { Color } from 'three';
 
 const NAMES = /** @type {const} */ ([
-  'metal', 'dark-metal', 'workpiece', 'ground', 'grid', 'goal', 'closest', 'gap',
+  'metal', 'dark-metal', 'workpiece', 'ground', 'grid', 'goal', 'closest', 'gap', 'gap-0', 'gap-1', 'gap-2',
   'accent', 'chain-0', 'chain-1', 'chain-2', 'chain-3', 'chain-4', 'axis-x', 'axis-y', 'axis-z',
 ]);
 

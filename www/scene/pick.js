@@ -1,7 +1,7 @@
 /**
  * Which thing of the scene is under a point of the canvas. Thin things are found from beside them too.
  */
-import { Raycaster, Vector2 } from 'three';
+import { Mesh, Raycaster, Vector2 } from 'three';
 
 /** Directions in which a near miss is looked for. */
 const AROUND = Array.from({ length: 8 }, (_, i) => [Math.cos((i * Math.PI) / 4), Math.sin((i * Math.PI) / 4)]);
@@ -57,6 +57,7 @@ function placeOf(object, instance) {
 
 /** @param {import('three').Object3D | null} object */
 function isVisible(object) {
+  if (object instanceof Mesh && !object.material.visible) return false;
   for (let part = object; part; part = part.parent) if (!part.visible) return false;
   return true;
 }

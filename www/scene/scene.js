@@ -6,6 +6,8 @@
  */
 import { Scene, Sphere, Vector3, WebGLRenderer } from 'three';
 import { createCamera } from './camera.js';
+import { gapSteps } from './gap-lines.js';
+import { ghostFrames } from './ghosts.js';
 import { createGround } from './ground.js';
 import { createHighlight } from './highlight.js';
 import { createLabels } from './labels.js';
@@ -77,10 +79,15 @@ export function createScene({ canvas, labels: layer }, changed) {
   const names = () => [...paths.labels, ...linkage.bases.map((at, index) => ({ at, text: String(index + 1), place: `chains[${index}].base` }))];
 
   function setLabels() {
-    const standing = names();
+      const standing = options.show.names ? names() : [];
     const named = marks.filter(({ place, text }, index) => text && !(index && place === chosen.place) && highlight.anchorOf(place, marks[index].at));
     labels.set([...standing.filter(({ place }) => !named.some((mark) => mark.place === place)), ...named], chosen.place, pointed.place);
   }
+
+  /** @type {Pick<import('../types.js').View, 'show' | 'ghosts'>} */
+  let options = { show: { goal: true, closest: true, gaps: true, names: true, ground: true, axes: true }, ghosts: 'none' };
+  /** @type {Pick<Result, 'motion' | 'document'>} */
+  let shown = { motion: null, document: null };
 
   let built = false;
   let draws = 0;
@@ -102,6 +109,21 @@ export function createScene({ canvas, labels: layer }, changed) {
     fit: view.fit,
     turnTo: view.turnTo,
     setParallel: view.setParallel,
+    /** The sizes at which gaps are drawn in another way, in lengths. */
+    get gapSteps() {
+      return gapSteps(size.radius);
+    },
+    /** What is drawn, and where ghosts stand. @param {Pick<import('../types.js').View, 'show' | 'ghosts'>} next */
+    choose({ show, ghosts }) {
+      if (show === options.show && ghosts === options.ghosts) return;
+      options = { show, ghosts };
+      materials.show(show);
+      ground.group.visible = show.ground;
+      const { motion, document } = shown;
+      if (motion && document) paths.showGhosts(motion, ghostFrames(ghosts, motion, document), linkage.body);
+      setLabels();
+      changed();
+    },
     /** Brings a thing into the middle. @param {string} place @returns {boolean} false if there is no such thing */
     fitTo(place) {
       const box = highlight.boxOf(place);
@@ -155,13 +177,14 @@ export function createScene({ canvas, labels: layer }, changed) {
     show({ motion, document }, afresh) {
       if (!motion || !document) return;
       built = true;
+      shown = { motion, document };
       if (take(motion, document, afresh)) {
         view.setHome(size.centre, size.radius * 0.95);
         light.aim(size.centre, size.radius);
       }
       ground.lay(size.centre, size.radius, size.ground);
       linkage.update(motion, document, size.link, size.ground);
-      paths.update(motion, document, size.link, linkage.body);
+      paths.update(motion, document, size, linkage.body, ghostFrames(options.ghosts, motion, document));
       highlight.set(chosen.place, pointed.place);
       setLabels();
       if (afresh) view.begin();

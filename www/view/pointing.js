@@ -54,11 +54,11 @@ export function createPointing({ store, player, scene }) {
 
   /** @param {string} place */
   function select(place) {
-    const gap = /^gap\[(\d+)\]$/.exec(place);
-    if (gap) {
-      // A gap's own frame is what there is to see of it.
+    const frame = /^(?:gap|ghost)\[(\d+)\]$/.exec(place)?.[1];
+    if (frame) {
+      // A gap's or a ghost's own frame is what there is to see of it.
       player.pause();
-      player.frame = Number(gap[1]);
+      player.frame = Number(frame);
     }
     store.setView({ selected: place });
     setText(live, place ? `Selected: ${nameOf(place, store)}.` : 'Nothing is selected.');

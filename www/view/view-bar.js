@@ -4,6 +4,7 @@
  * @typedef {import('../scene/standard-views.js').StandardView} StandardView
  */
 import { byId, element, setText } from '../dom.js';
+import { ghostFrames, ghostStep } from '../scene/ghosts.js';
 import { menuButton } from './menu.js';
 
 /** Each view's key is its number in this list. @type {[StandardView, string][]} */
@@ -15,6 +16,16 @@ const VIEWS = [
   ['top', 'Top'],
   ['bottom', 'Bottom'],
   ['isometric', 'Isometric'],
+];
+
+/** What can be left out. @type {[keyof import('../types.js').Shown, string][]} */
+const PARTS = [
+  ['goal', 'Goal motion'],
+  ['closest', 'Closest motion'],
+  ['gaps', 'Gap lines'],
+  ['names', 'Names'],
+  ['axes', 'Axes'],
+  ['ground', 'Ground'],
 ];
 
 /** @param {Pick<import('../main.js').App, 'store' | 'scene' | 'say'>} app */
@@ -39,14 +50,31 @@ export function createViewBar({ store, scene, say }) {
     'line',
     { label: 'Fit selection', key: 'F', act: fitChosen },
   ]);
+  const parts = menuButton('Show', () => {
+    const { show, ghosts, frame } = store.view;
+    const { motion, document } = store.result;
+    const frames = motion && document ? ghostFrames(ghosts, motion, document) : [];
+    const here = frames.includes(frame);
+    const others = here ? frames.filter((other) => other !== frame) : [...frames, frame].sort((a, b) => a - b);
+    const choose = (/** @type {import('../types.js').View['ghosts']} */ next) => () => store.setView({ ghosts: next });
+    return [
+      ...PARTS.map(([part, label]) => ({ label, checked: show[part], act: () => store.setView({ show: { ...show, [part]: !show[part] } }) })),
+      'line',
+      { label: 'No ghosts', checked: frames.length === 0, act: choose('none') },
+      { label: 'Ghosts at key frames', checked: ghosts === 'keys', act: choose('keys') },
+      { label: `Ghosts every ${ghostStep(motion?.frames ?? 1)} frames`, checked: ghosts === 'spread', act: choose('spread') },
+      { label: 'Ghost at this frame', checked: here, act: choose(others.length ? others : 'none') },
+    ];
+  });
   const projection = element('button', { click: toggle, 'aria-keyshortcuts': 'P' });
   const fit = element('button', { id: 'fit', title: 'Show the whole linkage (Home)', 'aria-keyshortcuts': 'Home', click: () => scene.fit() }, 'Fit view');
   const bar = byId('view-bar');
-  bar.append(views, projection, fit);
+  bar.append(views, parts, projection, fit);
 
   const show = () => {
     const flat = store.view.projection === 'orthographic';
     scene.setParallel(flat);
+    scene.choose(store.view);
     setText(projection, flat ? 'Orthographic' : 'Perspective');
     projection.title = flat ? 'Parallel lines stay parallel: change to perspective (P)' : 'Far things are smaller: change to orthographic (P)';
   };
