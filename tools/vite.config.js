@@ -3,7 +3,7 @@ import { createHash } from 'node:crypto';
 import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import { join, relative } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { defineConfig } from 'vite';
+import { build, defineConfig } from 'vite';
 
 const at = (path) => fileURLToPath(new URL(path, import.meta.url));
 
@@ -31,6 +31,32 @@ const serviceWorker = () => ({
   },
 });
 
+/** `file.js?bundle`: that script with all it imports as one text, and its styles as another. */
+const bundle = () => ({
+  name: 'bundle',
+  enforce: 'pre',
+  async load(id) {
+    const [entry, query] = id.split('?');
+    if (query !== 'bundle') return null;
+    const { output } = await build({
+      configFile: false,
+      root: at('../www'),
+      logLevel: 'error',
+      build: {
+        target: 'es2022',
+        write: false,
+        modulePreload: false,
+        rolldownOptions: { input: entry, output: { format: 'es', codeSplitting: false } },
+      },
+    });
+    const script = output.find((file) => file.type === 'chunk').code;
+    const style = output.filter((file) => file.fileName.endsWith('.css')).map((file) => file.source);
+    if (output.filter((file) => file.type === 'chunk').length !== 1) throw new Error(`${entry} is in more than one piece`);
+    this.addWatchFile(entry);
+    return `export const script = ${JSON.stringify(script)};\nexport const style = ${JSON.stringify(style.join('\n'))};`;
+  },
+});
+
 export default defineConfig({
   root: at('../www'),
   // Relative addresses: the built page works in any folder of any server.
@@ -39,5 +65,5 @@ export default defineConfig({
   server: { fs: { allow: [at('../www'), at('node_modules')] } },
   build: { target: 'es2022', outDir: at('../www/dist'), emptyOutDir: true },
   worker: { format: 'es' },
-  plugins: [serviceWorker()],
+  plugins: [bundle(), serviceWorker()],
 });

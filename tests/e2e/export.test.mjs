@@ -1,7 +1,10 @@
 // What the Export menu saves: every file is caught and read.
 import assert from 'node:assert/strict';
-import { readFile } from 'node:fs/promises';
+import { mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 import { after, before, test } from 'node:test';
+import { pathToFileURL } from 'node:url';
 import { number, openBrowser, scrubTo, text } from './browser.mjs';
 
 let browser;
@@ -91,4 +94,42 @@ test('the picture has the size that was asked for, the linkage, and no backgroun
   assert.ok(second.clear > 0.3 && second.clear < 0.98, `${second.clear} clear`);
   assert.equal(await page.locator('#canvas').evaluate((canvas) => canvas.width), view[2], 'the view stays as it is');
   assert.deepEqual(problems, []);
+});
+
+test('the saved page plays from a file, without a network', async () => {
+  const { page } = await browser.openPage();
+  const { name, bytes } = await saved(page, () => choose(page, /HTML/));
+  assert.equal(name, '3rps.html');
+  const folder = await mkdtemp(join(tmpdir(), 'synthetica-'));
+  const file = join(folder, name);
+  await writeFile(file, bytes);
+  const address = String(pathToFileURL(file));
+  for (const colorScheme of ['light', 'dark']) {
+    const { page: alone, problems } = await browser.blankPage({ offline: true, colorScheme });
+    const requests = [];
+    alone.on('request', (request) => requests.push(request.url()));
+    await alone.goto(address);
+    const status = alone.locator('#status');
+    await status.filter({ hasText: 'Reached' }).waitFor();
+    assert.equal(await alone.title(), '3RPS – Synthetica');
+    assert.equal(await alone.locator('#frame-number').textContent(), '1 / 129');
+    await alone.keyboard.press('Space');
+    await alone.waitForFunction(() => Number(document.querySelector('#scrub').value) > 3);
+    await alone.getByRole('button', { name: 'Pause' }).click();
+    await alone.locator('#scrub').fill('63');
+    assert.match(await status.textContent(), /Closest: 0\.1\d+ m and 12\.\d+° from the goal/);
+    const canvas = alone.locator('#canvas');
+    const drawn = () => alone.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+    await drawn();
+    const before = await canvas.screenshot();
+    assert.ok((await looked(page, before)).colours > 200, 'the linkage is drawn');
+    await canvas.focus();
+    await alone.keyboard.press('ArrowLeft');
+    await drawn();
+    assert.notDeepEqual(await canvas.screenshot(), before, 'the view turns');
+    assert.deepEqual(requests, [address]);
+    assert.deepEqual(problems, [`asks for ${address}`]);
+    await alone.context().close();
+  }
+  await rm(folder, { recursive: true });
 });

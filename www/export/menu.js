@@ -25,6 +25,7 @@ export function createExport(app) {
       const unseen = nothing || !scene;
       return [
         { label: 'Picture (PNG) …', hint: 'The view, in any size', disabled: unseen, act: attempt(async () => (await import('./png.js')).exportPng(app)) },
+        { label: 'Playing page (HTML)', hint: 'One file that plays this motion, without a network', disabled: nothing, act: attempt(async () => (await import('./html.js')).exportHtml(app)) },
         'line',
         { label: 'Table (CSV)', hint: 'Joints, poses, gaps at every frame; degrees', disabled: nothing, act: motion('csv') },
         { label: 'Data (JSON)', hint: 'The same with the document', disabled: nothing, act: motion('json') },

@@ -1,0 +1,5 @@
+/** A page's script and styles as texts, bundled whole by tools/vite.config.js. */
+declare module '*?bundle' {
+  export const script: string;
+  export const style: string;
+}
