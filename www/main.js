@@ -9,19 +9,25 @@
  * @property {import('./types.js').Defaults} defaults
  * @property {ReturnType<typeof createTabs>} tabs
  * @property {import('./view/notice.js').Say} say
- * @property {(text: string) => Promise<void>} open shows another document, with a new history
+ * @property {ReturnType<typeof createOpening>['open']} open shows another document, as a step that undo takes back
  */
 import { createStage } from './stage.js';
-import { byId, element, setText } from './dom.js';
+import { byId } from './dom.js';
 import { createExport } from './export/menu.js';
+import { createAutosave } from './files/autosave.js';
+import { createDocuments } from './files/documents.js';
+import { createKeeper } from './files/keeper.js';
 import { createHelp } from './help/help.js';
 import { workOffline } from './offline.js';
+import { createOpening } from './opening.js';
 import { Planner, PlannerFailure } from './planner.js';
 import { Player } from './player.js';
 import { createReplanning } from './replan.js';
 import { samples } from './samples.js';
 import { createStore } from './store.js';
 import { createDock } from './view/dock.js';
+import { createDrop } from './view/drop.js';
+import { createHeader } from './view/header.js';
 import { createHistory } from './view/history.js';
 import { whenSeen } from './view/lazy.js';
 import { createLegend } from './view/legend.js';
@@ -41,14 +47,8 @@ const tabs = createTabs(byId('tabs'));
 createDock(tabs, createTabs(byId('dock-tabs')));
 const say = createNotices(byId('notices'));
 
-/** @param {string} text a document */
-async function open(text) {
-  const whole = await planner.normalise(text).catch(() => text);
-  const document = JSON.parse(whole);
-  stage.expect(document);
-  player.currentTime = 0;
-  store.open(document);
-}
+const keeper = createKeeper(() => localStorage, Math.random().toString(36).slice(2));
+const { open, start } = createOpening({ store, planner, player, say }, keeper);
 
 /** @param {import('./types.js').Defaults} defaults */
 function connect(defaults) {
@@ -60,6 +60,9 @@ function connect(defaults) {
   createStatus(store, player, () => tables.focusFault((panel) => tabs.choosePanel(panel)));
   createTransport(store, player);
   createHistory(store);
+  const documents = createDocuments(app);
+  createHeader(app, documents, keeper);
+  createDrop(documents, open);
   createExport(app);
   createHelp(app);
   createPointing(app);
@@ -72,25 +75,12 @@ function connect(defaults) {
     first();
     import('./drag/drag.js').then(({ createDrag }) => createDrag(app));
   });
-
-  store.subscribe('document', () => {
-    setText(byId('about'), store.document.about ?? '');
-    byId('about').title = store.document.about ?? '';
-    document.title = `${store.document.name || 'Linkage'} – Synthetica`;
-  });
 }
-
-/** @type {HTMLSelectElement} */
-const picker = byId('sample');
-picker.append(...samples.map(({ file, title, line }) => element('option', { value: file, title: line }, title)));
-picker.addEventListener('change', () => {
-  const chosen = samples.find(({ file }) => file === picker.value);
-  if (chosen) open(chosen.text);
-});
 
 try {
   connect(await planner.defaults());
-  await open(samples[0].text);
+  await start();
+  createAutosave({ store, say }, keeper);
   if (!matchMedia('(prefers-reduced-motion: reduce)').matches) player.play();
   workOffline();
 } catch (error) {

@@ -8,8 +8,8 @@ import { describeScene } from './view/words.js';
 
 /** @param {import('./store.js').Store} store @param {import('./player.js').Player} player */
 export function createStage(store, player) {
-  /** The document whose motion should be seen from the front again. @type {unknown} */
-  let opened = null;
+  /** What the view was last turned to: another document's motion is seen from the front. @type {unknown} */
+  let origin = null;
   /** The motion in the view. @type {unknown} */
   let drawn = null;
 
@@ -32,8 +32,9 @@ export function createStage(store, player) {
     const { motion, document } = store.result;
     if (!motion || !document || motion === drawn) return;
     drawn = motion;
-    scene?.show(store.result, document === opened);
-    if (document === opened) opened = null;
+    const afresh = store.originOf(document) !== origin;
+    origin = store.originOf(document);
+    scene?.show(store.result, afresh);
   });
   let posture = store.view.posture;
   store.subscribe('view', () => {
@@ -48,10 +49,6 @@ export function createStage(store, player) {
 
   return {
     scene,
-    /** Another document comes: look at its motion from the front. @param {unknown} document */
-    expect(document) {
-      opened = document;
-    },
     draw() {
       const what = shown(store);
       if (what) scene?.draw(what);

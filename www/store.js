@@ -6,7 +6,9 @@
  * @typedef {import('./types.js').Result} Result
  * @typedef {import('./types.js').View} View
  * @typedef {import('./types.js').Insight} Insight
- * @typedef {'document' | 'result' | 'view' | 'insight'} Part
+ * @typedef {import('./types.js').Origin} Origin
+ * @typedef {'document' | 'origin' | 'result' | 'view' | 'insight'} Part
+ * @typedef {{document: MechanismDocument, past: MechanismDocument[], future: MechanismDocument[]}} History
  * @typedef {ReturnType<typeof createStore>} Store
  */
 
@@ -16,6 +18,9 @@ const MAX_UNDO = 500;
 /** @param {MechanismDocument} first */
 export function createStore(first) {
   let document = first;
+  /** Where every document came from; an edit hands it on. @type {WeakMap<MechanismDocument, Origin>} */
+  const origins = new WeakMap([[first, { title: '', handle: null, saved: first }]]);
+  const originOf = (/** @type {MechanismDocument} */ one) => /** @type {Origin} */ (origins.get(one));
   /** @type {MechanismDocument[]} */
   let past = [];
   /** @type {MechanismDocument[]} */
@@ -33,7 +38,7 @@ export function createStore(first) {
   /** @type {Insight | null} */
   let insight = null;
   /** @type {Record<Part, Set<() => void>>} */
-  const listeners = { document: new Set(), result: new Set(), view: new Set(), insight: new Set() };
+  const listeners = { document: new Set(), origin: new Set(), result: new Set(), view: new Set(), insight: new Set() };
 
   /** @param {Part} part */
   const tell = (part) => {
@@ -58,6 +63,19 @@ export function createStore(first) {
     },
     get insight() {
       return insight;
+    },
+    /** The present document with the ones before and after it. @returns {History} */
+    get history() {
+      return { document, past, future };
+    },
+    originOf,
+    get origin() {
+      return originOf(document);
+    },
+    /** Whether something is in the document that its file has not. */
+    get unsaved() {
+      const { saved } = originOf(document);
+      return !saved || !same(saved, document);
     },
     get canUndo() {
       return past.length > 0;
@@ -86,10 +104,12 @@ export function createStore(first) {
         past = past.slice(0, -1);
         mark = '';
         future = [];
+        origins.set(next, originOf(document));
         return show(next);
       }
       mark = merge;
       future = [];
+      origins.set(next, originOf(document));
       show(next);
     },
 
@@ -111,12 +131,38 @@ export function createStore(first) {
       show(next);
     },
 
-    /** Another document: a new history. @param {MechanismDocument} next */
-    open(next) {
-      past = [];
-      future = [];
+    /**
+     * Another document: a step that undo takes back.
+     * @param {MechanismDocument} next
+     * @param {Origin} origin
+     */
+    open(next, origin) {
+      if (!same(next, document)) {
+        past = [...past.slice(1 - MAX_UNDO), document];
+        future = [];
+      }
       mark = '';
+      origins.set(next, origin);
       show(next);
+    },
+
+    /** Takes the place of everything: work that comes from another visit. @param {History} work @param {Origin} origin */
+    restore(work, origin) {
+      ({ past, future } = work);
+      mark = '';
+      for (const one of [work.document, ...past, ...future]) if (!origins.has(one)) origins.set(one, origin);
+      show(work.document);
+    },
+
+    /** Undoes until that document is shown again. @param {MechanismDocument} former */
+    backTo(former) {
+      while (document !== former && past.length) this.undo();
+    },
+
+    /** The document is in its file now. @param {MechanismDocument} saved @param {Partial<Origin>} file */
+    markSaved(saved, file) {
+      Object.assign(originOf(saved), file, { saved });
+      tell('origin');
     },
 
     /** @param {Partial<Result>} change */

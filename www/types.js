@@ -31,6 +31,10 @@
  * `trouble`, if the planner itself failed.
  * @typedef {{motion: Motion | null, document: MechanismDocument | null, fault: Fault | null, trouble: string}} Result
  *
+ * Where a document came from, shared by all its edits: what its file is called, the file itself where the browser
+ * gives access to it, and the document as it stands there; null where only this browser has it.
+ * @typedef {{title: string, handle: FileSystemFileHandle | null, saved: MechanismDocument | null}} Origin
+ *
  * What is looked at. `posture` is shown in place of the frame while the linkage is moved by hand (pulled or taught);
  * playing, scrubbing or an edit ends it. `selected` and `hovered` are places of the document, such as `chains[1]`,
  * `chains[1].joints[0]` or `motion.key_frames[2]`, or `workpiece`; empty for nothing. `charts` are groups of charts

@@ -1,7 +1,7 @@
 // The animation bar: what happens at the end, speed, scrubbing by mouse, touch and keys, key frames, a typed frame.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { openBrowser, scrubTo, text } from './browser.mjs';
+import { openBrowser, openSample, scrubTo, text } from './browser.mjs';
 
 let browser;
 before(async () => {
@@ -96,7 +96,7 @@ test('key frames are marked by name, and a press goes there', async () => {
   assert.equal(await frame(page), 65);
   await page.getByRole('button', { name: 'To key frame end, frame 129' }).evaluate((node) => node.click());
   assert.equal(await frame(page), 129, 'by a screen reader');
-  await page.selectOption('#sample', 'scara.json');
+  await openSample(page, 'scara.json');
   await page.locator('#frame-number').filter({ hasText: '/ 65' }).waitFor();
   const places = await page.locator('.tick').evaluateAll((all) => all.map((one) => Number(one.dataset.frame)));
   assert.deepEqual([places[0], places.at(-1)], [0, 64]);

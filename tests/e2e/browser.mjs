@@ -58,6 +58,30 @@ export async function openBrowser() {
   };
 }
 
+/**
+ * Opens an example as a person does, and waits for its motion.
+ * @param {import('playwright-core').Page} page
+ * @param {string} file such as `2tpr.json`
+ */
+export async function openSample(page, file) {
+  const menu = page.getByRole('button', { name: 'Examples', exact: true });
+  if (await menu.isVisible()) await menu.click();
+  else {
+    await page.getByRole('button', { name: 'File', exact: true }).click();
+    await page.getByRole('menuitem', { name: 'Examples' }).click();
+  }
+  await page.locator(`[data-sample="${file}"]`).click();
+  await page.locator('dialog.gallery').waitFor({ state: 'detached' });
+  await motionIsOfDocument(page);
+}
+
+/** Waits until the chains named in the info panel are those of the tables. */
+export const motionIsOfDocument = (page) =>
+  page.waitForFunction(() => {
+    const types = (all) => [...document.querySelectorAll(all)].map((node) => node.textContent).join();
+    return types('.chain .type') === types('#chain-rows td:nth-child(2)');
+  });
+
 export const cell = (page, path) => page.locator(`[data-path="${path}"]`);
 
 /** Goes to a frame as a person does who drags the scrub bar. */

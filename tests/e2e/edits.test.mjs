@@ -1,7 +1,7 @@
 // Every edit is live; a bad one is explained beside its cell and undone.
 import assert from 'node:assert/strict';
 import { after, afterEach, before, beforeEach, test } from 'node:test';
-import { cell, faultBeside, metricBecomes, noFault, number, openBrowser, otherMetric, scrubTo, text } from './browser.mjs';
+import { cell, faultBeside, metricBecomes, noFault, number, openBrowser, openSample, otherMetric, scrubTo, text } from './browser.mjs';
 
 let browser;
 let page;
@@ -67,7 +67,7 @@ test('Escape gives a bad cell its last good value, also when one comes back to i
 });
 
 test('the axes of a T must meet: its inner length is refused in its place', async () => {
-  await page.selectOption('#sample', '2tpr.json');
+  await openSample(page, '2tpr.json');
   const inner = 'chains[1].joints[0].rows[1].a';
   await cell(page, inner).waitFor();
   await cell(page, inner).fill('1');

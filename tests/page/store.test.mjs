@@ -57,12 +57,57 @@ test('typed and taken back leaves nothing to undo', () => {
   assert.equal(store.canUndo, false);
 });
 
-test('another document begins a new history', () => {
+const file = (title, saved) => ({ title, handle: null, saved });
+
+test('another document is a step that undo takes back, with its own file', () => {
   const store = createStore(named('a'));
   store.edit(rename('b'));
-  store.open(named('z'));
+  const [former, z] = [store.document, named('z')];
+  store.open(z, file('z.json', z));
+  assert.equal(store.origin.title, 'z.json');
+  store.edit(rename('zz'));
+  assert.equal(store.origin.title, 'z.json');
+  assert.ok(store.unsaved);
+  store.backTo(former);
+  assert.equal(store.document.name, 'b');
+  assert.equal(store.origin.title, '');
+  store.undo();
+  assert.equal(store.document.name, 'a');
+  assert.equal(store.unsaved, false);
+  store.redo();
+  store.redo();
+  assert.equal(store.origin.title, 'z.json');
+});
+
+test('what is open already is opened again without a step', () => {
+  const store = createStore(named('a'));
+  store.open(named('a'), file('a.json', named('a')));
   assert.equal(store.canUndo, false);
-  assert.equal(store.document.name, 'z');
+});
+
+test('a saved document is unsaved again after an edit, and saved after its undo', () => {
+  const store = createStore(named('a'));
+  store.edit(rename('b'));
+  const heard = [];
+  store.subscribe('origin', () => heard.push(store.unsaved));
+  store.markSaved(store.document, { title: 'b.json' });
+  assert.deepEqual(heard, [false]);
+  store.edit(rename('c'));
+  assert.ok(store.unsaved);
+  store.undo();
+  assert.equal(store.unsaved, false);
+  store.undo();
+  assert.ok(store.unsaved, 'the file holds b');
+});
+
+test('work of another visit comes with its steps', () => {
+  const store = createStore(named('a'));
+  const work = { document: named('c'), past: [named('b')], future: [named('d')] };
+  store.restore(work, file('', null));
+  assert.deepEqual(store.history, work);
+  store.undo();
+  assert.equal(store.document.name, 'b');
+  assert.ok(store.unsaved);
 });
 
 test('listeners hear of their part only, until they leave', () => {

@@ -7,22 +7,29 @@ import { element } from '../dom.js';
 const STAY = 5000;
 const STAY_WITH_ACTION = 12000;
 
-/** @typedef {(text: string, action?: {label: string, act: () => void}) => void} Say */
+/**
+ * @typedef {{label?: string, act?: () => void, stays?: boolean}} NoticeAction `stays`: until it is closed or clicked
+ * @typedef {(text: string, action?: NoticeAction) => void} Say
+ */
 
 /** @param {HTMLElement} place a live region @returns {Say} */
 export function createNotices(place) {
-  return (text, action) => {
-    const notice = element('p', {}, text);
+  return (text, { label, act, stays } = {}) => {
+    const notice = element('p', {}, element('span', {}, text));
     const remove = () => notice.remove();
-    if (action) {
-      const act = () => {
+    if (label) {
+      const click = () => {
         remove();
-        action.act();
+        act?.();
       };
-      notice.append(element('button', { class: 'link', click: act }, action.label));
+      notice.append(element('button', { class: 'link', click }, label));
     }
-    // The newest replaces what stands there: a pile would cover the view.
-    place.replaceChildren(notice);
-    setTimeout(remove, action ? STAY_WITH_ACTION : STAY);
+    // The newest replaces what stands there, but for what must be read: a pile would cover the view.
+    for (const other of [...place.children]) if (!other.matches('.stays') || other.textContent?.startsWith(text)) other.remove();
+    if (stays) {
+      notice.className = 'stays';
+      notice.append(element('button', { class: 'link', 'aria-label': 'Close this notice', click: remove }, '×'));
+    } else setTimeout(remove, label ? STAY_WITH_ACTION : STAY);
+    place.append(notice);
   };
 }

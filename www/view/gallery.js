@@ -1,0 +1,40 @@
+/**
+ * The examples, each with its picture. Arrow keys go through them, Enter opens one.
+ */
+import { samples } from '../samples.js';
+import { plural } from '../format.js';
+import { element } from '../dom.js';
+import { openDialog } from './dialog.js';
+
+/** Made by scripts/thumbnails.mjs. @type {Record<string, string>} */
+const pictures = import.meta.glob('../thumbnails/*.webp', { query: '?url&no-inline', import: 'default', eager: true });
+
+/** @param {import('../main.js').App} app */
+export function openGallery({ store, open }) {
+  const cards = samples.map(({ file, title, line, mobility, text }) => {
+    const choose = async () => {
+      if (await open(text, file)) dialog.close();
+    };
+    const picture = element('img', { src: pictures[`../thumbnails/${file.replace('.json', '.webp')}`], alt: '', loading: 'lazy', width: 240, height: 160 });
+    return element(
+      'button',
+      { class: 'card', 'data-sample': file, 'aria-current': store.origin.title === file && 'true', click: choose },
+      picture,
+      element('strong', {}, title),
+      element('span', {}, line),
+      element('small', {}, plural(mobility, 'freedom')),
+    );
+  });
+  const grid = element('div', { class: 'cards', role: 'group', 'aria-label': 'Examples' }, ...cards);
+  grid.addEventListener('keydown', (event) => {
+    const at = cards.indexOf(/** @type {HTMLButtonElement} */ (document.activeElement));
+    const columns = cards.filter((card) => card.offsetTop === cards[0].offsetTop).length;
+    const next = { ArrowRight: at + 1, ArrowLeft: at - 1, ArrowDown: at + columns, ArrowUp: at - columns, Home: 0, End: cards.length - 1 }[event.key];
+    if (at < 0 || next === undefined) return;
+    event.preventDefault();
+    cards[next]?.focus();
+  });
+  const dialog = openDialog('Examples', grid);
+  dialog.classList.add('gallery');
+  (cards.find((card) => card.ariaCurrent) ?? cards[0]).focus();
+}
