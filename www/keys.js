@@ -29,7 +29,7 @@ export const KEYS = [
   { keys: ['Page Up', 'Page Down'], does: 'ten frames on or back', where: 'Scrub bar' },
   { keys: ['Home', 'End'], does: 'first or last frame', where: 'Scrub bar' },
   { keys: ['Ctrl+←', 'Ctrl+→'], does: 'key frame before or after', where: 'Scrub bar' },
-  { keys: [',', '.'], does: 'one frame back or on', where: '3D view, animation bar, charts' },
+  { keys: [',', '.'], does: 'one frame back or on', where: 'Animation bar, charts' },
   { keys: ['↑', '↓', 'Enter'], does: 'cell above or below', where: 'Tables' },
   { keys: ['Tab'], does: 'next cell', where: 'Tables' },
   { keys: ['Escape'], does: 'give the cell its old value', where: 'Tables' },

@@ -80,7 +80,7 @@ test('by key: one, ten, key frames, ends; beside the animation only', async () =
     await page.keyboard.press(key);
     assert.equal(await frame(page), wanted, key);
   }
-  await page.locator('#canvas').focus();
+  await button(page, 'Play').focus();
   await page.keyboard.press('.');
   assert.equal(await frame(page), 2);
   await page.getByRole('tab', { name: 'Mechanism' }).focus();

@@ -52,7 +52,7 @@ export function createCard(chart, { hidden, onHover, onScrub }) {
     element(
       'header',
       {},
-      element('h3', {}, chart.title, ' ', unit),
+      element('h2', {}, chart.title, ' ', unit),
       element('ul', {}, ...values.map((value, i) => element('li', {}, ...(many ? [toggles[i]] : []), value))),
     ),
     host,

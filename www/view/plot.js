@@ -57,6 +57,8 @@ export function createPlot(host, { series, log = false, floor = 1e-16, zero = fa
       padding: [6, 8, 0, 0],
       legend: { show: false },
       cursor: {
+        // A finger leaves no cursor behind.
+        show: matchMedia('(any-hover: hover)').matches,
         y: false,
         drag: { setScale: false, x: false, y: false },
         points: { size: 5 },
@@ -90,10 +92,7 @@ export function createPlot(host, { series, log = false, floor = 1e-16, zero = fa
           paths: one.steps ? uPlot.paths.stepped?.({ align: 1 }) : undefined,
         })),
       ],
-      hooks: {
-        draw: [place],
-        setCursor: [({ cursor }) => onHover?.((cursor.left ?? -1) < 0 ? null : (cursor.idx ?? null))],
-      },
+      hooks: { draw: [place] },
     },
     [[], ...series.map(() => [])],
     host,
@@ -107,10 +106,15 @@ export function createPlot(host, { series, log = false, floor = 1e-16, zero = fa
     if (playhead !== null) line.style.transform = `translateX(${plot.valToPos(playhead, 'x')}px)`;
   }
 
+  const { over } = plot;
+  const under = (/** @type {PointerEvent} */ event) => plot.posToIdx(event.clientX - over.getBoundingClientRect().left);
+  if (onHover) {
+    over.addEventListener('pointermove', (event) => event.pointerType !== 'touch' && onHover(under(event)));
+    over.addEventListener('pointerleave', () => onHover(null));
+  }
   if (onScrub) {
-    const { over } = plot;
     over.classList.add('scrubs');
-    const scrub = (/** @type {PointerEvent} */ event) => onScrub(plot.posToIdx(event.clientX - over.getBoundingClientRect().left));
+    const scrub = (/** @type {PointerEvent} */ event) => onScrub(under(event));
     over.addEventListener('pointerdown', (event) => {
       if (event.button !== 0) return;
       over.setPointerCapture(event.pointerId);

@@ -56,7 +56,7 @@ export function createTransport(store, player) {
     }
     // Only beside the animation: single letters everywhere would be in the way of people who speak to their browser.
     const steps = { ',': -1, '.': 1 }[event.key];
-    if (steps && target?.closest('.stage, #charts') && !target.closest(TAKES_TEXT)) step(steps);
+    if (steps && target?.closest('.transport, #charts') && !target.closest(TAKES_TEXT)) step(steps);
   });
 
   function show() {
