@@ -150,6 +150,6 @@ test('on a phone: by touch, with room for a thumb, and nothing sticks out', asyn
   await touch('touchEnd');
   assert.equal(await frame(page), 97);
   for (const name of ['Play', 'One frame back', 'One frame on']) assert.ok((await button(page, name).boundingBox()).height >= 36, name);
-  assert.ok((await page.locator('#speed').boundingBox()).height >= 36);
+  for (const id of ['speed', 'loop', 'frame-number']) assert.ok((await page.locator(`#${id}`).boundingBox()).height >= 36, id);
   assert.deepEqual(problems, []);
 });

@@ -42,7 +42,7 @@ export function createCard(chart, { hidden, onHover, onScrub }) {
   const table = element('table', { class: 'plain' });
   const data = element(
     'details',
-    { class: 'data', toggle: () => data.open && fillTable() },
+    { class: 'data', toggle: openTable },
     element('summary', {}, 'Table', element('span', { class: 'sr' }, ` of ${chart.title}`)),
     element('div', { class: 'rows', tabindex: 0, role: 'region', 'aria-label': `Table of ${chart.title}` }, table),
   );
@@ -77,6 +77,12 @@ export function createCard(chart, { hidden, onHover, onScrub }) {
 
   /** @type {Along} */
   let along = { x: [], heads: [] };
+
+  function openTable() {
+    if (!data.open) return;
+    fillTable();
+    data.scrollIntoView({ block: 'nearest' });
+  }
 
   function fillTable() {
     const { every, shown: frames } = tableFrames(along.x.length);

@@ -10,9 +10,11 @@ import { short } from '../format.js';
 import { createCard } from './chart-card.js';
 import { chartsOf, GROUPS } from './chart-list.js';
 
-/** Height of a row of charts that can be read, and what is not plot of it, in pixels. */
-const ROW = 200;
-const AROUND_PLOT = 92;
+/** Least heights of a plot in pixels: where there is room for two rows, and where there is hardly any. */
+const ROOMY = 110;
+const LEAST = 88;
+/** Height of the gap between rows and of the closed tables, in pixels. */
+const BETWEEN = 32;
 
 /** @param {Pick<import('../main.js').App, 'store' | 'player'>} app @param {HTMLElement} panel */
 export function createCharts({ store, player }, panel) {
@@ -25,12 +27,15 @@ export function createCharts({ store, player }, panel) {
   /** @type {Along} */
   let along = { x: [], heads: [] };
   let request = 0;
+  /** The charts that the plots' height is fitted to. */
+  let fitted = '';
 
   const reading = element('p', { class: 'reading' });
   const scale = element('select', { change: refresh }, element('option', { value: 'frame' }, 'frame'), element('option', { value: 'time' }, 'time'));
   const grid = element('div', { class: 'charts' });
   const none = element('p', { class: 'none', hidden: true }, 'No chart is chosen.');
-  panel.replaceChildren(element('div', { class: 'choices' }, chooser(store), element('label', {}, 'over ', scale), reading), none, grid);
+  const choices = element('div', { class: 'choices' }, chooser(store), element('label', {}, 'over ', scale), reading);
+  panel.replaceChildren(choices, none, grid);
 
   const sight = new IntersectionObserver((changes) => {
     for (const { target, isIntersecting } of changes) {
@@ -87,6 +92,9 @@ export function createCharts({ store, player }, panel) {
       sight.observe(card.root);
     });
     none.hidden = wanted.length > 0;
+    const now = wanted.map(shape).join();
+    if (now !== fitted) fit();
+    fitted = now;
     // While something is dragged, motions come faster than pictures.
     request ||= requestAnimationFrame(() => {
       request = 0;
@@ -106,7 +114,7 @@ export function createCharts({ store, player }, panel) {
 
   function read() {
     const { motion } = store.result;
-    if (!motion || !panel.offsetParent) return;
+    if (!motion) return;
     const frame = Math.min(store.view.frame, motion.frames - 1);
     const at = hovered === null ? frame : Math.min(hovered, motion.frames - 1);
     for (const { card, seen, stale } of entries.values()) if (seen && !stale) card.showAt(frame, at);
@@ -114,15 +122,16 @@ export function createCharts({ store, player }, panel) {
     grid.classList.toggle('away', store.view.posture !== null);
   }
 
-  new ResizeObserver(() => {
-    // In the dock they fill its height; elsewhere the page is as long as they are.
-    if (panel.closest('.dock')) {
-      const height = panel.clientHeight;
-      const rows = Math.max(1, Math.floor(height / ROW));
-      grid.style.setProperty('--plot-height', `${Math.max(96, Math.floor(height / rows) - AROUND_PLOT)}px`);
-    } else grid.style.removeProperty('--plot-height');
-    read();
-  }).observe(panel);
+  /** In the dock, rows of charts fill its height; elsewhere the page is as long as they are. */
+  function fit() {
+    if (!panel.closest('.dock')) return grid.style.removeProperty('--plot-height');
+    const heads = Math.max(0, ...[...grid.querySelectorAll('header')].map((head) => head.offsetHeight));
+    const room = panel.clientHeight - choices.offsetHeight - 2 * parseFloat(getComputedStyle(panel).paddingTop);
+    const around = heads + BETWEEN;
+    const rows = Math.max(1, Math.floor(room / (ROOMY + around)));
+    grid.style.setProperty('--plot-height', `${Math.max(LEAST, Math.floor(room / rows) - around)}px`);
+  }
+  new ResizeObserver(fit).observe(panel);
 
   let { charts } = store.view;
   store.subscribe('view', () => {

@@ -22,7 +22,7 @@ export function createDock(tabs, dockTabs) {
   const handle = byId('dock-handle');
   const toggle = byId('dock-toggle');
   const view = /** @type {HTMLElement} */ (dock.parentElement?.querySelector('.view'));
-  const state = { height: 210, open: innerHeight >= LOW_WINDOW, ...recall() };
+  const state = { height: Math.round(Math.min(340, Math.max(190, 0.27 * innerHeight))), open: innerHeight >= LOW_WINDOW, ...recall() };
 
   const panelHeight = () => /** @type {HTMLElement} */ (dock.querySelector('.panel.shown')).offsetHeight;
   const most = () => Math.max(LEAST, panelHeight() + view.offsetHeight - VIEW);
