@@ -120,6 +120,11 @@ export class Player {
     this.#schedule();
   }
 
+  /** Seconds that one pass takes at the present speed. */
+  get passSeconds() {
+    return (isTimed(this.#store.result.document) ? this.duration : UNTIMED_SECONDS) / this.playbackRate;
+  }
+
   /** @param {number} seconds */
   #advance(seconds) {
     const [from, to] = this.#range();

@@ -133,3 +133,67 @@ test('the saved page plays from a file, without a network', async () => {
   }
   await rm(folder, { recursive: true });
 });
+
+test('the film shows the motion, and has a length and a size', async () => {
+  const { page, problems } = await browser.openPage();
+  await page.selectOption('#speed', { index: (await page.locator('#speed option').count()) - 1 });
+  await scrubTo(page, 20);
+  const { name, bytes } = await saved(page, () => choose(page, /WebM/));
+  assert.equal(name, '3rps.webm');
+  assert.equal(bytes.subarray(0, 4).toString('hex'), '1a45dfa3');
+  assert.ok(bytes.length > 5000, `${bytes.length} bytes`);
+  await page.locator('dialog').waitFor({ state: 'detached' });
+  assert.match(await text(page, 'frame-number'), /^21 \//, 'the playhead is where it was');
+  assert.deepEqual(problems, []);
+
+  // The page's own policy has no room for films.
+  const { page: cinema } = await browser.blankPage();
+  const seen = await cinema.evaluate(async (base64) => {
+    const data = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+    const video = Object.assign(document.createElement('video'), { src: URL.createObjectURL(new Blob([data], { type: 'video/webm' })), muted: true });
+    const comes = (event) => new Promise((done, fail) => {
+      video.addEventListener(event, done, { once: true });
+      video.addEventListener('error', () => fail(new Error(video.error.message)), { once: true });
+    });
+    await comes('loadeddata');
+    const { duration, videoWidth: width, videoHeight: height } = video;
+    const pen = new OffscreenCanvas(width, height).getContext('2d');
+    const pictureAt = async (time) => {
+      video.currentTime = time;
+      await comes('seeked');
+      pen.drawImage(video, 0, 0);
+      return pen.getImageData(0, 0, width, height).data;
+    };
+    const [first, later] = [await pictureAt(0.01), await pictureAt(duration / 2)];
+    const changed = first.reduce((sum, value, index) => sum + (Math.abs(value - later[index]) > 40), 0);
+    return { duration, width, height, changed };
+  }, bytes.toString('base64'));
+  const view = await page.locator('#canvas').evaluate((canvas) => [canvas.clientWidth, canvas.clientHeight]);
+  assert.ok(seen.duration > 0.5 && seen.duration < 60, `${seen.duration} s`);
+  assert.ok(Math.abs(seen.width - view[0]) < 2 && Math.abs(seen.height - view[1]) < 2, `${seen.width} × ${seen.height}`);
+  assert.ok(seen.changed > 500, `${seen.changed} values change`);
+});
+
+test('a film that is cancelled leaves nothing behind', async () => {
+  const { page, problems } = await browser.openPage();
+  await scrubTo(page, 20);
+  page.on('download', () => problems.push('a film was saved'));
+  await choose(page, /WebM/);
+  await page.waitForFunction(() => document.querySelector('dialog progress')?.value > 0.05);
+  await page.getByRole('button', { name: 'Cancel' }).click();
+  await page.locator('#notices').filter({ hasText: 'cancelled' }).waitFor();
+  assert.equal(await page.locator('dialog').count(), 0);
+  assert.match(await text(page, 'frame-number'), /^21 \//);
+  assert.deepEqual(problems, []);
+});
+
+test('a browser that cannot record says so in the menu', async () => {
+  const { page } = await browser.blankPage();
+  await page.addInitScript(() => delete globalThis.MediaRecorder);
+  await page.goto(browser.address);
+  await page.waitForFunction(() => document.querySelector('#closure').textContent !== '–');
+  await page.getByRole('button', { name: 'Export', exact: true }).click();
+  const item = page.getByRole('menuitem', { name: /WebM/ });
+  assert.ok(await item.isDisabled());
+  assert.match(await item.textContent(), /cannot record/);
+});

@@ -5,6 +5,7 @@
  */
 import { byId } from '../dom.js';
 import { menuButton } from '../view/menu.js';
+import { filmType } from './film-type.js';
 
 /** @param {App} app */
 export function createExport(app) {
@@ -25,6 +26,12 @@ export function createExport(app) {
       const unseen = nothing || !scene;
       return [
         { label: 'Picture (PNG) …', hint: 'The view, in any size', disabled: unseen, act: attempt(async () => (await import('./png.js')).exportPng(app)) },
+        {
+          label: 'Film (WebM)',
+          hint: filmType() ? 'One pass at the speed that is set' : 'This browser cannot record a canvas; Chromium and Firefox can',
+          disabled: unseen || !filmType(),
+          act: attempt(async () => (await import('./film.js')).exportFilm(app)),
+        },
         { label: 'Playing page (HTML)', hint: 'One file that plays this motion, without a network', disabled: nothing, act: attempt(async () => (await import('./html.js')).exportHtml(app)) },
         'line',
         { label: 'Table (CSV)', hint: 'Joints, poses, gaps at every frame; degrees', disabled: nothing, act: motion('csv') },

@@ -8,8 +8,9 @@
  * @property {number} [ratio] pixels of the picture to one of those
  * @property {boolean} [transparent] without the view's background
  * @property {boolean} [names] with the names in the view
+ * @property {boolean} [shadows] also where the view leaves them out while it moves
  */
-import { Mesh, PerspectiveCamera, ShaderMaterial, Vector3, WebGLRenderer } from 'three';
+import { DirectionalLight, Mesh, PerspectiveCamera, ShaderMaterial, Vector3, WebGLRenderer } from 'three';
 
 /** Where a name stands beside its point, as the style sheet has it. */
 const NAME = { left: 8, top: -22, padding: 5, height: 17, corner: 3 };
@@ -67,7 +68,7 @@ export function viewStyle(scene) {
  * @param {Wish} wish
  * @param {HTMLCanvasElement} [canvas] is drawn over, if given
  */
-export function drawPicture(scene, { width, height, ratio = 1, transparent = false, names = true }, canvas = document.createElement('canvas')) {
+export function drawPicture(scene, { width, height, ratio = 1, transparent = false, names = true, shadows = false }, canvas = document.createElement('canvas')) {
   renderer ??= new WebGLRenderer({ antialias: true, alpha: true, preserveDrawingBuffer: true });
   renderer.shadowMap.enabled = true;
   const [across, down] = [Math.round(width * ratio), Math.round(height * ratio)];
@@ -85,7 +86,13 @@ export function drawPicture(scene, { width, height, ratio = 1, transparent = fal
     pen.fillRect(0, 0, across, down);
   }
   withoutTools(scene, width / height, (camera) => {
+    const suns = scene.pictured.filter((object) => object instanceof DirectionalLight);
+    const cast = suns.map((sun) => sun.castShadow);
+    for (const sun of suns) sun.castShadow ||= shadows;
     renderer?.render(scene.root, camera);
+    suns.forEach((sun, index) => {
+      sun.castShadow = cast[index];
+    });
     if (renderer) pen.drawImage(renderer.domElement, 0, 0);
     if (!names) return;
     pen.save();

@@ -30,7 +30,7 @@ export async function exportPng({ store, scene, say }) {
     element('p', {}, save),
   );
   save.addEventListener('click', async () => {
-    const picture = drawPicture(scene, { ...sizes[Number(size.value)][1], transparent: transparent.checked, names: names.checked });
+    const picture = drawPicture(scene, { ...sizes[Number(size.value)][1], transparent: transparent.checked, names: names.checked, shadows: true });
     const content = await new Promise((resolve) => picture.toBlob(resolve, 'image/png'));
     const name = fileName(store.result.document, 'png');
     if (content) saveFile(name, content);

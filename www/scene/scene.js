@@ -91,6 +91,14 @@ export function createScene({ canvas, labels: layer }, changed) {
 
   let built = false;
   let draws = 0;
+
+  /** @param {import('./frame.js').Shown} what */
+  function pose(what) {
+    if (!built) return;
+    linkage.show(what);
+    paths.show(what);
+  }
+
   /** @type {Set<(event: PointerEvent) => boolean>} */
   const claimants = new Set();
   /** @type {Set<() => void>} */
@@ -191,13 +199,13 @@ export function createScene({ canvas, labels: layer }, changed) {
       changed();
     },
 
+    /** Puts everything where it is, without drawing. @param {import('./frame.js').Shown} what the columns and the frame in them */
+    pose,
+
     /** @param {import('./frame.js').Shown} what the columns and the frame in them that are drawn */
     draw(what) {
       view.step();
-      if (built) {
-        linkage.show(what);
-        paths.show(what);
-      }
+      pose(what);
       for (const { place, text, at } of marks) if (text) highlight.anchorOf(place, at);
       for (const tell of drawn) tell();
       light.beforeDraw();
