@@ -165,7 +165,7 @@ test('ghosts, and leaving out parts, change the picture; the legend tells the si
     await drawn(page);
     return (await canvas.screenshot()).toString('base64');
   };
-  await page.locator('#legend').getByText(/^gap of [\d.]+ m or more$/).first().waitFor();
+  await page.locator('#legend').getByText(/^gap ≥ [\d.]+ m$/).first().waitFor();
   const pictures = new Set([(await canvas.screenshot()).toString('base64')]);
   for (const name of ['Ghosts at key frames', /Ghosts every \d+ frames/, 'Ghost at this frame', 'Goal motion', 'Closest motion', 'Gap lines', 'Axes', 'Ground']) {
     pictures.add(await choose(name));

@@ -48,6 +48,13 @@ function bar(material, width, length, z = 0) {
   return mesh;
 }
 
+/** A part along z laid along x instead. @param {Mesh} mesh @param {number} x */
+function across(mesh, x) {
+  mesh.rotation.y = Math.PI / 2;
+  mesh.position.x = x;
+  return mesh;
+}
+
 /** Parts drawn in link radii, in a group drawn in lengths. @param {number} r @param {...Mesh} parts */
 function scaled(r, ...parts) {
   const inner = new Group();
@@ -90,12 +97,13 @@ export function jointShape(type, r, { link, metal, dark }) {
       rod.scale.set(r, r, 1);
       return {
         fixed: scaled(r, part(barrel(1.8, 5.2), link), ...[-1, 1].map((side) => part(barrel(2.15, 0.6), metal, side * 2.5))),
-        moved: scaled(r, part(barrel(1.5, 1.2), metal)),
+        // The pin shows how the rod turns.
+        moved: scaled(r, part(barrel(1.5, 1.2), metal), across(part(barrel(0.4, 1.6), dark), 1.9)),
         slide: { mesh: rod, before: 5 * r, after: 1.6 * r },
       };
     }
     case 'T': {
-      const arm = () => [part(barrel(0.75, 5.4), dark), ...[-1, 1].map((side) => part(barrel(1.2, 0.8), metal, side * 2.75))];
+      const arm = () => [part(barrel(0.75, 5.4), dark), ...[-1, 1].map((side) => part(barrel(1.2, 1.1), metal, side * 2.75))];
       const hoop = part(ring(2.75, 0.45), link);
       hoop.rotation.y = Math.PI / 2;
       return { fixed: scaled(r, ...arm()), cross: scaled(r, ...arm(), hoop), moved: scaled(r, part(ball(1.3), link)) };
@@ -115,9 +123,9 @@ export function jointShape(type, r, { link, metal, dark }) {
         puck,
         fit(travel) {
           // The link before the joint ends at the seat: the plate reaches from there.
-          const [along, across] = travel.map(({ low, high }) => ({ low: Math.min(low, 0), high: Math.max(high, 0) }));
-          plate.scale.set(PLATE * r, along.high - along.low + 8 * r, across.high - across.low + 8 * r);
-          plate.position.set(0, 0, (across.low + across.high) / 2).applyQuaternion(plate.quaternion);
+          const [along, athwart] = travel.map(({ low, high }) => ({ low: Math.min(low, 0), high: Math.max(high, 0) }));
+          plate.scale.set(PLATE * r, along.high - along.low + 8 * r, athwart.high - athwart.low + 8 * r);
+          plate.position.set(0, 0, (athwart.low + athwart.high) / 2).applyQuaternion(plate.quaternion);
           plate.position.z += (along.low + along.high) / 2;
           plate.position.add(plate.userData.offset);
         },

@@ -113,7 +113,7 @@ export class Linkage {
     flange.position.copy(end).addScaledVector(along, Math.min(3.1 * r, distance / 2));
     flange.quaternion.copy(new Quaternion().setFromUnitVectors(new Vector3(0, 0, 1), distance > 1e-9 * r ? along : new Vector3(0, 0, 1)));
     const { chain, metal } = this.#materials;
-    flange.add(part(barrel(1.9, 0.9, 28), chain[index % chain.length]), part(barrel(2.15, 0.3, 28), metal, 0.3));
+    flange.add(part(barrel(1.9, 0.9, 28), chain[index % chain.length]), part(barrel(2.15, 0.3, 28), metal, 0.36));
     flange.scale.setScalar(r);
     flange.userData.place = `chains[${index}].gripper`;
     return flange;

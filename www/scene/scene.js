@@ -79,7 +79,7 @@ export function createScene({ canvas, labels: layer }, changed) {
   const names = () => [...paths.labels, ...linkage.bases.map((at, index) => ({ at, text: String(index + 1), place: `chains[${index}].base` }))];
 
   function setLabels() {
-      const standing = options.show.names ? names() : [];
+    const standing = options.show.names ? names() : [];
     const named = marks.filter(({ place, text }, index) => text && !(index && place === chosen.place) && highlight.anchorOf(place, marks[index].at));
     labels.set([...standing.filter(({ place }) => !named.some((mark) => mark.place === place)), ...named], chosen.place, pointed.place);
   }
@@ -187,7 +187,7 @@ export function createScene({ canvas, labels: layer }, changed) {
       built = true;
       shown = { motion, document };
       if (take(motion, document, afresh)) {
-        view.setHome(size.centre, size.radius * 0.95);
+        view.setHome(size.centre, size.radius * 1.03);
         light.aim(size.centre, size.radius);
       }
       ground.lay(size.centre, size.radius, size.ground);

@@ -21,9 +21,9 @@ export function createLegend(list, { store, scene }) {
     if (goal) items.push(['goal', 'goal motion']);
     if (closest) items.push(['closest', 'closest motion']);
     if (gaps) items.push(['gap', 'gap at this frame']);
-    if (gaps && seen.has(0)) items.push(['gap-0', `gap under ${size(steps[1])}`]);
-    if (gaps && seen.has(1)) items.push(['gap-1', `gap of ${size(steps[1])} or more`]);
-    if (gaps && seen.has(2)) items.push(['gap-2', `gap of ${size(steps[2])} or more`]);
+    if (gaps && seen.has(0)) items.push(['gap-0', `gap < ${size(steps[1])}`]);
+    if (gaps && seen.has(1)) items.push(['gap-1', `gap ≥ ${size(steps[1])}`]);
+    if (gaps && seen.has(2)) items.push(['gap-2', `gap ≥ ${size(steps[2])}`]);
     const next = JSON.stringify(items);
     if (next === written) return;
     written = next;

@@ -71,10 +71,13 @@ export function createViewBar({ store, scene, say }) {
   const bar = byId('view-bar');
   bar.append(views, parts, projection, fit);
 
+  let projected = '';
   const show = () => {
+    scene.choose(store.view);
+    if (store.view.projection === projected) return;
+    projected = store.view.projection;
     const flat = store.view.projection === 'orthographic';
     scene.setParallel(flat);
-    scene.choose(store.view);
     setText(projection, flat ? 'Orthographic' : 'Perspective');
     projection.title = flat ? 'Parallel lines stay parallel: change to perspective (P)' : 'Far things are smaller: change to orthographic (P)';
   };
