@@ -8,7 +8,7 @@
 import { readAddress, plainAddress } from './files/address.js';
 import { DamagedLink, decode } from './files/codec.js';
 import { applyOverrides, BadOverride, parseOverrides } from './files/overrides.js';
-import { download } from './files/download.js';
+import { saveFile } from './files/save.js';
 import { DocumentFault, PlannerFailure } from './planner.js';
 import { samples } from './samples.js';
 import { sentence } from './view/fault-note.js';
@@ -129,7 +129,7 @@ export function createOpening({ store, planner, player, say }, keeper) {
   const tellBroken = () =>
     say('What this browser kept of your last document cannot be read. A sample is shown in its place.', {
       label: 'Download it',
-      act: () => download(keeper.broken(), 'kept-document.txt'),
+      act: () => saveFile('kept-document.txt', new Blob([keeper.broken()], { type: 'text/plain' })),
       stays: true,
     });
 

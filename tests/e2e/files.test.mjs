@@ -17,6 +17,16 @@ const ready = (page) => page.waitForFunction(() => document.querySelector('#clos
 const nameIs = (page, name) => page.locator('#document-name').filter({ hasText: new RegExp(`^${name}$`) }).waitFor();
 const notice = (page, words) => page.locator('#notices p').filter({ hasText: words });
 
+/** How light the picture of the linkage is, from 0 to 1. */
+const lightness = async (page) =>
+  page.evaluate(async (bytes) => {
+    const bitmap = await createImageBitmap(new Blob([new Uint8Array(bytes)]));
+    const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d');
+    context.drawImage(bitmap, 0, 0);
+    const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);
+    return data.reduce((sum, value, index) => (index % 4 === 3 ? sum : sum + value), 0) / (data.length * 0.75 * 255);
+  }, [...(await page.locator('#canvas').screenshot())]);
+
 /** A page in a browser without file pickers: it uploads and downloads. */
 async function pageWithoutPickers(options) {
   const { page, problems } = await browser.blankPage(options);
@@ -58,7 +68,7 @@ test('new, edit, save, open: the same document comes back', async () => {
   assert.ok(await page.locator('#unsaved').isVisible());
   assert.match(await page.title(), /^● My arm/);
   const [download] = await Promise.all([page.waitForEvent('download'), page.keyboard.press('Control+s')]);
-  assert.equal(download.suggestedFilename(), 'My-arm.json');
+  assert.equal(download.suggestedFilename(), 'my-arm.json');
   await page.locator('#unsaved').waitFor({ state: 'hidden' });
   const saved = readFileSync(await download.path(), 'utf8');
   assert.equal(JSON.parse(saved).name, 'My arm');
@@ -129,6 +139,21 @@ test('a document dropped onto the page is opened, and the drop is hinted at', as
   await nameIs(page, JSON.parse(fourBar).name);
   await page.locator('#drop-hint').waitFor({ state: 'hidden' });
   assert.deepEqual(problems, []);
+});
+
+test('the text of a document is opened where it is pasted onto the page, and left alone in a field', async () => {
+  const { page } = await browser.openPage();
+  const paste = (selector) =>
+    page.locator(selector).evaluate((target, content) => {
+      const clipboardData = new DataTransfer();
+      clipboardData.setData('text/plain', content);
+      target.dispatchEvent(new ClipboardEvent('paste', { clipboardData, bubbles: true }));
+    }, fourBar);
+  await paste(`[data-path="${A}"]`);
+  await paste('body');
+  await nameIs(page, JSON.parse(fourBar).name);
+  await page.locator('#undo').click();
+  assert.ok(await page.locator('#undo').isDisabled(), 'opened once');
 });
 
 test('examples open from the keyboard; opening is undone with all steps before it', async () => {
@@ -399,16 +424,18 @@ test('light, dark, as the system: chosen in the header, kept, followed by the vi
   const theme = page.locator('#theme');
   const state = () => page.evaluate(() => {
     const style = getComputedStyle(document.documentElement);
-    return { scheme: style.colorScheme, page: style.backgroundColor, metal: style.getPropertyValue('--scene-grid').trim() };
+    return { scheme: style.colorScheme, page: style.backgroundColor, grid: style.getPropertyValue('--scene-grid').trim() };
   });
   const light = await state();
+  assert.ok((await lightness(page)) > 0.65);
   await theme.click();
   assert.equal((await state()).scheme, 'light');
   await theme.click();
   const dark = await state();
   assert.equal(dark.scheme, 'dark');
   assert.notEqual(dark.page, light.page);
-  assert.notEqual(dark.metal, light.metal);
+  assert.notEqual(dark.grid, light.grid, "the scene's colours too");
+  assert.ok((await lightness(page)) < 0.35);
   assert.match(await theme.getAttribute('aria-label'), /dark.*system/);
   await page.reload();
   assert.equal((await state()).page, dark.page, 'before the scripts ran');

@@ -1,7 +1,7 @@
 // Files that a person hands in.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { fileName, readText } from '../../www/files/reading.js';
+import { readText } from '../../www/files/reading.js';
 
 test('text is read, without its mark of order', async () => {
   assert.equal(await readText(new Blob(['\uFEFF{"name": "Größe"}'])), '{"name": "Größe"}');
@@ -11,11 +11,4 @@ test('pictures, other encodings and huge files are refused in words', async () =
   await assert.rejects(readText(new Blob([new Uint8Array([0x89, 0x50, 0x4e, 0x47, 0])])), { message: /not a text.*JSON/ });
   await assert.rejects(readText(new Blob([new Uint8Array([0x7b, 0, 0x7d, 0])])), { message: /not a text/ });
   await assert.rejects(readText(new Blob([new Uint8Array(4_100_000)])), { message: /4\.1 MB.*at most 4 MB/ });
-});
-
-test('a document gives its file a name', () => {
-  assert.equal(fileName('3RPS'), '3RPS.json');
-  assert.equal(fileName('my / leg: no. 2'), 'my-leg-no.-2.json');
-  assert.equal(fileName('..'), 'linkage.json');
-  assert.equal(fileName(undefined), 'linkage.json');
 });

@@ -6,8 +6,8 @@
  */
 import { shareAddress } from './address.js';
 import { encode } from './codec.js';
-import { download } from './download.js';
-import { fileName, readText, RefusedFile } from './reading.js';
+import { readText, RefusedFile } from './reading.js';
+import { fileName, saveFile } from './save.js';
 import { DocumentFault } from '../planner.js';
 import { byId, element } from '../dom.js';
 import { openDialog } from '../view/dialog.js';
@@ -56,7 +56,7 @@ export function createDocuments({ store, planner, defaults, say, open }) {
     if (handle && !another) return handle;
     const { showSaveFilePicker } = pickers();
     if (!showSaveFilePicker) return null;
-    const suggestedName = title || fileName(store.document.name);
+    const suggestedName = title || fileName(store.document, 'json');
     return showSaveFilePicker.call(window, { suggestedName, types: TYPES }).catch((error) => (isAbort(error) ? undefined : null));
   }
 
@@ -66,13 +66,13 @@ export function createDocuments({ store, planner, defaults, say, open }) {
     if (handle === undefined) return;
     const { document } = store;
     const { text, whole } = await textOf(document);
-    const title = handle?.name ?? fileName(document.name);
+    const title = handle?.name ?? fileName(document, 'json');
     try {
       if (handle) {
         const stream = await handle.createWritable();
         await stream.write(text);
         await stream.close();
-      } else download(text, title, 'application/json');
+      } else saveFile(title, new Blob([text], { type: 'application/json' }));
     } catch (error) {
       say(`“${title}” could not be written (${/** @type {Error} */ (error).message}).`, { label: 'Save to another file', act: () => save(true), stays: true });
       return;

@@ -20,9 +20,3 @@ export async function readText(file) {
   }
   throw new RefusedFile('It is not a text. Accepted: a document, which is JSON text in UTF-8.');
 }
-
-/** A file's name for a document. @param {string | undefined} name */
-export function fileName(name) {
-  const plain = (name ?? '').normalize('NFC').replace(/[\\/:*?"<>|\p{Cc}]+/gu, ' ').trim().replace(/\s+/g, '-').replace(/^\.+/, '');
-  return `${plain.slice(0, 60) || 'linkage'}.json`;
-}

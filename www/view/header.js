@@ -41,6 +41,8 @@ export function createHeader(app, documents, keeper) {
     { label: 'Colours', hint: byId('theme').getAttribute('aria-label')?.replace('Colours: ', 'Now '), act: () => byId('theme').click() },
   ]);
   file.classList.add('plain-button');
+  file.id = 'file-menu';
+  file.title = 'More: save as, earlier documents';
   byId('save').after(file);
 
   document.addEventListener('keydown', (event) => {
