@@ -49,15 +49,17 @@
 //! # Modules, from the top down
 //!
 //! ```text
-//! wasm        →  export, report, problem, json, defaults, enumerate
+//! wasm        →  export, posture, report, problem, json, defaults, enumerate
 //! export      →  columns, mjcf                       columns, mjcf → report
+//! posture     →  report, problem, planner, insight
 //! problem     →  document, start, planner            report → problem, trajectory
-//! planner     →  newton, gradient, keyframe, trajectory, closure
+//! planner     →  newton, gradient, drive, keyframe, trajectory, closure
 //! start       →  newton, mechanism
 //! newton      →  tangent, trust_region, objective    gradient → closure
+//! drive       →  tangent, mechanism                  insight → tangent, trust_region, screw, closure
 //! tangent     →  chain, linalg                       closure → mechanism
 //! mechanism   →  chain                               chain → joint, dh, pose
-//! ground:        joint  dh  pose  linalg  enumerate  fault
+//! ground:        joint  dh  pose  linalg  screw  enumerate  fault
 //! ```
 //!
 //! # Example
@@ -78,10 +80,12 @@ pub mod columns;
 pub mod defaults;
 pub mod dh;
 pub mod document;
+pub mod drive;
 pub mod enumerate;
 pub mod export;
 pub mod fault;
 pub mod gradient;
+pub mod insight;
 pub mod joint;
 pub mod json;
 pub mod keyframe;
@@ -93,8 +97,10 @@ mod node;
 pub mod objective;
 pub mod planner;
 pub mod pose;
+pub mod posture;
 pub mod problem;
 pub mod report;
+pub mod screw;
 mod spline;
 pub mod start;
 pub mod tangent;

@@ -70,6 +70,15 @@ impl Mechanism {
         }
     }
 
+    /// Joint values with lengths in multiples of `unit`.
+    pub fn in_unit(&self, joints: &[f64], unit: f64) -> Vec<f64> {
+        let turns = self.chains.iter().flat_map(Chain::turns);
+        let pairs = joints.iter().zip(turns);
+        pairs
+            .map(|(x, turns)| if turns { *x } else { x / unit })
+            .collect()
+    }
+
     /// The part of a joint vector that belongs to each chain.
     pub fn split<'a>(&'a self, joints: &'a [f64]) -> impl Iterator<Item = (&'a Chain, &'a [f64])> {
         self.chains.iter().scan(joints, |rest, chain| {

@@ -2,12 +2,13 @@
 
 use crate::chain::Chain;
 use crate::closure::{self, SingularValues};
+use crate::drive::{self, Obstacle};
 use crate::gradient;
 use crate::joint::Limits;
 use crate::keyframe::Goal;
 use crate::mechanism::Mechanism;
 use crate::newton::{End, Solved, Solver};
-use crate::pose;
+use crate::pose::{self, Pose};
 use crate::trajectory::{Status, Trajectory, Warning};
 
 /// Which of the two planners.
@@ -104,12 +105,12 @@ pub fn plan(
             (false, _) => OPEN,
             (true, Method::Newton) => solver.solve(&goal.pose, &mut joints, &predicted),
             (true, Method::Gradient) => {
-                let mut scaled = in_unit(mechanism, &joints, settings.metric_length);
+                let mut scaled = mechanism.in_unit(&joints, settings.metric_length);
                 let mut near = goal.pose;
                 near.translation.vector /= settings.metric_length;
                 let descent =
                     gradient::descend(&reference, &near, &mut scaled, max_iterations, &mut |_| {});
-                joints = in_unit(mechanism, &scaled, 1.0 / settings.metric_length);
+                joints = mechanism.in_unit(&scaled, 1.0 / settings.metric_length);
                 let mut solved = solver.certify(&goal.pose, &joints, GRADIENT_FALL);
                 solved.iterations = descent.iterations;
                 solved.projected_gradient = descent.projected_gradient;
@@ -128,14 +129,94 @@ pub fn plan(
             t.warnings.push(Warning::Runaway { frame });
         }
     }
-    survey(
+    measure_singular(
         &mut t,
         mechanism,
         &mut solver,
         &reference,
         settings.metric_length,
     );
+    survey(&mut t, mechanism);
     t
+}
+
+/// One position outside any motion, as a motion of one frame: the closest reachable pose to `goal` on
+/// the branch of the joint values `from`, or the end of a drive of one joint variable to a value.
+#[derive(Clone, Debug)]
+pub struct Moved {
+    /// The one frame.
+    pub frame: Trajectory,
+    /// What kept a driven joint from its value.
+    pub obstacle: Option<Obstacle>,
+}
+
+/// The closest reachable pose to `goal`, from the closed position `from` along its branch, by Newton's
+/// method; certified as the frames of a plan are.
+///
+/// # Panics
+/// When `from` does not have one value a joint variable.
+pub fn pull(mechanism: &Mechanism, from: &[f64], goal: &Pose, settings: &Settings) -> Moved {
+    let most = settings.max_iterations.unwrap_or(NEWTON_ITERATIONS);
+    move_from(mechanism, from, settings, most, |solver, joints| {
+        let predicted = joints.to_vec();
+        let solved = solver.solve(goal, joints, &predicted);
+        (solved, Some(*goal), None)
+    })
+}
+
+/// Drives one joint variable to `value`, from the closed position `from`; see [`drive::drive`].
+///
+/// # Panics
+/// When `from` does not have one value a joint variable, or there is no such variable.
+pub fn drive_joint(
+    mechanism: &Mechanism,
+    from: &[f64],
+    variable: usize,
+    value: f64,
+    settings: &Settings,
+) -> Moved {
+    move_from(mechanism, from, settings, NEWTON_ITERATIONS, |_, joints| {
+        let driven = drive::drive(mechanism, joints, variable, value);
+        let solved = Solved {
+            end: End::Minimum,
+            // The pose is its own goal.
+            reached: true,
+            projected_gradient: 0.0,
+            iterations: driven.iterations,
+        };
+        (solved, None, driven.obstacle)
+    })
+}
+
+/// Closes the loops where `from` leaves them open, moves, and records where that led.
+fn move_from(
+    mechanism: &Mechanism,
+    from: &[f64],
+    settings: &Settings,
+    max_iterations: usize,
+    go: impl FnOnce(&mut Solver, &mut [f64]) -> (Solved, Option<Pose>, Option<Obstacle>),
+) -> Moved {
+    let length = settings.metric_length;
+    let mut solver = Solver::new(mechanism, length, max_iterations);
+    let mut joints = from.to_vec();
+    let mut t = Trajectory {
+        variables: joints.len(),
+        mobility_count: mechanism.mobility_count(),
+        ..Trajectory::default()
+    };
+    let closed = assemble(mechanism, &mut solver, &mut joints, &mut t.warnings);
+    t.start.clone_from(&joints);
+    let (solved, goal, obstacle) = if closed {
+        go(&mut solver, &mut joints)
+    } else {
+        (OPEN, None, Some(Obstacle::Open))
+    };
+    let pose = goal.unwrap_or_else(|| mechanism.chains()[0].pose(&joints));
+    let goal = Goal { time: 0.0, pose };
+    record(&mut t, mechanism, &goal, &joints, &solved, length);
+    let reference = mechanism.scaled(1.0 / length);
+    measure_singular(&mut t, mechanism, &mut solver, &reference, length);
+    Moved { frame: t, obstacle }
 }
 
 const OPEN: Solved = Solved {
@@ -226,15 +307,16 @@ fn record(
     });
 }
 
-/// What only the whole motion shows: singular values, nearly singular intervals, jumps.
-fn survey(
+/// The smallest singular value of each frame, that is not zero by equations which depend on the others
+/// all along.
+fn measure_singular(
     t: &mut Trajectory,
     mechanism: &Mechanism,
     solver: &mut Solver,
     reference: &Mechanism,
     length: f64,
 ) {
-    // Equations that depend on the others all along; in a singular start there are more.
+    // In a singular start there are more dependent equations.
     let mut redundant = solver.redundancy(&t.start);
     for frame in 0..t.frames() {
         if redundant > 0 {
@@ -242,12 +324,16 @@ fn survey(
         }
     }
     let mut values = SingularValues::default();
-    let turns: Vec<bool> = mechanism.chains().iter().flat_map(Chain::turns).collect();
     for frame in 0..t.frames() {
-        let scaled = in_unit(mechanism, t.joints_at(frame), length);
+        let scaled = mechanism.in_unit(t.joints_at(frame), length);
         t.sigma_min
             .push(values.smallest(reference.chains(), &scaled, redundant));
     }
+}
+
+/// What only the whole motion shows: nearly singular intervals, jumps.
+fn survey(t: &mut Trajectory, mechanism: &Mechanism) {
+    let turns: Vec<bool> = mechanism.chains().iter().flat_map(Chain::turns).collect();
     let mut frame = 0;
     while frame < t.frames() {
         let run = t.sigma_min[frame..]
@@ -285,16 +371,6 @@ fn survey(
             t.warnings.push(Warning::BranchJump { first, moved });
         }
     }
-}
-
-/// The joint values with lengths in multiples of `unit`.
-fn in_unit(mechanism: &Mechanism, joints: &[f64], unit: f64) -> Vec<f64> {
-    let turns = mechanism.chains().iter().flat_map(Chain::turns);
-    joints
-        .iter()
-        .zip(turns)
-        .map(|(x, turns)| if turns { *x } else { x / unit })
-        .collect()
 }
 
 fn largest_difference(a: &[f64], b: &[f64]) -> f64 {

@@ -31,6 +31,8 @@ pub struct Problem {
     pub goals: Vec<Goal>,
     /// How to find the closest motion.
     pub settings: Settings,
+    /// The label of the unit of length, for messages; may be empty.
+    pub length_unit: String,
 }
 
 impl Problem {
@@ -53,6 +55,7 @@ impl Problem {
             start,
             goals,
             settings,
+            length_unit: document.length_unit.clone(),
         })
     }
 }

@@ -96,7 +96,8 @@ impl Report {
     }
 }
 
-fn chain(chain: &Chain) -> ChainReport {
+/// A chain in names and units.
+pub fn chain(chain: &Chain) -> ChainReport {
     let mut variables = Vec::new();
     let mut rows = Vec::new();
     for (j, joint) in chain.joints().iter().enumerate() {

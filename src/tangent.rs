@@ -310,6 +310,39 @@ impl Tangent {
         }
     }
 
+    /// The wrench systems that the chains can hold up among themselves without any pull, a basis of
+    /// them: one for each constraint that the others imply, one wrench a chain, Σ λ_i = 0. They are
+    /// what the split of [`Tangent::balance`] is open by.
+    pub fn internal_wrenches(&self) -> Vec<Vec<Vector6<f64>>> {
+        let rank = self.stacked.rank();
+        let order = self.stacked.order();
+        (rank..order.len())
+            .map(|dependent| {
+                // B z = 0 with z = 1 for the dependent constraint and −R11⁻¹ R12 for the others.
+                let mut z: Vec<f64> = (0..rank)
+                    .map(|row| -self.stacked.entry(row, dependent))
+                    .collect();
+                self.stacked.solve_r(&mut z);
+                let mut multipliers = vec![0.0; order.len()];
+                for (&c, z) in order.iter().zip(z) {
+                    multipliers[c] = z;
+                }
+                multipliers[order[dependent]] = 1.0;
+                let mut rest = &multipliers[..];
+                let wrench = |chain: &ChainTangent| {
+                    let rank = chain.qr.rank();
+                    let (own, others) = rest.split_at(6 - rank);
+                    rest = others;
+                    let mut wrench = Vector6::zeros();
+                    wrench.as_mut_slice()[rank..].copy_from_slice(own);
+                    chain.qr.apply_q(wrench.as_mut_slice());
+                    wrench
+                };
+                self.chains.iter().map(wrench).collect()
+            })
+            .collect()
+    }
+
     /// λ_i of chain `i`, as (force, moment about the workpiece's origin).
     pub fn wrench(&self, i: usize) -> &Vector6<f64> {
         &self.chains[i].wrench

@@ -82,6 +82,7 @@ export interface Posture {
   /** rad */
   rotation_gap: number;
   closure: number;
+  sigma_min: number;
   projected_gradient: number;
   iterations: number;
   /** Of a driven joint: the value that it got, rad or length; less than asked where the linkage cannot follow. */
@@ -94,29 +95,36 @@ export interface Posture {
 export interface Screw {
   /** (v, ω) of the workpiece's origin, in the fixed frame; ω or, for a shift, v has unit length. */
   twist: number[];
+  /** The axis's point nearest to the workpiece's origin; for a shift the origin itself. */
   point: number[];
   direction: number[];
-  /** null for a pure shift along `direction`. */
+  /** null for a pure shift along `direction`; 0 for a pure turn. */
   pitch: number | null;
 }
 
 /** What holds the workpiece at a posture, and what leaves it free. */
 export interface Insight {
-  /** Instantaneous freedoms of the workpiece here, and a basis of them, simplest screws first. */
+  /** A basis of the instantaneous freedoms of the workpiece here, joint limits aside: shifts, then the principal
+   * screws of the rest by growing pitch. */
   freedoms: Screw[];
-  /** Singular values of [A] here, largest first. */
+  /** Singular values of [A] here, lengths in units of the metric's, largest first. */
   singular_values: number[];
-  /** n − rank [A] here. */
+  /** n − rank [A] here: inner freedoms of the chains included, so it may be more than freedoms.length. */
   mobility_rank: number;
-  /** Norm of the projected gradient and least curvature in the free directions (null: none is free): the certificate. */
+  /** Norm of the projected gradient and least curvature in the free directions (null: none is free): the certificate.
+   * Joints that the goal's pull presses against a limit count as held here and below. */
   projected_gradient: number;
   least_curvature: number | null;
-  /** The remaining gap as a twist (v, ω) from reached pose to goal, and its parts in free and blocked directions. */
+  /** The remaining gap as a twist (v, ω) from reached pose to goal. */
   gap: number[];
+  /** The free twist that would bring the pose nearest to the goal in the metric, to first order: it vanishes with the
+   * projected gradient. */
   free_part: number[];
+  /** gap − free_part. */
   blocked_part: number[];
   /** Which chain holds the workpiece back: the wrench (force, moment about the workpiece's origin) with which it
-   * balances the goal's pull, and its share of the sum of all (0 to 1; all 0 where nothing is held back). */
+   * balances the goal's pull −∂f/∂ξ, limits included, and its share of the sum of all (0 to 1; all 0 where nothing is
+   * held back). An overconstrained linkage can split the load in many ways: the one with the least sum of squares. */
   chains: { wrench: number[]; share: number }[];
 }
 

@@ -7,6 +7,7 @@ use crate::export::{self, Format};
 use crate::fault::Fault;
 use crate::json;
 use crate::pose::Pose;
+use crate::posture::Posture;
 use crate::problem::Problem;
 use crate::report::Report;
 use crate::trajectory::Trajectory;
@@ -22,6 +23,12 @@ extern "C" {
     /// A type of wasm.d.ts.
     #[wasm_bindgen(typescript_type = "Motion")]
     pub type JsMotion;
+    /// A type of wasm.d.ts.
+    #[wasm_bindgen(typescript_type = "Posture")]
+    pub type JsPosture;
+    /// A type of wasm.d.ts.
+    #[wasm_bindgen(typescript_type = "Insight")]
+    pub type JsInsight;
     /// A type of wasm.d.ts.
     #[wasm_bindgen(typescript_type = "Defaults")]
     pub type JsDefaults;
@@ -49,6 +56,47 @@ pub fn plan(text: &str) -> Result<JsMotion, JsValue> {
     let trajectory = problem.plan();
     let milliseconds = now() - began;
     motion(&problem, &trajectory, milliseconds).map(JsCast::unchecked_into)
+}
+
+/// The closest reachable pose to `goal` (7 numbers) from the joint values `joints`, along their branch.
+///
+/// # Errors
+/// A `Fault` where the document, the joint values or the goal are at fault.
+#[wasm_bindgen]
+pub fn pull(text: &str, joints: &[f64], goal: &[f64]) -> Result<JsPosture, JsValue> {
+    let problem = problem(text)?;
+    let posture = problem
+        .pull(joints, goal)
+        .map_err(|fault| refusal(&fault))?;
+    self::posture(&problem, &posture).map(JsCast::unchecked_into)
+}
+
+/// One joint variable, counted through all chains, driven to `value` (rad or length) from the joint
+/// values `joints`.
+///
+/// # Errors
+/// A `Fault` where the document, the joint values, the variable or the value are at fault.
+#[wasm_bindgen]
+pub fn drive(text: &str, joints: &[f64], variable: f64, value: f64) -> Result<JsPosture, JsValue> {
+    let problem = problem(text)?;
+    // No index is no variable.
+    let variable = index(variable).and_then(|k| usize::try_from(k).ok());
+    let posture = problem
+        .drive(joints, variable.unwrap_or(usize::MAX), value)
+        .map_err(|fault| refusal(&fault))?;
+    self::posture(&problem, &posture).map(JsCast::unchecked_into)
+}
+
+/// What holds the workpiece at the joint values `joints` against the pull of `goal` (7 numbers).
+///
+/// # Errors
+/// A `Fault` where the document, the joint values or the goal are at fault, or the loops are open.
+#[wasm_bindgen]
+pub fn explain(text: &str, joints: &[f64], goal: &[f64]) -> Result<JsInsight, JsValue> {
+    let insight = problem(text)?
+        .explain(joints, goal)
+        .map_err(|fault| refusal(&fault))?;
+    to_js(&insight).map(JsCast::unchecked_into)
 }
 
 /// The document with every default written out.
@@ -164,6 +212,32 @@ fn motion(problem: &Problem, t: &Trajectory, milliseconds: f64) -> Result<Object
     let codes: Vec<u8> = t.status.iter().map(|s| *s as u8).collect();
     set("status", &Uint8Array::from(&codes[..]))?;
     Ok(motion)
+}
+
+fn posture(problem: &Problem, posture: &Posture) -> Result<Object, JsValue> {
+    let object = Object::new();
+    let set = |name: &str, value: &JsValue| Reflect::set(&object, &name.into(), value).map(drop);
+    let numbers = |values: &[f64]| Float64Array::from(values);
+    let t = &posture.frame;
+    set("joints", &numbers(&t.joints))?;
+    set("pose", &numbers(&placed(&t.poses)))?;
+    set("rows", &numbers(&placed(&problem.row_frames(t))))?;
+    set("goal", &numbers(&placed(&t.goals)))?;
+    set("status", &t.status[0].name().into())?;
+    set("metric", &t.metric[0].into())?;
+    set("translation_gap", &t.translation_gap[0].into())?;
+    set("rotation_gap", &t.rotation_gap[0].into())?;
+    set("closure", &t.closure[0].into())?;
+    set("sigma_min", &t.sigma_min[0].into())?;
+    set("projected_gradient", &t.projected_gradient[0].into())?;
+    set("iterations", &t.iterations[0].into())?;
+    if let Some(value) = posture.value {
+        set("value", &value.into())?;
+    }
+    if let Some(obstacle) = &posture.obstacle {
+        set("obstacle", &obstacle.into())?;
+    }
+    Ok(object)
 }
 
 /// x y z qx qy qz qw of each pose.

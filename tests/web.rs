@@ -77,6 +77,63 @@ fn a_plan_is_columns_and_a_report() {
 }
 
 #[wasm_bindgen_test]
+fn a_posture_is_one_frame_of_columns() {
+    let motion: JsValue = wasm::plan(SAMPLE).expect("a sample plans").into();
+    let joints = &column(&motion, "joints")[..15];
+    let goal = &column(&motion, "goal")[7..14];
+    let pulled: JsValue = wasm::pull(SAMPLE, joints, goal).expect("a posture").into();
+    assert_eq!(column(&pulled, "joints").len(), 15);
+    assert_eq!(column(&pulled, "rows").len(), 15 * 14);
+    assert_eq!(column(&pulled, "goal").len(), 7);
+    assert!(get(&pulled, "status").is_string() && get(&pulled, "obstacle").is_undefined());
+    assert!(get(&pulled, "closure").as_f64().is_some_and(|e| e <= 1e-10));
+    let near = |a: &[f64], b: &[f64]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-6);
+    assert!(near(
+        &column(&pulled, "pose"),
+        &column(&motion, "pose")[7..14]
+    ));
+
+    let driven: JsValue = wasm::drive(SAMPLE, joints, 1.0, joints[1] + 0.1)
+        .expect("a posture")
+        .into();
+    assert_eq!(get(&driven, "value").as_f64(), Some(joints[1] + 0.1));
+    assert!(get(&driven, "obstacle").is_undefined());
+    assert_eq!(column(&driven, "pose"), column(&driven, "goal"));
+    let far: JsValue = wasm::drive(SAMPLE, joints, 0.0, 3.0)
+        .expect("a posture")
+        .into();
+    assert!(get(&far, "obstacle").is_string());
+
+    let insight: JsValue = wasm::explain(SAMPLE, joints, goal)
+        .expect("an insight")
+        .into();
+    let freedoms: js_sys::Array = get(&insight, "freedoms").unchecked_into();
+    assert_eq!(freedoms.length(), 3);
+    assert_eq!(get(&insight, "mobility_rank").as_f64(), Some(3.0));
+    let chains: js_sys::Array = get(&insight, "chains").unchecked_into();
+    assert_eq!(chains.length(), 3);
+}
+
+#[wasm_bindgen_test]
+fn nonsense_about_a_posture_is_a_fault() {
+    let joints = [0.0; 15];
+    let goal = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0];
+    let place = |fault: JsValue| get(&fault, "where").as_string();
+    let pulled = wasm::pull(SAMPLE, &joints[1..], &goal).map(drop);
+    assert_eq!(
+        place(pulled.expect_err("too few")).as_deref(),
+        Some("joints")
+    );
+    let driven = wasm::drive(SAMPLE, &joints, 0.5, 0.0).map(drop);
+    assert_eq!(
+        place(driven.expect_err("no index")).as_deref(),
+        Some("variable")
+    );
+    let explained = wasm::explain(SAMPLE, &joints, &[f64::NAN; 7]).map(drop);
+    assert!(place(explained.expect_err("no pose")).is_some_and(|p| p.starts_with("goal")));
+}
+
+#[wasm_bindgen_test]
 fn a_fault_is_an_object_that_names_its_place() {
     let fault = refused(&SAMPLE.replacen("\"type\": \"R\"", "\"type\": \"X\"", 1));
     assert_eq!(

@@ -18,6 +18,7 @@ import { createAutosave } from './files/autosave.js';
 import { createDocuments } from './files/documents.js';
 import { createKeeper } from './files/keeper.js';
 import { createHelp } from './help/help.js';
+import { createInsight } from './insight.js';
 import { workOffline } from './offline.js';
 import { createOpening } from './opening.js';
 import { Planner, PlannerFailure } from './planner.js';
@@ -55,6 +56,7 @@ function connect(defaults) {
   /** @type {App} */
   const app = { store, planner, player, scene: stage.scene, defaults, tabs, say, open };
   const { findStart } = createReplanning(app);
+  createInsight(app);
   const panels = { root: byId('tables'), mechanism: byId('mechanism'), motion: byId('motion') };
   const tables = createTables(panels, store, defaults, { markFault: tabs.mark, findStart });
   createStatus(store, player, () => tables.focusFault((panel) => tabs.choosePanel(panel)));

@@ -5,6 +5,8 @@
  * @typedef {import('./types.js').Motion} Motion
  * @typedef {import('./types.js').Fault} Fault
  * @typedef {import('./types.js').Defaults} Defaults
+ * @typedef {import('./types.js').Posture} Posture
+ * @typedef {import('./types.js').Insight} Insight
  * @typedef {import('./planner.worker.js').Answer} Answer
  * @typedef {import('./planner.worker.js').Call} Call
  * @typedef {{id: number, call: Call, args: unknown[], resolve: (value: any) => void, reject: (reason: Error) => void}} Job
@@ -44,6 +46,40 @@ export class Planner {
     return this.#askLatest('plan', text);
   }
 
+  /**
+   * The closest reachable pose to a goal, on the branch of the joint values.
+   * @param {string} text a document
+   * @param {Float64Array} joints rad or lengths
+   * @param {Float64Array} goal x y z, then the quaternion x y z w
+   * @returns {Promise<Posture>}
+   */
+  pull(text, joints, goal) {
+    return this.#askLatest('pull', text, joints, goal);
+  }
+
+  /**
+   * One joint variable driven to a value; the loops stay closed and the other joints follow.
+   * @param {string} text a document
+   * @param {Float64Array} joints rad or lengths
+   * @param {number} variable counted through all chains
+   * @param {number} value rad or length
+   * @returns {Promise<Posture>}
+   */
+  drive(text, joints, variable, value) {
+    return this.#askLatest('drive', text, joints, variable, value);
+  }
+
+  /**
+   * What holds the workpiece at the joint values against the pull of the goal, and what leaves it free.
+   * @param {string} text a document
+   * @param {Float64Array} joints rad or lengths
+   * @param {Float64Array} goal x y z, then the quaternion x y z w
+   * @returns {Promise<Insight>}
+   */
+  explain(text, joints, goal) {
+    return this.#askLatest('explain', text, joints, goal);
+  }
+
   /** The document with every default written out. @param {string} text @returns {Promise<string>} */
   normalise(text) {
     return this.#ask('normalise', text);
@@ -65,6 +101,11 @@ export class Planner {
   /** @returns {Promise<Defaults>} */
   defaults() {
     return this.#ask('defaults');
+  }
+
+  /** Tables 2 and 3. @returns {Promise<import('./pkg/synthetica.js').Enumeration>} */
+  enumeration() {
+    return this.#ask('enumeration');
   }
 
   /** Takes the place of the same call that is still waiting: its answer would be out of date. @param {Call} call @param {...unknown} args */

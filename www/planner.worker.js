@@ -4,12 +4,13 @@
  * @typedef {{id: number, kind: 'value', value: unknown}
  *   | {id: number, kind: 'fault', fault: import('./types.js').Fault}
  *   | {id: number, kind: 'failure', message: string}} Answer
- * @typedef {'plan' | 'normalise' | 'find_start' | 'export_motion' | 'defaults'} Call the functions of the package that the page asks for
+ * @typedef {'plan' | 'pull' | 'drive' | 'explain' | 'normalise' | 'find_start' | 'export_motion' | 'enumeration' | 'defaults'} Call
+ *   the functions of the package that the page asks for
  */
-import init, { defaults, export_motion, find_start, normalise, plan } from './pkg/synthetica.js';
+import init, { defaults, drive, enumeration, explain, export_motion, find_start, normalise, plan, pull } from './pkg/synthetica.js';
 
 /** @type {Record<Call, (...args: any[]) => unknown>} */
-const calls = { plan, normalise, find_start, export_motion, defaults };
+const calls = { plan, pull, drive, explain, normalise, find_start, export_motion, enumeration, defaults };
 
 // Set at once: a message that arrives before the handler exists would be lost.
 const ready = init();

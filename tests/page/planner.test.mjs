@@ -44,6 +44,23 @@ test('the latest edit wins: of the waiting plans only the newest is made', async
   assert.deepEqual(workers[0].requests.map((r) => r.args[0]), ['a', 'c']);
 });
 
+test('the linkage follows the latest hand: of the waiting pulls, drives and explanations only the newest of each is asked', async () => {
+  const planner = new Planner();
+  const joints = new Float64Array(3);
+  const goal = new Float64Array(7);
+  const first = planner.plan('a');
+  const old = [planner.pull('a', joints, goal), planner.drive('a', joints, 1, 0.1), planner.explain('a', joints, goal)];
+  const overtaken = Promise.all(old.map((promise) => assert.rejects(promise, Superseded)));
+  const calls = [planner.pull('b', joints, goal), planner.drive('b', joints, 2, 0.2), planner.explain('b', joints, goal)];
+  await overtaken;
+  for (const value of ['motion', 'pulled', 'driven', 'explained']) answer(workers[0], { kind: 'value', value });
+  assert.deepEqual(await Promise.all([first, ...calls]), ['motion', 'pulled', 'driven', 'explained']);
+  assert.deepEqual(
+    workers[0].requests.map(({ call, args }) => [call, ...args]),
+    [['plan', 'a'], ['pull', 'b', joints, goal], ['drive', 'b', joints, 2, 0.2], ['explain', 'b', joints, goal]],
+  );
+});
+
 test('a fault of the document is told with its place, and the worker lives', async () => {
   const planner = new Planner();
   const plan = planner.plan('a');

@@ -1,0 +1,63 @@
+// The insight belongs to what is shown now; an answer that comes too late is dropped.
+import assert from 'node:assert/strict';
+import { afterEach, beforeEach, mock, test } from 'node:test';
+import { createInsight } from '../../www/insight.js';
+import { createStore } from '../../www/store.js';
+
+beforeEach(() => mock.timers.enable({ apis: ['setTimeout'] }));
+afterEach(() => mock.timers.reset());
+
+const settled = () => new Promise((done) => setImmediate(done));
+
+function made() {
+  const questions = [];
+  const explain = (text, joints, goal) =>
+    new Promise((resolve, reject) => questions.push({ text, joints: [...joints], goal: [...goal], resolve, reject }));
+  const document = { version: 1, name: 'a', chains: [], motion: { key_frames: [] } };
+  const store = createStore(document);
+  createInsight({ store, planner: { explain } });
+  const motion = { frames: 2, joints: new Float64Array([1, 2, 3, 4]), goal: new Float64Array(14).map((_, i) => i) };
+  store.setResult({ motion, document });
+  mock.timers.tick(1000);
+  return { store, questions, document };
+}
+
+test('asks for the shown frame, and again when another is shown', async () => {
+  const { store, questions } = made();
+  assert.deepEqual(questions[0].joints, [1, 2]);
+  assert.equal(JSON.parse(questions[0].text).name, 'a');
+  questions[0].resolve('first');
+  await settled();
+  assert.equal(store.insight, 'first');
+  store.setView({ hovered: 'workpiece' });
+  mock.timers.tick(1000);
+  assert.equal(questions.length, 1, 'the same frame is not asked for twice');
+  store.setView({ frame: 1 });
+  mock.timers.tick(1000);
+  assert.deepEqual(questions[1].joints, [3, 4]);
+  assert.deepEqual(questions[1].goal, [7, 8, 9, 10, 11, 12, 13]);
+});
+
+test('drops an answer that is no longer about what is shown', async () => {
+  const { store, questions } = made();
+  store.setView({ frame: 1 });
+  mock.timers.tick(1000);
+  questions[1].resolve('second');
+  await settled();
+  questions[0].resolve('first');
+  await settled();
+  assert.equal(store.insight, 'second');
+});
+
+test('while the motion plays it asks now and then, not at every frame', () => {
+  const { store, questions } = made();
+  for (let i = 0; i < 20; i++) store.setView({ frame: i % 2 });
+  assert.ok(questions.length <= 2);
+});
+
+test('a posture in place of the frame', () => {
+  const { store, questions } = made();
+  store.setView({ posture: { joints: new Float64Array([9, 9]), goal: new Float64Array(7), pose: new Float64Array(7), rows: new Float64Array(0) } });
+  mock.timers.tick(1000);
+  assert.deepEqual(questions[1].joints, [9, 9]);
+});
