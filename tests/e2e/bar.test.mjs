@@ -31,7 +31,7 @@ test('once stops at the end, loop begins again', async () => {
 });
 
 test('first and last frame, and what the slider says', async () => {
-  const { page } = await browser.openPage();
+  const { page } = await browser.openPage({ viewport: { width: 1300, height: 600 } });
   await button(page, 'To the last frame').click();
   assert.equal(await frame(page), 129);
   assert.match(await page.getAttribute('#scrub', 'aria-valuetext'), /^Frame 129 of 129: reached/);
@@ -131,6 +131,16 @@ test('how frames ended is told apart without colour', async () => {
   assert.equal(heights.closest.length, 2, 'a double line');
   assert.match(await page.getAttribute('#strip', 'aria-label'), /2 reached, 127 closest/);
 });
+
+for (const width of [800, 1100, 1300, 390]) {
+  test(`the bar is two rows at ${width}`, async () => {
+    const { page } = await browser.openPage({ viewport: { width, height: 600 } });
+    const box = async (id) => page.locator(id).boundingBox();
+    const [buttons, modes] = [await box('#play'), await box('#speed')];
+    assert.ok(Math.abs(buttons.y - modes.y) < 8, 'buttons and speed stand in one line');
+    assert.ok(modes.x + modes.width <= (await box('.stage')).x + (await box('.stage')).width);
+  });
+}
 
 test('on a phone: by touch, with room for a thumb, and nothing sticks out', async () => {
   const { page, problems } = await browser.openPage(PHONE);

@@ -160,6 +160,11 @@ test('the dock is folded and made higher by keyboard and by pointer, and stays s
   await page.getByRole('button', { name: 'Charts and algorithm' }).click();
   assert.equal(await panel.isVisible(), false);
   assert.ok((await page.locator('#canvas').boundingBox()).height > 300);
+  await page.getByRole('button', { name: 'Charts and algorithm' }).click();
+  await page.setViewportSize({ width: 800, height: 480 });
+  assert.equal(await page.evaluate(() => document.documentElement.scrollHeight), 480, 'a low window holds both');
+  assert.ok((await page.locator('#canvas').boundingBox()).height >= 160);
+  assert.ok((await height()) >= 90);
 });
 
 test('dark: the charts are drawn anew in the other colours', async () => {
@@ -178,6 +183,13 @@ test('dark: the charts are drawn anew in the other colours', async () => {
   await page.emulateMedia({ colorScheme: 'dark' });
   await page.waitForFunction((old) => document.querySelector('.chart canvas').toDataURL() !== old, picture);
   assert.ok(Math.abs((await lightness()) - before) > 20, `${await lightness()} and ${before}`);
+  const dark = await canvas.evaluate((drawn) => drawn.toDataURL());
+  await page.evaluate(() => {
+    document.documentElement.style.colorScheme = 'light';
+    window.dispatchEvent(new Event('themechange'));
+  });
+  await page.waitForFunction((old) => document.querySelector('.chart canvas').toDataURL() !== old, dark);
+  near(await lightness(), before, 8, 'light again');
 });
 
 test('on a phone the charts are a tab among the others', async () => {

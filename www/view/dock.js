@@ -24,7 +24,7 @@ export function createDock(tabs, dockTabs) {
   const view = /** @type {HTMLElement} */ (dock.parentElement?.querySelector('.view'));
   const state = { height: Math.round(Math.min(340, Math.max(190, 0.27 * innerHeight))), open: innerHeight >= LOW_WINDOW, ...recall() };
 
-  const panelHeight = () => /** @type {HTMLElement} */ (dock.querySelector('.panel.shown')).offsetHeight;
+  const panelHeight = () => /** @type {HTMLElement | null} */ (dock.querySelector('.panel.shown'))?.offsetHeight ?? 0;
   const most = () => Math.max(LEAST, panelHeight() + view.offsetHeight - VIEW);
 
   function show() {
@@ -32,7 +32,7 @@ export function createDock(tabs, dockTabs) {
     dock.style.setProperty('--dock-height', `${state.height}px`);
     toggle.setAttribute('aria-expanded', String(state.open));
     toggle.title = state.open ? 'Fold the charts away' : 'Show the charts';
-    handle.setAttribute('aria-valuenow', String(state.open ? state.height : 0));
+    handle.setAttribute('aria-valuenow', String(state.open ? panelHeight() : 0));
   }
 
   /** @param {{height?: number, open?: boolean}} change */
@@ -54,7 +54,7 @@ export function createDock(tabs, dockTabs) {
     if (/** @type {Element} */ (event.target).closest('[role=tab]')) set({ open: true });
   });
   handle.addEventListener('keydown', (event) => {
-    const now = state.open ? state.height : 0;
+    const now = state.open ? panelHeight() : 0;
     const next = { ArrowUp: now ? now + STEP : LEAST, ArrowDown: now > LEAST ? Math.max(LEAST, now - STEP) : 0, Home: 0, End: Infinity }[event.key];
     if (next === undefined) return;
     event.preventDefault();
