@@ -179,3 +179,24 @@ test('ghosts, and leaving out parts, change the picture; the legend tells the si
   await page.getByRole('menuitemcheckbox', { name: 'Names', checked: false }).waitFor();
   assert.deepEqual(problems, []);
 });
+
+test('another colour scheme repaints the view at once', async () => {
+  const { page } = await browser.openPage({ colorScheme: 'light' });
+  const draws = await page.locator('#canvas').getAttribute('data-draws');
+  await page.emulateMedia({ colorScheme: 'dark' });
+  await page.waitForFunction((old) => document.querySelector('#canvas').dataset.draws !== old, draws);
+});
+
+test('what is pointed at elsewhere is named in the view, and the other way round', async () => {
+  const { page } = await browser.openPage();
+  const key = 'motion.key_frames[1]';
+  const tick = page.locator(`.track [data-place="${key}"]`);
+  await tick.hover();
+  await page.locator(`#labels .pointed[data-place="${key}"]`).filter({ hasText: 'key frame “between”' }).waitFor();
+  await page.mouse.move(0, 0);
+  await page.locator('#labels .pointed').waitFor({ state: 'detached' });
+  const at = await placeOf(page, key);
+  await page.mouse.move(...at);
+  await page.locator('#tip').filter({ hasText: 'key frame “between”' }).waitFor();
+  await page.locator(`.track .marked[data-place="${key}"]`).waitFor();
+});

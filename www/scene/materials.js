@@ -20,6 +20,7 @@ export function createMaterials() {
     ghost: new MeshStandardMaterial({ transparent: true, opacity: 0.26, depthWrite: false, roughness: 0.9 }),
     /** The workpiece at other frames. */
     ghosts: new MeshStandardMaterial({ transparent: true, opacity: 0.34, depthWrite: false, roughness: 0.9 }),
+    key: new MeshStandardMaterial({ roughness: 0.6 }),
     keyAxes: axes({}),
     axes: axes({}),
     faintAxes: axes({ transparent: true, opacity: 0.35 }),
@@ -32,6 +33,7 @@ export function createMaterials() {
       materials.metal.color.copy(palette.metal);
       materials.dark.color.copy(palette['dark-metal']);
       materials.workpiece.color.copy(palette.workpiece);
+      materials.key.color.copy(palette.goal);
       materials.goal.color.copy(palette.goal);
       materials.closest.color.copy(palette.closest);
       materials.gap.color.copy(palette.gap);

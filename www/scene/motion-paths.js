@@ -4,20 +4,21 @@
  *
  * @typedef {import('../types.js').Motion} Motion
  * @typedef {import('three').Material} Material
- * @typedef {{goal: Material, closest: Material, gap: Material, gaps: Material[], ghost: Material, ghosts: Material,
+ * @typedef {{goal: Material, closest: Material, gap: Material, gaps: Material[], ghost: Material, ghosts: Material, key: Material,
  *   axes: Material[], keyAxes: Material[], faintAxes: Material[]}} PathMaterials
  */
-import { BufferGeometry, Group, Mesh, Vector3 } from 'three';
+import { BufferGeometry, Group, Mesh, SphereGeometry, Vector3 } from 'three';
 import { frameMatrix, moveTo } from './frame.js';
 import { GapLines } from './gap-lines.js';
 import { Ghosts } from './ghosts.js';
-import { layRod, rod, triad } from './solids.js';
+import { layRod, rod, shared, triad } from './solids.js';
 import { Tube } from './tube.js';
 
 /** Sizes in link radii. */
 const PATH = 0.42;
 const GAP = 0.3;
 const KEY = 7;
+const KEY_BALL = 0.85;
 const AXES = 6;
 
 export class MotionPaths {
@@ -93,6 +94,9 @@ export class MotionPaths {
   /** @param {number} index */
   #addKey(index) {
     const mark = triad(1, this.#materials.keyAxes);
+    // Wider than the motion that passes through, so that it can be pointed at.
+    const ball = new Mesh(shared('key ball', () => new SphereGeometry(KEY_BALL / KEY, 20, 14)), this.#materials.key);
+    mark.add(ball);
     mark.userData.place = `motion.key_frames[${index}]`;
     mark.userData.anchor = mark;
     this.group.add(mark);
