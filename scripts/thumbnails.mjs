@@ -33,6 +33,8 @@ for (const { file } of samples) {
   }, VIEW);
   await page.waitForTimeout(300);
   for (const key of ['Home', '+']) await page.locator('#canvas').press(key);
+  // Without the ring of the focus.
+  await page.locator('#canvas').blur();
   const last = Number(await page.locator('#scrub').getAttribute('max'));
   await page.locator('#scrub').fill(String(Math.round(last * MOMENT)));
   // The scene draws its shadows when it has come to rest.
