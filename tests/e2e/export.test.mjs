@@ -197,3 +197,51 @@ test('a browser that cannot record says so in the menu', async () => {
   assert.ok(await item.isDisabled());
   assert.match(await item.textContent(), /cannot record/);
 });
+
+test('the drawing is made of shapes, says what it shows, and looks like the view', async () => {
+  const { page, problems } = await browser.openPage();
+  await scrubTo(page, 63);
+  const { name, bytes } = await saved(page, () => choose(page, /SVG/));
+  assert.equal(name, '3rps.svg');
+  assert.ok(bytes.length > 50_000 && bytes.length < 1_500_000, `${bytes.length} bytes`);
+  const found = await page.evaluate((xml) => {
+    const drawing = new DOMParser().parseFromString(xml, 'image/svg+xml');
+    const count = (query) => drawing.querySelectorAll(query).length;
+    return {
+      bad: count('parsererror, script, image, foreignObject'),
+      paths: count('#linkage path'),
+      shadow: count('#shadow'),
+      ground: count('#ground path'),
+      colours: new Set([...drawing.querySelectorAll('#linkage path')].map((path) => path.getAttribute('color'))).size,
+      names: [...drawing.querySelectorAll('text')].map((node) => node.textContent),
+      title: drawing.querySelector('title').textContent,
+      description: drawing.querySelector('desc').textContent,
+    };
+  }, bytes.toString());
+  assert.equal(found.bad, 0);
+  assert.ok(found.paths > 500 && found.colours > 50 && found.shadow === 1 && found.ground > 3, JSON.stringify(found));
+  assert.ok(['begin', 'between', 'end', '1', '2', '3'].every((wanted) => found.names.includes(wanted)), `${found.names}`);
+  assert.equal(found.title, '3RPS');
+  assert.match(found.description, /3 chains \(RPS, RPS, RPS\).*Frame 64 of 129: closest/);
+
+  // The same picture as the PNG has, small and blurred: mean difference of a channel.
+  await choose(page, /PNG/);
+  const picture = await saved(page, () => page.getByRole('button', { name: 'Save picture' }).click());
+  const { page: blank } = await browser.blankPage();
+  const apart = await blank.evaluate(async ([svg, png]) => {
+    const small = async (url) => {
+      const image = new Image();
+      image.src = url;
+      await image.decode();
+      const pen = new OffscreenCanvas(80, 60).getContext('2d');
+      pen.imageSmoothingQuality = 'high';
+      pen.drawImage(image, 0, 0, 80, 60);
+      return pen.getImageData(0, 0, 80, 60).data;
+    };
+    const [a, b] = await Promise.all([small(`data:image/svg+xml;base64,${svg}`), small(`data:image/png;base64,${png}`)]);
+    const flat = a.reduce((sum, value, index) => sum + Math.abs(value - a[index % 4]), 0) / a.length;
+    return [a.reduce((sum, value, index) => sum + Math.abs(value - b[index]), 0) / a.length, flat];
+  }, [bytes.toString('base64'), picture.bytes.toString('base64')]);
+  assert.ok(apart[0] < 6 && apart[1] > 6, `${apart}`);
+  assert.deepEqual(problems, []);
+});

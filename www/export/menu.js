@@ -26,6 +26,7 @@ export function createExport(app) {
       const unseen = nothing || !scene;
       return [
         { label: 'Picture (PNG) …', hint: 'The view, in any size', disabled: unseen, act: attempt(async () => (await import('./png.js')).exportPng(app)) },
+        { label: 'Drawing (SVG)', hint: 'The view as shapes, for print and to edit', disabled: unseen, act: attempt(async () => (await import('./svg.js')).exportSvg(app)) },
         {
           label: 'Film (WebM)',
           hint: filmType() ? 'One pass at the speed that is set' : 'This browser cannot record a canvas; Chromium and Firefox can',

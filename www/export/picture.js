@@ -13,10 +13,16 @@
 import { DirectionalLight, Mesh, PerspectiveCamera, ShaderMaterial, Vector3, WebGLRenderer } from 'three';
 
 /** Where a name stands beside its point, as the style sheet has it. */
-const NAME = { left: 8, top: -22, padding: 5, height: 17, corner: 3 };
+export const NAME = { left: 8, top: -22, padding: 5, height: 17, corner: 3 };
 
 /** One for all pictures: a browser has few. @type {WebGLRenderer | null} */
 let renderer = null;
+
+export function pictureRenderer() {
+  renderer ??= new WebGLRenderer({ antialias: true, alpha: true, preserveDrawingBuffer: true });
+  renderer.shadowMap.enabled = true;
+  return renderer;
+}
 
 /** What the view shows, without outlines and handles. @param {Scene} scene @param {number} aspect @param {(camera: Scene['camera']) => void} draw */
 export function withoutTools(scene, aspect, draw) {
@@ -69,8 +75,7 @@ export function viewStyle(scene) {
  * @param {HTMLCanvasElement} [canvas] is drawn over, if given
  */
 export function drawPicture(scene, { width, height, ratio = 1, transparent = false, names = true, shadows = false }, canvas = document.createElement('canvas')) {
-  renderer ??= new WebGLRenderer({ antialias: true, alpha: true, preserveDrawingBuffer: true });
-  renderer.shadowMap.enabled = true;
+  const renderer = pictureRenderer();
   const [across, down] = [Math.round(width * ratio), Math.round(height * ratio)];
   // A canvas that is given its own size again would be emptied and allocated anew.
   if (canvas.width !== across || canvas.height !== down) Object.assign(canvas, { width: across, height: down });
@@ -89,11 +94,11 @@ export function drawPicture(scene, { width, height, ratio = 1, transparent = fal
     const suns = scene.pictured.filter((object) => object instanceof DirectionalLight);
     const cast = suns.map((sun) => sun.castShadow);
     for (const sun of suns) sun.castShadow ||= shadows;
-    renderer?.render(scene.root, camera);
+    renderer.render(scene.root, camera);
     suns.forEach((sun, index) => {
       sun.castShadow = cast[index];
     });
-    if (renderer) pen.drawImage(renderer.domElement, 0, 0);
+    pen.drawImage(renderer.domElement, 0, 0);
     if (!names) return;
     pen.save();
     pen.scale(ratio, ratio);
