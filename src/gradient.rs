@@ -39,6 +39,21 @@ pub struct Iteration<'a> {
     pub projected_gradient: f64,
     /// \[A\] and E.
     pub linearised: &'a Linearised,
+    /// How the iteration before led here.
+    pub arrival: Arrival,
+}
+
+/// The way from one iterate to the next: a share of the null-space step, then corrections by Eq. 28.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Arrival {
+    /// The share of Δr = \[W\] a that was taken; 0 for the first iterate.
+    pub share: f64,
+    /// Largest entry of E behind that step.
+    pub opening: f64,
+    /// Corrections that followed.
+    pub corrections: usize,
+    /// Length of all corrections together.
+    pub correction: f64,
 }
 
 impl Iteration<'_> {
@@ -82,6 +97,7 @@ pub fn descend(
     };
     let mut share = 1.0;
     let mut linearised = linearise_at(mechanism, &r);
+    let mut arrival = Arrival::default();
     loop {
         let qr = factor(&linearised, usize::MAX);
         let q = workpiece(&r);
@@ -101,6 +117,7 @@ pub fn descend(
             metric,
             projected_gradient: descent.projected_gradient,
             linearised: &linearised,
+            arrival,
         });
         descent.converged = descent.projected_gradient <= STATIONARY;
         if descent.converged || descent.iterations >= max_iterations {
@@ -109,12 +126,16 @@ pub fn descend(
         descent.iterations += 1;
         let next = loop {
             let mut next: Vec<f64> = r.iter().zip(&step).map(|(r, s)| r + share * s).collect();
-            if let Some(closed) = close(mechanism, &mut next, qr.rank()) {
+            let mut way = Arrival {
+                share,
+                ..Arrival::default()
+            };
+            if let Some(closed) = close(mechanism, &mut next, qr.rank(), &mut way) {
                 let q = workpiece(&next);
                 let after = 0.5 * (pose::nearer_sign(&q, g) - q).norm_squared();
                 // At rounding level a fall cannot be told from a rise.
                 if after <= metric + 1e-15 {
-                    break Some((next, closed));
+                    break Some((next, closed, way));
                 }
             }
             share *= 0.5;
@@ -123,7 +144,7 @@ pub fn descend(
             }
         };
         let Some(next) = next else { break };
-        (r, linearised) = next;
+        (r, linearised, arrival) = next;
         share = (2.0 * share).min(1.0);
     }
     joints.copy_from_slice(&r[..n]);
@@ -132,12 +153,20 @@ pub fn descend(
 
 /// Eq. 28 with the sign that converges, r ← r − \[A\]⁺ E, until the loops are closed: \[A\] and E there,
 /// or `None`. `rank` is the rank of \[A\] where they are closed.
-fn close(mechanism: &Mechanism, r: &mut [f64], rank: usize) -> Option<Linearised> {
+fn close(
+    mechanism: &Mechanism,
+    r: &mut [f64],
+    rank: usize,
+    way: &mut Arrival,
+) -> Option<Linearised> {
     let mut last = f64::INFINITY;
     for _ in 0..CORRECTIONS {
         let linearised = linearise_at(mechanism, r);
         let entries = linearised.residual.iter();
         let open = entries.fold(0.0, |m: f64, e| if e.abs() <= m { m } else { e.abs() });
+        if last == f64::INFINITY {
+            way.opening = open;
+        }
         // Written so that NaN ends it.
         if open <= CLOSED || !(open < last) {
             return (open <= ROUNDING).then_some(linearised);
@@ -153,6 +182,8 @@ fn close(mechanism: &Mechanism, r: &mut [f64], rank: usize) -> Option<Linearised
         qr.solve_rt(&mut step);
         step.resize(r.len(), 0.0);
         qr.apply_q(&mut step);
+        way.corrections += 1;
+        way.correction += dot(&step, &step).sqrt();
         r.iter_mut().zip(step).for_each(|(r, s)| *r -= s);
     }
     None

@@ -49,10 +49,11 @@
 //! # Modules, from the top down
 //!
 //! ```text
-//! wasm        →  export, posture, report, problem, json, defaults, enumerate
+//! wasm        →  export, posture, report, trace, problem, json, defaults, enumerate
 //! export      →  columns, mjcf                       columns, mjcf → report
 //! posture     →  report, problem, planner, insight
 //! problem     →  document, start, planner            report → problem, trajectory
+//! trace       →  problem, gradient, newton
 //! planner     →  newton, gradient, drive, keyframe, trajectory, closure
 //! start       →  newton, mechanism
 //! newton      →  tangent, trust_region, objective    gradient → closure
@@ -104,6 +105,7 @@ pub mod screw;
 mod spline;
 pub mod start;
 pub mod tangent;
+pub mod trace;
 pub mod trajectory;
 pub mod trust_region;
 #[cfg(target_arch = "wasm32")]

@@ -71,6 +71,19 @@ pub struct Solved {
     pub iterations: usize,
 }
 
+/// An iterate, for whoever watches.
+#[derive(Clone, Debug)]
+pub struct Iterate {
+    /// Joint values, rad or lengths. On the direct way they need not close the loops.
+    pub joints: Vec<f64>,
+    /// Norm of the objective's gradient along the free directions.
+    pub projected_gradient: f64,
+    /// Largest opening of a loop, lengths in units of the size.
+    pub opening: f64,
+    /// Found on the guarded way.
+    pub guarded: bool,
+}
+
 /// The solver of one mechanism; its buffers serve all frames.
 ///
 /// It works in units of the mechanism's size, so that one tolerance serves lengths and angles.
@@ -106,6 +119,7 @@ pub struct Solver {
     curvature: Vec<f64>,
     mixed: Vec<f64>,
     region: TrustRegion,
+    trail: Option<Vec<Iterate>>,
 }
 
 impl Solver {
@@ -143,7 +157,32 @@ impl Solver {
             curvature: Vec::new(),
             mixed: Vec::new(),
             region: TrustRegion::new(FLAT * tolerance),
+            trail: None,
         }
+    }
+
+    /// [`Solver::solve`] from `joints`, which receive the answer, with every iterate on the way.
+    pub fn watch(&mut self, goal: &Pose, joints: &mut [f64]) -> (Solved, Vec<Iterate>) {
+        self.trail = Some(Vec::new());
+        let from = joints.to_vec();
+        let solved = self.solve(goal, joints, &from);
+        (solved, self.trail.take().unwrap_or_default())
+    }
+
+    /// Leaves an iterate on the trail, if anybody watches.
+    fn mark(&mut self, theta: &[f64], opening: f64, projected_gradient: f64, guarded: bool) {
+        let Some(mut trail) = self.trail.take() else {
+            return;
+        };
+        let mut joints = vec![0.0; theta.len()];
+        self.store(theta, &mut joints);
+        trail.push(Iterate {
+            joints,
+            projected_gradient: projected_gradient * self.weight,
+            opening,
+            guarded,
+        });
+        self.trail = Some(trail);
     }
 
     /// Lengths of `joints` divided by the size.
@@ -296,6 +335,7 @@ impl Solver {
             self.tangent.close(&mut self.correction, &mut self.step);
             let model = self.model(goal);
             let gradient = self.project(&model);
+            self.mark(theta, open, gradient, false);
             self.tangent.reduced_hessian(
                 &model.hessian,
                 Some((&self.correction, &self.step)),
@@ -355,6 +395,7 @@ impl Solver {
             let model = self.model(goal);
             let gradient = self.project(&model);
             let reached = self.is_reached(&model);
+            self.mark(theta, 0.0, gradient, true);
             if gradient <= self.stationary
                 && let Some(joint) = self.releasable()
             {

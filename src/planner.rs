@@ -44,9 +44,9 @@ impl Default for Settings {
 }
 
 /// Linear systems that no certified frame was seen to need.
-const NEWTON_ITERATIONS: usize = 500;
+pub(crate) const NEWTON_ITERATIONS: usize = 500;
 /// Gradient steps; near gimbal lock the 3RPS takes some 20,000.
-const GRADIENT_ITERATIONS: usize = 30_000;
+pub(crate) const GRADIENT_ITERATIONS: usize = 30_000;
 /// How far f may be above the minimum in a certified answer of the gradient planner: twice what its
 /// stop leaves in the flattest directions met.
 const GRADIENT_FALL: f64 = 2e-8;

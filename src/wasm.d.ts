@@ -128,6 +128,61 @@ export interface Insight {
   chains: { wrench: number[]; share: number }[];
 }
 
+/** The iterates of one method at one frame: those of the first 60 iterations, later ones ever further apart, the last. */
+export interface Course {
+  /** Number of each iterate that is kept; 0 is where the method starts. */
+  iteration: Uint32Array;
+  /** Columns as in Motion, one group an iterate. */
+  joints: Float64Array;
+  pose: Float64Array;
+  rows: Float64Array;
+  /** f = ½‖q − g‖². */
+  metric: Float64Array;
+  /** |a| of Eq. 31. */
+  projected_gradient: Float64Array;
+  /** Largest opening of a loop, lengths and rad. */
+  closure: Float64Array;
+  sigma_min: Float64Array;
+  /** Of the gradient, how the iterate was reached: the share of the null-space step that was taken, */
+  share: Float64Array;
+  /** the largest entry of E behind it, */
+  opening: Float64Array;
+  /** the number of corrections by Eq. 28, */
+  corrections: Float64Array;
+  /** and their length together. */
+  correction: Float64Array;
+  /** Of Newton: 1 where a guarded step led here, 0 where loops are closed and the goal approached at once. */
+  guarded: Uint8Array;
+  /** Number of the last iterate. */
+  last: number;
+  converged: boolean;
+}
+
+/** Both planners at one frame, from the same position. */
+export interface Trace {
+  /** 7 numbers. */
+  goal: Float64Array;
+  /** f at the certified minimum; undefined if there is none. */
+  minimum?: number;
+  gradient: Course;
+  newton: Course;
+}
+
+/** [A] of Eq. 21 at one position, lengths in units of the metric's. */
+export interface Matrix {
+  /** Row by row. */
+  values: number[];
+  rows: number;
+  columns: number;
+  /** Joint variables of each chain: the first columns; 8 of q follow. The rows are 6 a chain, and 2 conditions on q. */
+  freedoms: number[];
+  /** Largest first. */
+  singular_values: number[];
+  /** Below it a singular value counts as zero. */
+  threshold: number;
+  rank: number;
+}
+
 /** Parts of documents with their defaults; `document` is the text of a whole one. */
 export interface Defaults {
   document: string;

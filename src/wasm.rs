@@ -5,11 +5,13 @@ use crate::document::SCHEMA;
 use crate::enumerate;
 use crate::export::{self, Format};
 use crate::fault::Fault;
+use crate::gradient::Arrival;
 use crate::json;
 use crate::pose::Pose;
 use crate::posture::Posture;
 use crate::problem::Problem;
 use crate::report::Report;
+use crate::trace::{self, Course};
 use crate::trajectory::Trajectory;
 use js_sys::{Float64Array, Object, Reflect, Uint8Array, Uint32Array};
 use serde::Serialize;
@@ -29,6 +31,12 @@ extern "C" {
     /// A type of wasm.d.ts.
     #[wasm_bindgen(typescript_type = "Insight")]
     pub type JsInsight;
+    /// A type of wasm.d.ts.
+    #[wasm_bindgen(typescript_type = "Trace")]
+    pub type JsTrace;
+    /// A type of wasm.d.ts.
+    #[wasm_bindgen(typescript_type = "Matrix")]
+    pub type JsMatrix;
     /// A type of wasm.d.ts.
     #[wasm_bindgen(typescript_type = "Defaults")]
     pub type JsDefaults;
@@ -97,6 +105,34 @@ pub fn explain(text: &str, joints: &[f64], goal: &[f64]) -> Result<JsInsight, Js
         .explain(joints, goal)
         .map_err(|fault| refusal(&fault))?;
     to_js(&insight).map(JsCast::unchecked_into)
+}
+
+/// The iterations of both planners at one frame, from the joint values `joints` of the frame before;
+/// from the document's start if there are none.
+///
+/// # Errors
+/// A `Fault` where the document, the frame or the joint values are at fault.
+#[wasm_bindgen]
+pub fn trace(text: &str, frame: usize, joints: &[f64]) -> Result<JsTrace, JsValue> {
+    let problem = problem(text)?;
+    let trace = trace::trace(&problem, frame, joints).map_err(|fault| refusal(&fault))?;
+    let object = Object::new();
+    let set = |name: &str, value: &JsValue| Reflect::set(&object, &name.into(), value).map(drop);
+    set("goal", &Float64Array::from(&placed([&trace.goal])[..]))?;
+    set("minimum", &trace.minimum.into())?;
+    set("gradient", &course(&problem, &trace.gradient)?.into())?;
+    set("newton", &course(&problem, &trace.newton)?.into())?;
+    Ok(object.unchecked_into())
+}
+
+/// \[A\] of Eq. 21 at the joint values `joints`, with its singular values.
+///
+/// # Errors
+/// A `Fault` where the document or the joint values are at fault.
+#[wasm_bindgen]
+pub fn matrix(text: &str, joints: &[f64]) -> Result<JsMatrix, JsValue> {
+    let matrix = trace::matrix(&problem(text)?, joints).map_err(|fault| refusal(&fault))?;
+    to_js(&matrix).map(JsCast::unchecked_into)
 }
 
 /// The document with every default written out.
@@ -237,6 +273,35 @@ fn posture(problem: &Problem, posture: &Posture) -> Result<Object, JsValue> {
     if let Some(obstacle) = &posture.obstacle {
         set("obstacle", &obstacle.into())?;
     }
+    Ok(object)
+}
+
+fn course(problem: &Problem, course: &Course) -> Result<Object, JsValue> {
+    let object = Object::new();
+    let set = |name: &str, value: &JsValue| Reflect::set(&object, &name.into(), value).map(drop);
+    let numbers = |name, values: &[f64]| set(name, &Float64Array::from(values));
+    let rows: Vec<Pose> = course
+        .joints
+        .iter()
+        .flat_map(|joints| problem.frames_at(joints))
+        .collect();
+    let arrivals = |part: fn(&Arrival) -> f64| course.arrivals.iter().map(part).collect::<Vec<_>>();
+    set("iteration", &Uint32Array::from(&course.iteration[..]))?;
+    numbers("joints", &course.joints.concat())?;
+    numbers("pose", &placed(&course.poses))?;
+    numbers("rows", &placed(&rows))?;
+    numbers("metric", &course.metric)?;
+    numbers("projected_gradient", &course.projected_gradient)?;
+    numbers("closure", &course.opening)?;
+    numbers("sigma_min", &course.sigma_min)?;
+    numbers("share", &arrivals(|a| a.share))?;
+    numbers("opening", &arrivals(|a| a.opening))?;
+    numbers("corrections", &arrivals(|a| a.corrections as f64))?;
+    numbers("correction", &arrivals(|a| a.correction))?;
+    let guarded: Vec<u8> = course.guarded.iter().map(|g| u8::from(*g)).collect();
+    set("guarded", &Uint8Array::from(&guarded[..]))?;
+    set("last", &course.last.into())?;
+    set("converged", &course.converged.into())?;
     Ok(object)
 }
 

@@ -19,7 +19,7 @@ const LAYERS: &[&[(&str, &str)]] = layers! {
     [planner]
     [document start]
     [defaults json problem]
-    [report]
+    [report trace]
     [columns posture]
     [mjcf]
     [export]

@@ -169,3 +169,26 @@ fn enumeration_is_that_of_the_paper() {
     );
     assert_eq!(wasm::assembly_by_index(5, 487_990_859.0), None);
 }
+
+#[wasm_bindgen_test]
+fn a_trace_is_both_courses_and_the_matrix() {
+    let trace: JsValue = wasm::trace(SAMPLE, 60, &[]).expect("a frame").into();
+    let minimum = get(&trace, "minimum").as_f64().expect("certified");
+    for name in ["gradient", "newton"] {
+        let course = get(&trace, name);
+        let metric = column(&course, "metric");
+        assert_eq!(column(&course, "joints").len(), 15 * metric.len());
+        assert_eq!(column(&course, "rows").len(), 15 * 14 * metric.len());
+        assert!((metric[metric.len() - 1] - minimum).abs() < 1e-7, "{name}");
+        let joints = &column(&course, "joints")[..15];
+        let matrix: JsValue = wasm::matrix(SAMPLE, joints).expect("joints").into();
+        assert_eq!(get(&matrix, "rows").as_f64(), Some(20.0));
+        assert_eq!(get(&matrix, "columns").as_f64(), Some(23.0));
+        assert_eq!(get(&matrix, "rank").as_f64(), Some(20.0));
+    }
+    let fault = wasm::trace(SAMPLE, 999, &[]).map(drop).expect_err("none");
+    assert_eq!(
+        get(&fault, "where").as_string().as_deref(),
+        Some("motion.frames")
+    );
+}

@@ -68,6 +68,7 @@ function connect(defaults) {
   createExport(app);
   createHelp(app);
   createPointing(app);
+  whenSeen(byId('algorithm'), 'The algorithm', async () => (await import('./view/algorithm.js')).createAlgorithm(app, byId('algorithm')));
   whenSeen(byId('charts'), 'The charts', async () => (await import('./view/charts.js')).createCharts(app, byId('charts')));
   createViewBar(app);
   createLegend(byId('legend'), app);

@@ -4,13 +4,13 @@
  * @typedef {{id: number, kind: 'value', value: unknown}
  *   | {id: number, kind: 'fault', fault: import('./types.js').Fault}
  *   | {id: number, kind: 'failure', message: string}} Answer
- * @typedef {'plan' | 'pull' | 'drive' | 'explain' | 'normalise' | 'find_start' | 'export_motion' | 'enumeration' | 'defaults'} Call
+ * @typedef {'plan' | 'pull' | 'drive' | 'explain' | 'normalise' | 'find_start' | 'export_motion' | 'enumeration' | 'trace' | 'matrix' | 'defaults'} Call
  *   the functions of the package that the page asks for
  */
-import init, { defaults, drive, enumeration, explain, export_motion, find_start, normalise, plan, pull } from './pkg/synthetica.js';
+import init, { defaults, drive, enumeration, explain, export_motion, find_start, matrix, normalise, plan, pull, trace } from './pkg/synthetica.js';
 
 /** @type {Record<Call, (...args: any[]) => unknown>} */
-const calls = { plan, pull, drive, explain, normalise, find_start, export_motion, enumeration, defaults };
+const calls = { plan, pull, drive, explain, normalise, find_start, export_motion, enumeration, trace, matrix, defaults };
 
 // Set at once: a message that arrives before the handler exists would be lost.
 const ready = init();

@@ -6,6 +6,9 @@
  * @typedef {import('./pkg/synthetica.js').Fault} Fault
  * @typedef {import('./pkg/synthetica.js').Posture} Posture
  * @typedef {import('./pkg/synthetica.js').Insight} Insight
+ * @typedef {import('./pkg/synthetica.js').Trace} Trace
+ * @typedef {import('./pkg/synthetica.js').Course} Course
+ * @typedef {import('./pkg/synthetica.js').Matrix} Matrix
  *
  * A number as typed: text that is no number stays text, so that Rust can refuse it by name and
  * the person can mend it.

@@ -1,0 +1,138 @@
+//! The iterations shown are the planner's own.
+
+use synthetica::closure::SingularValues;
+use synthetica::json;
+use synthetica::planner::{Method, Settings, plan};
+use synthetica::problem::Problem;
+use synthetica::trace::{matrix, trace};
+
+const SAMPLES: [&str; 8] = [
+    include_str!("../www/mechanisms/2tpr.json"),
+    include_str!("../www/mechanisms/3rps.json"),
+    include_str!("../www/mechanisms/bennett.json"),
+    include_str!("../www/mechanisms/cartesian.json"),
+    include_str!("../www/mechanisms/five-link.json"),
+    include_str!("../www/mechanisms/four-bar.json"),
+    include_str!("../www/mechanisms/scara.json"),
+    include_str!("../www/mechanisms/spacecraft.json"),
+];
+
+/// A sample with few frames, so that the gradient planner stays quick.
+fn problem(text: &str, method: Method) -> Problem {
+    let mut problem = Problem::new(&json::parse(text).expect("a document")).expect("a problem");
+    let last = problem.goals.len() - 1;
+    problem.goals = [0, last / 8, last / 4]
+        .map(|i| problem.goals[i].clone())
+        .to_vec();
+    problem.settings = Settings {
+        method,
+        ..problem.settings
+    };
+    problem
+}
+
+fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
+    let pairs = a.iter().zip(b);
+    pairs.fold(0.0, |m: f64, (a, b)| m.max((a - b).abs()))
+}
+
+#[test]
+fn the_gradient_ends_where_its_planner_ends() {
+    for text in SAMPLES {
+        let problem = problem(text, Method::Gradient);
+        let motion = problem.plan();
+        for frame in 0..motion.frames() {
+            let before = frame.checked_sub(1).map(|i| motion.joints_at(i));
+            let course = trace(&problem, frame, before.unwrap_or(&[]))
+                .expect("a frame")
+                .gradient;
+            let answer = motion.joints_at(frame);
+            let end = course.joints.last().expect("iterates");
+            assert!(largest_difference(end, answer) < 1e-9);
+            assert_eq!(course.last, motion.iterations[frame] as usize);
+            assert_eq!(course.iteration.last(), Some(&motion.iterations[frame]));
+            for pair in course.metric.windows(2) {
+                assert!(pair[1] <= pair[0] + 1e-13, "f never grows: {pair:?}");
+            }
+            assert!(course.opening.iter().all(|e| *e < 1e-10), "all are closed");
+            assert!(course.iteration.windows(2).all(|pair| pair[0] < pair[1]));
+            assert!(course.arrivals[1..].iter().all(|a| a.share > 0.0));
+        }
+    }
+}
+
+#[test]
+fn newton_ends_where_the_planner_ends() {
+    for text in SAMPLES {
+        let problem = problem(text, Method::Newton);
+        let motion = plan(
+            &problem.mechanism,
+            &problem.find_start(),
+            &problem.goals,
+            &problem.settings,
+        );
+        for frame in 0..motion.frames() {
+            let before = frame.checked_sub(1).map(|i| motion.joints_at(i));
+            let trace = trace(&problem, frame, before.unwrap_or(&[])).expect("a frame");
+            let course = &trace.newton;
+            let pose = course.poses.last().expect("iterates");
+            let off = synthetica::pose::difference(pose, &motion.poses[frame]).norm();
+            assert!(off < 1e-6, "{off:e} from the answer");
+            assert!(course.converged && course.opening.last() < Some(&1e-10));
+            let minimum = trace.minimum.expect("certified");
+            assert!((minimum - motion.metric[frame]).abs() < 1e-12);
+            assert!(
+                course.last <= trace.gradient.last,
+                "Newton needs no more steps"
+            );
+            let guarded: Vec<f64> = course
+                .metric
+                .iter()
+                .zip(&course.guarded)
+                .filter_map(|(f, guarded)| guarded.then_some(*f))
+                .collect();
+            for pair in guarded.windows(2) {
+                assert!(pair[1] <= pair[0] + 1e-13, "guarded steps only fall");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_matrix_has_the_rank_and_singular_values_of_the_planner() {
+    for text in SAMPLES {
+        let problem = problem(text, Method::Newton);
+        let motion = problem.plan();
+        let length = problem.settings.metric_length;
+        let reference = problem.mechanism.scaled(1.0 / length);
+        for frame in 0..motion.frames() {
+            let joints = motion.joints_at(frame);
+            let a = matrix(&problem, joints).expect("joint values");
+            assert_eq!(a.values.len(), a.rows * a.columns);
+            assert_eq!(a.rows, 6 * problem.mechanism.chains().len() + 2);
+            assert_eq!(a.columns, problem.mechanism.variables() + 8);
+            assert_eq!(a.freedoms.iter().sum::<usize>() + 8, a.columns);
+            let squares = |values: &[f64]| values.iter().map(|x| x * x).sum::<f64>();
+            let (all, by_sigma) = (squares(&a.values), squares(&a.singular_values));
+            assert!((all - by_sigma).abs() < 1e-12 * all, "Frobenius norm");
+            let least = a.singular_values[a.rank - 1];
+            let smallest =
+                SingularValues::default().smallest(reference.chains(), joints, a.rows - a.rank);
+            assert!((least - smallest).abs() < 1e-6, "{least:e} {smallest:e}");
+            if frame > 0 {
+                // Away from a start that may be singular.
+                let mobility =
+                    synthetica::newton::Solver::new(&problem.mechanism, length, 1).mobility(joints);
+                assert_eq!(a.columns - a.rank, mobility, "n − rank [A]");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_frame_or_joints_that_do_not_exist_are_refused() {
+    let problem = problem(SAMPLES[1], Method::Newton);
+    assert!(trace(&problem, 3, &[]).is_err());
+    assert!(trace(&problem, 0, &[0.0; 14]).is_err());
+    assert!(matrix(&problem, &[]).is_err());
+}

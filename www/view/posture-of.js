@@ -1,0 +1,35 @@
+/**
+ * An iterate as a posture, so that the view shows it in place of the frame.
+ *
+ * @typedef {import('../types.js').Trace} Trace
+ */
+
+/** @param {Trace} trace @param {import('./algorithm-words.js').Method} method @param {number} at @returns {import('../types.js').Posture} */
+export function postureOf(trace, method, at) {
+  const course = trace[method];
+  const count = course.iteration.length;
+  const group = (/** @type {Float64Array} */ column) => {
+    const width = column.length / count;
+    return column.subarray(at * width, (at + 1) * width);
+  };
+  const pose = group(course.pose);
+  const { goal } = trace;
+  const turn = Math.abs(pose[3] * goal[3] + pose[4] * goal[4] + pose[5] * goal[5] + pose[6] * goal[6]);
+  const arrived = at === count - 1 && course.converged;
+  const metric = course.metric[at];
+  return {
+    joints: group(course.joints),
+    pose,
+    rows: group(course.rows),
+    goal,
+    // Only the last iterate is an answer.
+    status: !arrived ? 'stalled' : metric < 1e-16 ? 'reached' : 'closest',
+    metric,
+    translation_gap: Math.hypot(pose[0] - goal[0], pose[1] - goal[1], pose[2] - goal[2]),
+    rotation_gap: 2 * Math.acos(Math.min(1, turn)),
+    closure: course.closure[at],
+    projected_gradient: course.projected_gradient[at],
+    iterations: course.iteration[at],
+    sigma_min: course.sigma_min[at],
+  };
+}

@@ -1,0 +1,82 @@
+/**
+ * The controls that go through iterates: method, slider, first, back, play, on, last.
+ *
+ * @typedef {import('./algorithm-words.js').Method} Method
+ */
+import { element, setText } from '../dom.js';
+import { METHODS, kept } from './algorithm-words.js';
+
+/** Milliseconds that an iterate is shown while they play. */
+const PACE = 350;
+
+/** @param {{choose: (at: number) => void, chooseMethod: (method: Method) => void}} on */
+export function createSteps({ choose, chooseMethod }) {
+  let at = 0;
+  let last = 0;
+  /** @type {ReturnType<typeof setInterval> | undefined} */
+  let timer;
+
+  const go = (/** @type {number} */ to) => () => {
+    stop();
+    choose(to === Infinity ? last : to === -Infinity ? 0 : at + to);
+  };
+  const button = (/** @type {string} */ label, /** @type {string} */ sign, /** @type {() => void} */ click) => element('button', { class: 'icon', 'aria-label': label, title: label, click }, sign);
+  const first = button('First iterate', '⏮', go(-Infinity));
+  const back = button('Previous iterate', '◀', go(-1));
+  const on = button('Next iterate', '▶', go(1));
+  const end = button('Last iterate', '⏭', go(Infinity));
+  const play = element('button', { 'aria-pressed': 'false', click: toggle }, 'Play steps');
+  const slider = element('input', { type: 'range', min: 0, max: 1, step: 1, value: 0, 'aria-label': 'Iterate' });
+  slider.addEventListener('input', () => {
+    stop();
+    choose(Number(slider.value));
+  });
+  const choice = Object.entries(METHODS).map(([method, name]) => {
+    const box = element('input', { type: 'radio', name: 'algorithm-method', value: method });
+    box.addEventListener('change', () => {
+      stop();
+      chooseMethod(/** @type {Method} */ (method));
+    });
+    return { method, box, label: element('label', {}, box, name) };
+  });
+
+  function toggle() {
+    if (timer) return stop();
+    if (at === last) choose(0);
+    setText(play, 'Stop');
+    play.setAttribute('aria-pressed', 'true');
+    timer = setInterval(() => {
+      if (at < last) choose(at + 1);
+      if (at >= last) stop();
+    }, PACE);
+  }
+
+  function stop() {
+    clearInterval(timer);
+    timer = undefined;
+    setText(play, 'Play steps');
+    play.setAttribute('aria-pressed', 'false');
+  }
+
+  return {
+    root: element(
+      'div',
+      { class: 'steps' },
+      element('fieldset', {}, element('legend', { class: 'sr' }, 'Method'), ...choice.map(({ label }) => label)),
+      element('div', { class: 'buttons', role: 'group', 'aria-label': 'Iterates' }, first, back, on, end, play),
+      slider,
+    ),
+    stop,
+    /** @param {Method} method @param {number} index @param {import('../types.js').Course} course */
+    show(method, index, course) {
+      at = index;
+      last = kept(course) - 1;
+      for (const one of choice) one.box.checked = one.method === method;
+      slider.max = String(last);
+      slider.value = String(at);
+      slider.setAttribute('aria-valuetext', `iterate ${course.iteration[at]} of ${course.last}`);
+      first.disabled = back.disabled = at === 0;
+      on.disabled = end.disabled = at === last;
+    },
+  };
+}
