@@ -38,6 +38,7 @@ import { createStatus } from './view/status.js';
 import { createTables } from './view/tables.js';
 import { createTabs } from './view/tabs.js';
 import { createTransport } from './view/transport.js';
+import { createWhy } from './view/why.js';
 import { createViewBar } from './view/view-bar.js';
 
 const planner = new Planner();
@@ -71,6 +72,7 @@ function connect(defaults) {
   whenSeen(byId('algorithm'), 'The algorithm', async () => (await import('./view/algorithm.js')).createAlgorithm(app, byId('algorithm')));
   whenSeen(byId('charts'), 'The charts', async () => (await import('./view/charts.js')).createCharts(app, byId('charts')));
   createViewBar(app);
+  createWhy(app);
   createLegend(byId('legend'), app);
   // What moves by hand waits until there is something to move.
   const first = store.subscribe('result', () => {

@@ -91,13 +91,14 @@ export class Planner {
   }
 
   /**
-<<<<<<< HEAD
    * The planned motion as a text for other programs.
    * @param {string} text a document @param {'csv' | 'json' | 'mjcf'} format @returns {Promise<string>}
    */
   exportMotion(text, format) {
     return this.#ask('export_motion', text, format);
-=======
+  }
+
+  /**
    * The iterations of both methods at one frame. @param {string} text a document @param {number} frame
    * @param {Float64Array} joints where to start: the answer of the frame before; empty for the document's start
    * @returns {Promise<import('./types.js').Trace>}
@@ -109,7 +110,6 @@ export class Planner {
   /** The matrix [A] at a position. @param {string} text a document @param {Float64Array} joints @returns {Promise<import('./types.js').Matrix>} */
   matrix(text, joints) {
     return this.#askLatest('matrix', text, joints);
->>>>>>> 53987b0 (The algorithm view: both planners' own iterations at a frame, the matrix [A] with its singular values, convergence; the linkage steps along)
   }
 
   /** @returns {Promise<Defaults>} */

@@ -127,11 +127,11 @@ export function createAlgorithm({ store, planner, player }, panel) {
     const last = kept(course) - 1;
     at = Math.min(last, Math.max(0, index));
     steps.show(method, at, course);
-    numbers.metric.value = scientific(course.metric[at]);
-    numbers.above.value = scientific(Math.abs(course.metric[at] - leastMetric(trace)));
-    numbers.slope.value = scientific(course.projected_gradient[at]);
-    numbers.closure.value = scientific(course.closure[at]);
-    numbers.sigma.value = scientific(course.sigma_min[at]);
+    numbers.metric.textContent = scientific(course.metric[at]);
+    numbers.above.textContent = scientific(Math.abs(course.metric[at] - leastMetric(trace)));
+    numbers.slope.textContent = scientific(course.projected_gradient[at]);
+    numbers.closure.textContent = scientific(course.closure[at]);
+    numbers.sigma.textContent = scientific(course.sigma_min[at]);
     sayStep();
     convergence.point(method, course.iteration[at]);
     mine = postureOf(trace, method, at);

@@ -48,6 +48,18 @@ export function createPlot(host, { series, log = false, floor = 1e-16, zero = fa
     return zero ? [from - (from < 0 ? margin : 0), high + missing + margin] : [from - missing / 2 - margin, high + missing / 2 + margin];
   };
 
+  /** Over many powers of ten only these are ruled and labelled, and only as many as have room. @type {uPlot.Axis.Filter} */
+  const powers = (self, splits) => {
+    const { min = 1, max = 1 } = self.scales.y;
+    const decades = Math.log10(Number(max) / Number(min));
+    if (!(decades > 3)) return splits;
+    const every = Math.max(1, Math.ceil(decades / Math.max(2, self.over.clientHeight / 26)));
+    return splits.map((value) => {
+      const power = Math.log10(value);
+      return Math.abs(power - Math.round(power)) < 1e-6 && Math.round(power) % every === 0 ? value : null;
+    });
+  };
+  const only = log ? { filter: powers } : {};
   const ink = { stroke: () => colour('var(--muted)'), font: FONT, gap: 3 };
   const rules = { stroke: () => colour('var(--line)'), width: 1 };
   const plot = new uPlot(
@@ -72,8 +84,9 @@ export function createPlot(host, { series, log = false, floor = 1e-16, zero = fa
         { ...ink, grid: rules, ticks: { ...rules, size: 4 }, size: 20, space: 56, values: (_, all) => all.map((value) => short(value)) },
         {
           ...ink,
-          grid: rules,
-          ticks: { ...rules, size: 4 },
+          ...only,
+          grid: { ...rules, ...only },
+          ticks: { ...rules, ...only, size: 4 },
           space: 26,
           size: (_, texts) => 12 + 6.4 * Math.max(2, ...(texts ?? []).map((text) => text?.length ?? 0)),
           values: (_, all) => all.map((value) => (value === null ? '' : write(value))),

@@ -20,11 +20,15 @@ export function createSteps({ choose, chooseMethod }) {
     stop();
     choose(to === Infinity ? last : to === -Infinity ? 0 : at + to);
   };
-  const button = (/** @type {string} */ label, /** @type {string} */ sign, /** @type {() => void} */ click) => element('button', { class: 'icon', 'aria-label': label, title: label, click }, sign);
-  const first = button('First iterate', '⏮', go(-Infinity));
-  const back = button('Previous iterate', '◀', go(-1));
-  const on = button('Next iterate', '▶', go(1));
-  const end = button('Last iterate', '⏭', go(Infinity));
+  const button = (/** @type {string} */ label, /** @type {string} */ shape, /** @type {() => void} */ click) => {
+    const made = element('button', { class: 'icon', 'aria-label': label, title: label, click });
+    made.innerHTML = `<svg viewBox="0 0 16 16" aria-hidden="true"><path class="solid" d="${shape}" /></svg>`;
+    return made;
+  };
+  const first = button('First iterate', 'M3 3h2v10H3zM13 3v10L6 8z', go(-Infinity));
+  const back = button('Previous iterate', 'M11 3v10L4 8z', go(-1));
+  const on = button('Next iterate', 'M5 3v10l7-5z', go(1));
+  const end = button('Last iterate', 'M11 3h2v10h-2zM3 3v10l7-5z', go(Infinity));
   const play = element('button', { 'aria-pressed': 'false', click: toggle }, 'Play steps');
   const slider = element('input', { type: 'range', min: 0, max: 1, step: 1, value: 0, 'aria-label': 'Iterate' });
   slider.addEventListener('input', () => {
