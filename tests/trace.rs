@@ -21,9 +21,7 @@ const SAMPLES: [&str; 8] = [
 fn problem(text: &str, method: Method) -> Problem {
     let mut problem = Problem::new(&json::parse(text).expect("a document")).expect("a problem");
     let last = problem.goals.len() - 1;
-    problem.goals = [0, last / 8, last / 4]
-        .map(|i| problem.goals[i])
-        .to_vec();
+    problem.goals = [0, last / 8, last / 4].map(|i| problem.goals[i]).to_vec();
     problem.settings = Settings {
         method,
         ..problem.settings

@@ -38,12 +38,13 @@
  * gives access to it, and the document as it stands there; null where only this browser has it.
  * @typedef {{title: string, handle: FileSystemFileHandle | null, saved: MechanismDocument | null}} Origin
  *
- * What is looked at. `posture` is shown in place of the frame while the linkage is moved by hand (pulled or taught);
+ * What is looked at. `posture` is shown in place of the frame while the linkage is moved by hand (pulled or taught) or
+ * by an algorithm, which then has a `note` that says so;
  * playing, scrubbing or an edit ends it. `selected` and `hovered` are places of the document, such as `chains[1]`,
  * `chains[1].joints[0]` or `motion.key_frames[2]`, or `workpiece`; empty for nothing. `charts` are groups of charts
  * (view/chart-list.js); `speed` is a factor; `loop` is what the player does at the end; `ghosts`
  * are the frames at which the workpiece is drawn too: at the key frames, spread evenly, or these.
- * @typedef {{frame: number, playing: boolean, posture: Posture | null, selected: string, hovered: string,
+ * @typedef {{frame: number, playing: boolean, posture: (Posture & {note?: string}) | null, selected: string, hovered: string,
  *   speed: number, loop: 'once' | 'loop' | 'bounce', charts: string[],
  *   projection: 'perspective' | 'orthographic', show: Shown, ghosts: 'none' | 'keys' | 'spread' | number[]}} View
  *

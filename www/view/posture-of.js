@@ -4,7 +4,7 @@
  * @typedef {import('../types.js').Trace} Trace
  */
 
-/** @param {Trace} trace @param {import('./algorithm-words.js').Method} method @param {number} at @returns {import('../types.js').Posture} */
+/** @param {Trace} trace @param {import('./algorithm-words.js').Method} method @param {number} at @returns {import('../types.js').Posture & {note: string}} */
 export function postureOf(trace, method, at) {
   const course = trace[method];
   const count = course.iteration.length;
@@ -18,6 +18,7 @@ export function postureOf(trace, method, at) {
   const arrived = at === count - 1 && course.converged;
   const metric = course.metric[at];
   return {
+    note: at === 0 ? 'Start of the iterations.' : `Iterate ${course.iteration[at]} of ${course.last}, ${method}.`,
     joints: group(course.joints),
     pose,
     rows: group(course.rows),

@@ -68,6 +68,7 @@ export function createTransport(store, player) {
     loop.value = store.view.loop;
     speed.value = String(store.view.speed);
     byId('by-hand').hidden = posture === null;
+    setText(byId('by-hand-text'), posture?.note ?? 'Moved by hand.');
     const timed = isTimed(document);
     setText(byId('frame-number'), `${frame + 1} / ${motion.frames}`);
     setText(byId('frame-time'), `t = ${motion.time[frame].toFixed(timed ? 2 : 3)}${timed ? ' s' : ''}`);
