@@ -17,7 +17,7 @@ export const KEYS = [
   { keys: ['1', '2', '3', '4', '5', '6', '7'], does: 'view from the front, back, left, right, top, bottom; isometric', where: '3D view' },
   { keys: ['P'], does: 'perspective or orthographic', where: '3D view' },
   { keys: ['F'], does: 'bring what is selected into the middle', where: '3D view' },
-  { keys: ['[', ']'], does: 'point at the thing before or after', where: '3D view' },
+  { keys: ['[', ']', ',', '.'], does: 'point at the thing before or after', where: '3D view' },
   { keys: ['Enter'], does: 'select what is pointed at', where: '3D view' },
   { keys: ['Escape'], does: 'select nothing', where: '3D view' },
   { keys: ['G', 'R'], does: 'move or turn what is in hand', where: '3D view, a key frame selected' },
