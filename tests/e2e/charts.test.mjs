@@ -185,7 +185,7 @@ test('dark: the charts are drawn anew in the other colours', async () => {
   assert.ok(Math.abs((await lightness()) - before) > 20, `${await lightness()} and ${before}`);
   const dark = await canvas.evaluate((drawn) => drawn.toDataURL());
   await page.evaluate(() => {
-    document.documentElement.style.colorScheme = 'light';
+    document.documentElement.dataset.theme = 'light';
     window.dispatchEvent(new Event('themechange'));
   });
   await page.waitForFunction((old) => document.querySelector('.chart canvas').toDataURL() !== old, dark);
