@@ -304,10 +304,11 @@ fn vector(v: &Vector3<f64>) -> String {
     numbers([v.x, v.y, v.z])
 }
 
-/// What is only looked at needs six digits.
+/// What is only looked at needs six decimals. (Reading a number back from text would cost 12 kB of
+/// tables.)
 fn rounded(values: &[f64]) -> String {
-    let six = |x: &f64| format!("{x:.5e}").parse().unwrap_or(*x);
-    numbers(values.iter().map(six))
+    const SCALE: f64 = 1e6;
+    numbers(values.iter().map(|x| (x * SCALE).round() / SCALE))
 }
 
 /// A text within an attribute; characters that XML cannot hold are dropped.

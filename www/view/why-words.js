@@ -62,7 +62,7 @@ export function freedomInWords({ point, direction: along, pitch }, unit) {
   if (pitch === null) return `Shift along ${direction(along)}`;
   const axis = `about the axis through ${place(point)} along ${direction(along)}`;
   if (Math.abs(pitch) < 1e-6) return `Turn ${axis}`;
-  return `Screw ${axis}, ${length(pitch * 2 * Math.PI, unit)} a turn`;
+  return `Screw ${axis}, ${length(Math.abs(pitch) * 2 * Math.PI, unit)} a turn${pitch < 0 ? ', left-handed' : ''}`;
 }
 
 /** Shares as whole percent that sum to 100; all 0 where nothing is held back. @param {number[]} shares 0 to 1 */

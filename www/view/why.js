@@ -43,7 +43,7 @@ export function createWhy({ store }) {
         click: () => store.setView({ selected: store.view.selected === place ? '' : place }),
       },
       element('span', {}, name),
-      element('span', { class: 'track', 'aria-hidden': 'true' }, fill),
+      element('span', { class: 'share-track', 'aria-hidden': 'true' }, fill),
       element('strong', {}, `${percent} %`),
     );
     return element('li', { 'data-place': place }, button, ...(percent > 0 ? [element('small', {}, holds)] : []));
