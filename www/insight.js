@@ -2,6 +2,7 @@
  * Keeps the store's insight in step with what is shown: asks the planner why the workpiece rests there, at once when
  * the view rests, a few times a second while it moves.
  */
+import { textOf } from './document-text.js';
 import { DocumentFault, PlannerFailure, Superseded } from './planner.js';
 import { groupAt, shown } from './shown.js';
 
@@ -15,8 +16,6 @@ export function createInsight({ store, planner }) {
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let waiting;
   let last = -Infinity;
-  /** The text of a document, written once. @type {{document: unknown, text: string}} */
-  let written = { document: null, text: '' };
 
   async function ask() {
     waiting = undefined;
@@ -26,9 +25,8 @@ export function createInsight({ store, planner }) {
     if (question.every((part, i) => part === asked[i])) return;
     asked = question;
     last = performance.now();
-    if (written.document !== what.document) written = { document: what.document, text: JSON.stringify(what.document) };
     try {
-      const insight = await planner.explain(written.text, groupAt(what.joints, what).slice(), groupAt(what.goal, what).slice());
+      const insight = await planner.explain(textOf(what.document), groupAt(what.joints, what).slice(), groupAt(what.goal, what).slice());
       if (asked === question) store.setInsight(insight);
     } catch (error) {
       if (error instanceof Superseded) return;

@@ -22,3 +22,22 @@ export function groupAt(column, { index, frames }) {
   const width = column.length / frames;
   return column.subarray(index * width, (index + 1) * width);
 }
+
+/**
+ * How what is shown ended: its status and the numbers of its certificate.
+ * @param {{result: import('./types.js').Result, view: import('./types.js').View}} store
+ */
+export function shownEnd({ result: { motion }, view: { frame, posture } }) {
+  if (posture) return posture;
+  if (!motion) return null;
+  return {
+    status: motion.report.statuses[motion.status[frame]],
+    metric: motion.metric[frame],
+    translation_gap: motion.translation_gap[frame],
+    rotation_gap: motion.rotation_gap[frame],
+    closure: motion.closure[frame],
+    sigma_min: motion.sigma_min[frame],
+    projected_gradient: motion.projected_gradient[frame],
+    iterations: motion.iterations[frame],
+  };
+}

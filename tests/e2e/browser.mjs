@@ -79,7 +79,7 @@ export async function openSample(page, file) {
 export const motionIsOfDocument = (page) =>
   page.waitForFunction(() => {
     const types = (all) => [...document.querySelectorAll(all)].map((node) => node.textContent).join();
-    return types('.chain .type') === types('#chain-rows td:nth-child(2)');
+    return types('#mechanism .chain .type') === types('#chain-rows td:nth-child(2)');
   });
 
 export const cell = (page, path) => page.locator(`[data-path="${path}"]`);

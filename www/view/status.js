@@ -6,8 +6,9 @@
  */
 import { angle, length, plural, scientific, short } from '../format.js';
 import { byId, element, setText } from '../dom.js';
+import { shownEnd } from '../shown.js';
 import { parts, sentence } from './fault-note.js';
-import { countStatuses, frameSentence, mobilitySentence, statusName, statusWords, worstFrame } from './words.js';
+import { countStatuses, frameSentence, mobilitySentence, statusWords, worstFrame } from './words.js';
 
 /** Pause before the live region speaks, in milliseconds: while the motion plays it would never stop. */
 const SPEAK_AFTER = 600;
@@ -30,22 +31,22 @@ export function createStatus(store, player, goToFault) {
   byId('go-to-fault').addEventListener('click', goToFault);
 
   function showFrame() {
-    const { motion, document } = store.result;
-    if (!motion) return;
-    const { frame } = store.view;
-    const name = statusName(motion, frame);
-    const { sign, word, meaning } = statusWords(name);
-    byId('frame-status').dataset.status = name;
+    const end = shownEnd(store);
+    if (!end) return;
+    const { posture } = store.view;
+    const { sign, word, meaning } = statusWords(posture?.value === undefined ? end.status : 'driven');
+    setText(byId('frame-title'), posture ? 'This posture' : 'This frame');
+    byId('frame-status').dataset.status = end.status;
     setText(byId('frame-sign'), sign);
     setText(byId('frame-word'), word);
     setText(byId('frame-meaning'), meaning);
-    setText(numbers.translation, length(motion.translation_gap[frame], document?.length_unit));
-    setText(numbers.rotation, angle(motion.rotation_gap[frame]));
-    setText(numbers.metric, scientific(motion.metric[frame]));
-    setText(numbers.closure, scientific(motion.closure[frame]));
-    setText(numbers.sigma, short(motion.sigma_min[frame]));
-    setText(numbers.gradient, scientific(motion.projected_gradient[frame]));
-    setText(numbers.iterations, String(motion.iterations[frame]));
+    setText(numbers.translation, length(end.translation_gap, store.result.document?.length_unit));
+    setText(numbers.rotation, angle(end.rotation_gap));
+    setText(numbers.metric, scientific(end.metric));
+    setText(numbers.closure, scientific(end.closure));
+    setText(numbers.sigma, short(end.sigma_min));
+    setText(numbers.gradient, scientific(end.projected_gradient));
+    setText(numbers.iterations, String(end.iterations));
   }
 
   /** @param {string} text @param {number} frame */

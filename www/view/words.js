@@ -4,9 +4,10 @@
  * @typedef {import('../types.js').Motion} Motion
  */
 import { angle, length, plural, short } from '../format.js';
+import { groupAt, shown } from '../shown.js';
 
 /**
- * How a frame ended: a sign that is told apart without colour, a word, and what it means.
+ * How a frame or a posture ended: a sign that is told apart without colour, a word, and what it means.
  * @type {Record<string, {sign: string, word: string, meaning: string}>}
  */
 export const STATUS = {
@@ -14,6 +15,7 @@ export const STATUS = {
   closest: { sign: '◐', word: 'Closest', meaning: 'The goal is out of reach. No pose nearby comes closer.' },
   at_limit: { sign: '◧', word: 'At a limit', meaning: 'A joint limit keeps the workpiece from coming closer.' },
   stalled: { sign: '△', word: 'Stalled', meaning: 'The planner stopped before it could show that this is the closest pose.' },
+  driven: { sign: '◆', word: 'Driven', meaning: 'One joint is driven by hand; the others follow, and every loop stays closed.' },
   closure_lost: { sign: '✕', word: 'Closure lost', meaning: 'The loops could not be closed here. Do not trust this frame.' },
 };
 
@@ -55,21 +57,30 @@ export function mobilitySentence(count, rank) {
 export function frameSentence(store) {
   const { motion, document } = store.result;
   if (!motion) return '';
-  const { frame } = store.view;
+  const { frame, posture } = store.view;
+  if (posture) return postureSentence(posture, document?.length_unit);
   const { word } = statusWords(statusName(motion, frame));
   const gap = `${length(motion.translation_gap[frame], document?.length_unit)} and ${angle(motion.rotation_gap[frame])}`;
   return `Frame ${frame + 1} of ${motion.frames}: ${word.toLowerCase()}, ${gap} from the goal.`;
 }
 
+/** Where the linkage was moved by hand, in one sentence. @param {import('../types.js').Posture} posture @param {string | undefined} unit */
+function postureSentence({ value, obstacle, status, translation_gap, rotation_gap }, unit) {
+  if (value !== undefined) return obstacle ?? 'A joint is driven by hand; the others follow.';
+  const { word } = statusWords(status);
+  return `Pulled by hand: ${word.toLowerCase()}, ${length(translation_gap, unit)} and ${angle(rotation_gap)} from the hand.`;
+}
+
 /** What the 3D view shows, as text. @param {import('../store.js').Store} store */
 export function describeScene(store) {
-  const { motion, document } = store.result;
-  if (!motion || !document) return '';
-  const at = (/** @type {Float64Array} */ column) =>
-    Array.from(column.subarray(store.view.frame * 7, store.view.frame * 7 + 3), (value) => short(value, 3)).join(', ');
+  const { motion } = store.result;
+  const now = shown(store);
+  if (!motion || !now) return '';
+  const { document } = now;
+  const at = (/** @type {Float64Array} */ column) => Array.from(groupAt(column, now).subarray(0, 3), (value) => short(value, 3)).join(', ');
   const types = motion.report.chains.map((chain) => chain.type).join(', ');
   return (
     `${document.name || 'A linkage'}: ${plural(motion.report.chains.length, 'chain')} (${types}) carry one workpiece. ` +
-    `${frameSentence(store)} Workpiece at ${at(motion.pose)}; goal at ${at(motion.goal)}.`
+    `${frameSentence(store)} Workpiece at ${at(now.pose)}; goal at ${at(now.goal)}.`
   );
 }

@@ -1,0 +1,45 @@
+/**
+ * What can be made of a posture that the linkage was moved to by hand: a key frame or the start.
+ */
+import { addKeyFrame, takeStarts } from '../edits.js';
+import { element } from '../dom.js';
+import { degrees } from '../format.js';
+import { frameOf } from '../scene/frame.js';
+
+/** Decimals of the coordinates in lengths and degrees: a start closes its loops to better than a person can see. */
+const DECIMALS = 9;
+
+/** @param {number} value */
+const plain = (value) => Number(value.toFixed(DECIMALS)) || 0;
+
+/**
+ * The buttons, for where a posture is told of.
+ * @param {Pick<import('../main.js').App, 'store'>} app
+ */
+export function postureActions({ store }) {
+  /** The reached pose as the last key frame. */
+  function addKey() {
+    const { posture } = store.view;
+    if (!posture) return;
+    const frame = frameOf(posture.pose, store.document.motion.key_frames.at(-1));
+    const fresh = Object.fromEntries(Object.entries(frame).map(([name, value]) => [name, plain(value)]));
+    store.edit((document) => addKeyFrame(document, fresh));
+    store.setView({ selected: `motion.key_frames[${store.document.motion.key_frames.length - 1}]` });
+  }
+
+  function useAsStart() {
+    const { result, view } = store;
+    if (!view.posture || !result.motion) return;
+    const { joints } = view.posture;
+    let at = 0;
+    const starts = result.motion.report.chains.map(({ variables }) =>
+      variables.map(({ unit }) => plain(unit === 'rad' ? degrees(joints[at++]) : joints[at++])),
+    );
+    store.edit((document) => takeStarts(document, document.chains.map((chain, index) => ({ ...chain, start: starts[index] }))));
+  }
+
+  return [
+    element('button', { class: 'link', title: 'The pose reached here becomes the last key frame', click: addKey }, 'Add key frame here'),
+    element('button', { class: 'link', title: 'Plan the motion from these joint values', click: useAsStart }, 'Use as start'),
+  ];
+}
