@@ -35,6 +35,9 @@ export function createTeach(app, panel) {
   const unitOf = (/** @type {Variable} */ { turns }) => (turns ? '°' : lengthUnit(store.result.document?.length_unit));
   const text = (/** @type {Variable} */ variable, /** @type {number} */ value) => short(value, variable.turns ? ANGLE_DECIMALS : undefined);
 
+  /** As a number is typed. @param {string} shown */
+  const editable = (shown) => shown.replace('−', '-');
+
   /** @param {Row} row @param {number} value */
   async function drive(row, value) {
     player.pause();
@@ -82,11 +85,10 @@ export function createTeach(app, panel) {
     field.addEventListener('focus', () => field.select());
     field.addEventListener('change', () => typed(row));
     field.addEventListener('keydown', (event) => {
-      if (event.key === 'Enter') typed(row);
       if (event.key !== 'Escape') return;
       field.removeAttribute('aria-invalid');
       say(row, '');
-      field.value = field.dataset.shown ?? '';
+      field.value = editable(field.dataset.shown ?? '');
       field.select();
     });
     const end = (/** @type {number} */ value, /** @type {number | null} */ limit) =>
@@ -134,7 +136,7 @@ export function createTeach(app, panel) {
       slider.setAttribute('aria-valuetext', `${words} ${unitOf(variable)}`);
       if (field.dataset.shown === words) continue;
       field.dataset.shown = words;
-      if (document.activeElement !== field || field.getAttribute('aria-invalid') === null) field.value = words.replace('−', '-');
+      if (document.activeElement !== field || field.getAttribute('aria-invalid') === null) field.value = editable(words);
     }
     actions.classList.toggle('away', !store.view.posture);
     if (!store.view.posture) for (const row of rows) if (!row.field.hasAttribute('aria-invalid')) say(row, '');
