@@ -63,6 +63,8 @@ export function createTeach(app, panel) {
     const [low, high] = [variable.min ?? -Infinity, variable.max ?? Infinity];
     const unit = unitOf(variable);
     field.removeAttribute('aria-invalid');
+    // Left as it was: the short number is no wish to go to it.
+    if (field.value === editable(field.dataset.shown ?? '')) return say(row, '');
     if (typeof value === 'number' && value >= low && value <= high) return drive(row, value);
     field.setAttribute('aria-invalid', 'true');
     const bounds = [low, high].every(Number.isFinite) ? ` from ${text(variable, low)} to ${text(variable, high)}` : low > -Infinity ? ` of at least ${text(variable, low)}` : high < Infinity ? ` of at most ${text(variable, high)}` : '';
