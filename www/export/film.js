@@ -15,8 +15,8 @@ import { withDuration } from './webm.js';
 const RATE = 30; // pictures a second
 const WIDEST = 1280; // pixels; more is beyond what browsers encode while they draw
 const BITS = 8_000_000; // a second: no blocks in even surfaces
-/** Milliseconds for which the last picture stands, so that it is recorded. */
-const LAST = 200;
+/** Milliseconds for which the last picture stands before and after it is taken once more: a film ends with a picture. */
+const LAST = 100;
 
 /** @param {App} app */
 export async function exportFilm({ store, scene, player, say }) {
@@ -58,7 +58,14 @@ export async function exportFilm({ store, scene, player, say }) {
 
   try {
     draw(0);
-    const recorder = new MediaRecorder(canvas.captureStream(RATE), { mimeType: type, videoBitsPerSecond: BITS });
+    // Where the browser can, each picture is recorded by hand, also where drawing takes longer than it should stand.
+    const byHand = 'CanvasCaptureMediaStreamTrack' in globalThis && 'requestFrame' in CanvasCaptureMediaStreamTrack.prototype;
+    const stream = canvas.captureStream(byHand ? 0 : RATE);
+    const [track] = /** @type {CanvasCaptureMediaStreamTrack[]} */ (stream.getVideoTracks());
+    const take = () => {
+      if (byHand) track.requestFrame();
+    };
+    const recorder = new MediaRecorder(stream, { mimeType: type, videoBitsPerSecond: BITS });
     /** @type {Blob[]} */
     const pieces = [];
     recorder.addEventListener('dataavailable', ({ data }) => pieces.push(data));
@@ -67,17 +74,23 @@ export async function exportFilm({ store, scene, player, say }) {
       recorder.addEventListener('error', () => reject(new Error('the browser stopped recording')));
     });
     recorder.start();
+    take();
     const start = performance.now();
     for (let share = 0; share < 1 && !stopped; ) {
       share = Math.min(1, (performance.now() - start) / 1000 / seconds);
       draw(share);
+      take();
       await pause(1000 / RATE);
     }
-    if (!stopped) await pause(LAST);
+    if (!stopped) {
+      await pause(LAST);
+      take();
+      await pause(LAST);
+    }
     const length = performance.now() - start;
     recorder.stop();
     await ended;
-    for (const track of recorder.stream.getTracks()) track.stop();
+    track.stop();
     if (stopped) return say(document.hidden ? 'The recording ended when the page was hidden.' : 'The recording was cancelled.');
     const film = withDuration(new Uint8Array(await new Blob(pieces).arrayBuffer()), length);
     const name = fileName(mechanism, 'webm');
