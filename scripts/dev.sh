@@ -12,7 +12,7 @@ usage: scripts/dev.sh COMMAND
   setup                 only install what the others need
   build                 only build: the wasm package (www/pkg) and the page (www/dist)
   lint                  only rustfmt, clippy, rustdoc and tsc
-  bench                 benchmarks; native against wasm
+  bench                 benchmarks; native against wasm; the page's bytes, first frame and drags
 
 environment: CHROMIUM, CHROMEDRIVER  the browser and its driver, where they are not on the PATH
              SYNTHETICA_CACHE        where the wasm tools and MuJoCo are kept (default ~/.cache/synthetica)
@@ -229,6 +229,9 @@ case $command in
     cargo bench --locked
     build_package
     node scripts/wasm-ratio.mjs
+    build_page
+    say "page"
+    node scripts/bench-page.mjs
     ;;
   test)
     setup_browser

@@ -2,9 +2,14 @@
  * Paths into a document, in the form that Rust's faults use: `chains[1].joints[0].rows[0].alpha`.
  */
 
-/** @param {string} path @returns {(string | number)[]} */
+/** Paths already taken apart: the tables ask for the same ones at every edit. @type {Map<string, readonly (string | number)[]>} */
+const known = new Map();
+
+/** @param {string} path @returns {readonly (string | number)[]} */
 export function parsePath(path) {
-  return Array.from(path.matchAll(/([^.[\]]+)|\[(\d+)\]/g), ([, name, index]) => name ?? Number(index));
+  const keys = known.get(path) ?? Array.from(path.matchAll(/([^.[\]]+)|\[(\d+)\]/g), ([, name, index]) => name ?? Number(index));
+  known.set(path, keys);
+  return keys;
 }
 
 /** @param {any} root @param {string} path @returns {any} undefined where the path leads nowhere */
@@ -21,7 +26,7 @@ export function valueAt(root, path) {
  * @returns {T}
  */
 export function withValueAt(root, path, value) {
-  /** @param {any} node @param {(string | number)[]} keys @returns {any} */
+  /** @param {any} node @param {readonly (string | number)[]} keys @returns {any} */
   const put = (node, [key, ...rest]) => {
     if (key === undefined) return value;
     /** @type {any} */

@@ -1,7 +1,7 @@
-// Moving by hand: the gizmo on a key frame.
+// Moving by hand: the gizmo on a key frame and on the workpiece, the freedoms' handles, things dragged themselves.
 import assert from 'node:assert/strict';
 import { after, afterEach, before, test } from 'node:test';
-import { cell, metricBecomes, number, openBrowser, otherMetric, text } from './browser.mjs';
+import { cell, metricBecomes, number, openBrowser, openSample, otherMetric, text } from './browser.mjs';
 
 let browser;
 let page;
@@ -140,3 +140,131 @@ test('keys move and turn by a step, along the axes of the world or its own', asy
   await page.keyboard.press('Escape');
   await page.locator('.drag-bar').waitFor({ state: 'hidden' });
 });
+
+/** The page with the workpiece selected, its place on the screen told by the canvas. */
+async function pieceInHand(options, sample) {
+  ({ page, problems } = await browser.openPage(options));
+  if (sample) {
+    await openSample(page, sample);
+    await page.waitForFunction(() => document.querySelector('#mobility-count').textContent === '−2');
+  }
+  await page.locator('#scrub').fill('40');
+  await page.locator('#canvas').focus();
+  await page.keyboard.press(']');
+  await page.keyboard.press('Enter');
+  await page.locator('.drag-bar strong', { hasText: 'workpiece' }).waitFor();
+  await settled();
+}
+
+async function hand() {
+  const [x, y] = (await page.locator('#canvas').getAttribute('data-hand')).split(' ').map(Number);
+  const box = await page.locator('#canvas').boundingBox();
+  return { x: box.x + x, y: box.y + y };
+}
+
+/** Until a thing stays where it is: handles are laid anew once the planner has explained the new posture. */
+const atRest = (selector) =>
+  page.waitForFunction(
+    (which) => {
+      const { x, y } = document.querySelector(which).getBoundingClientRect();
+      const now = `${x} ${y}`;
+      const rests = globalThis.lastPlace === now;
+      globalThis.lastPlace = now;
+      return rests;
+    },
+    selector,
+    { polling: 400 },
+  );
+
+const byHand = (shown) => page.locator('#by-hand').waitFor({ state: shown ? 'visible' : 'hidden' });
+const frameIsShown = (number) => page.locator('#frame-number').filter({ hasText: `${number} /` }).waitFor();
+
+test('the workpiece is pulled by its gizmo: the linkage follows with closed loops, and the motion comes back', async () => {
+  await pieceInHand();
+  const old = await text(page, 'metric');
+  const before = await hand();
+  await drag(before, 70, 20);
+  await byHand(true);
+  await otherMetric(page, old);
+  assert.ok(number(await text(page, 'closure')) <= 1e-10);
+  assert.notDeepEqual(await hand(), before);
+  assert.ok(await page.locator('#undo').isDisabled(), 'the document is untouched');
+  await page.getByRole('button', { name: 'Back to the motion' }).click();
+  await byHand(false);
+  await metricBecomes(page, old);
+  await frameIsShown(41);
+  await settled();
+  assert.deepEqual(await hand(), before);
+});
+
+test('the workpiece itself can be dragged; Escape lets it go back', async () => {
+  await pieceInHand();
+  const at = await hand();
+  await page.keyboard.press('Escape');
+  await page.locator('.drag-bar').waitFor({ state: 'hidden' });
+  await drag(at, 30, -40, { release: false });
+  await byHand(true);
+  await page.keyboard.press('Escape');
+  await byHand(false);
+  await page.mouse.up();
+  await drag(at, 30, -40);
+  await byHand(true);
+  await page.locator('.drag-bar strong', { hasText: 'workpiece' }).waitFor();
+});
+
+test('a finger drags the workpiece', async () => {
+  await pieceInHand({ viewport: { width: 390, height: 844 }, isMobile: true, hasTouch: true });
+  const at = await hand();
+  const devtools = await page.context().newCDPSession(page);
+  const touch = (type, points) => devtools.send('Input.dispatchTouchEvent', { type, touchPoints: points });
+  await touch('touchStart', [at]);
+  for (let i = 1; i <= 5; i++) await touch('touchMove', [{ x: at.x + 8 * i, y: at.y - 6 * i }]);
+  await touch('touchEnd', []);
+  await byHand(true);
+  assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), 'nothing sticks out');
+});
+
+test('a posture becomes a key frame or the start', async () => {
+  await pieceInHand();
+  await page.keyboard.press('PageUp');
+  await byHand(true);
+  await page.getByRole('button', { name: 'Add key frame here' }).click();
+  await page.locator('#labels [data-place="motion.key_frames[3]"]').waitFor();
+  await page.getByRole('tab', { name: 'Motion' }).click();
+  await cell(page, 'motion.key_frames[3].z').waitFor();
+  await page.keyboard.press('Control+z');
+  await cell(page, 'motion.key_frames[3].z').waitFor({ state: 'detached' });
+  await byHand(false);
+});
+
+for (const [sample, count] of [['', 3], ['four-bar.json', 1]]) {
+  test(`${sample || '3rps.json'}: as many freedoms are offered as there are, and each moves the workpiece`, async () => {
+    await pieceInHand({ viewport: { width: 1280, height: 800 } }, sample);
+    await page.keyboard.press('d');
+    const freedoms = page.locator('.freedoms [data-freedom]');
+    await freedoms.first().waitFor();
+    assert.equal(await freedoms.count(), count);
+    for (let i = 0; i < count; i++) {
+      await freedoms.nth(i).getByRole('button', { name: /^Forwards/ }).focus();
+      const where = await text(page, 'canvas-text');
+      await page.keyboard.press('ArrowRight');
+      await byHand(true);
+      await page.waitForFunction((old) => document.querySelector('#canvas-text').textContent !== old, where);
+      assert.ok(number(await text(page, 'closure')) <= 1e-10);
+    }
+    await page.getByRole('button', { name: 'Back to the motion' }).click();
+    await byHand(false);
+    await page.waitForFunction((wanted) => document.querySelectorAll('.freedoms [data-freedom]').length === wanted, count);
+
+    // The first freedom's handle, taken by the arrow's head, where its name stands.
+    await atRest('.hand-labels span');
+    const tip = await page.locator('.hand-labels span').first().boundingBox();
+    const from = { x: tip.x + tip.width / 2, y: tip.y + tip.height / 2 };
+    const to = await hand();
+    const still = await text(page, 'canvas-text');
+    await drag(from, (to.x - from.x) * 0.5, (to.y - from.y) * 0.5);
+    await byHand(true);
+    assert.notEqual(await text(page, 'canvas-text'), still);
+    assert.ok(number(await text(page, 'closure')) <= 1e-10);
+  });
+}

@@ -47,7 +47,8 @@ test('hover tells what a thing is, a click selects it, a click beside it ends th
 
 test('turning the view selects nothing', async () => {
   const { page } = await browser.openPage();
-  const [x, y] = await placeOf(page, 'workpiece');
+  // On the base: what can be moved by hand would move.
+  const [x, y] = await placeOf(page, 'chains[0].base');
   const before = await page.locator('#canvas').screenshot();
   await page.mouse.move(x, y);
   await page.mouse.down();

@@ -1,5 +1,6 @@
 /**
- * Moving by hand in the 3D view: a gizmo on the selected key frame. Loaded once the first motion is drawn.
+ * Moving by hand in the 3D view: a gizmo on the selected key frame or the workpiece, handles of the freedoms
+ * that the workpiece has, and things dragged themselves. Loaded once the first motion is drawn.
  *
  * @typedef {import('./toolbar.js').How} How
  * @typedef {import('./key-frame.js').Target} Target
@@ -11,11 +12,14 @@ import { lengthUnit, short } from '../format.js';
 import { createLabels } from '../scene/labels.js';
 import { nameOf } from '../scene/names.js';
 import { readPalette } from '../scene/palette.js';
+import { postureActions } from '../view/posture-actions.js';
+import { createFreedoms } from './freedoms.js';
 import { createGizmo } from './gizmo.js';
 import { keyFrameTarget } from './key-frame.js';
 import { createPointerDrags } from './pointer-drags.js';
 import { ANGLE_STEP, lengthStep } from './steps.js';
 import { createDragBar } from './toolbar.js';
+import { workpieceTarget } from './workpiece.js';
 
 /** Axis and direction of each nudging key. @type {Record<string, [0 | 1 | 2, 1 | -1]>} */
 const NUDGES = { ArrowRight: [0, 1], ArrowLeft: [0, -1], ArrowUp: [1, 1], ArrowDown: [1, -1], PageUp: [2, 1], PageDown: [2, -1] };
@@ -35,14 +39,23 @@ function connect(app, scene) {
   byId('labels').after(layer);
   const labels = createLabels(layer);
 
+  // Kept: to ask the canvas in every picture would lay the page out in every picture.
+  const extent = { width: canvas.clientWidth, height: canvas.clientHeight };
+  new ResizeObserver(() => Object.assign(extent, { width: canvas.clientWidth, height: canvas.clientHeight })).observe(canvas);
+  const workpiece = workpieceTarget(app);
+  const freedoms = createFreedoms(app, scene);
+
   /** @type {How} */
   let how = { mode: 'move', space: 'world', snap: false };
   let selected = '';
   /** @type {Target | null} */
   let target = null;
+  /** The posture that the hand waits for is to be told. */
+  let saying = false;
 
   /** @param {string} place @returns {Target | null} */
   function targetOf(place) {
+    if (place === 'workpiece') return workpiece;
     const key = KEY_FRAME.exec(place);
     return key && Number(key[1]) < store.document.motion.key_frames.length ? keyFrameTarget(app, Number(key[1]), size) : null;
   }
@@ -55,33 +68,66 @@ function connect(app, scene) {
     scene.changed();
   }
 
-  const bar = createDragBar(/** @type {HTMLElement} */ (canvas.parentElement?.querySelector('.banners')), choose, () => {});
+  const banners = /** @type {HTMLElement} */ (canvas.parentElement?.querySelector('.banners'));
+  const bar = createDragBar(banners, choose, step);
+  byId('back-to-motion').before(...postureActions(app).flatMap((button) => [button, ' ']));
+
+  /** The workpiece goes by its freedoms. */
+  const free = () => target === workpiece && how.mode === 'freedoms';
 
   const steps = () => ({ length: lengthStep(size()), angle: ANGLE_STEP });
 
   /** Shows what is in hand where it is now. */
   function show() {
-    if (!drags.busy) gizmo.show(target?.pose() ?? null);
+    if (!drags.busy) {
+      gizmo.show(free() ? null : (target?.pose() ?? null));
+      freedoms.show(free());
+      canvas.classList.toggle('free', free());
+    }
     if (!target) return bar.show(null);
     const { length, angle } = steps();
     const unit = lengthUnit(store.document.length_unit);
     bar.show({
       name: target.name,
-      how,
+      how: target === workpiece || how.mode !== 'freedoms' ? how : { ...how, mode: 'move' },
       steps: how.mode === 'turn' ? `${angle}°` : `${short(length)} ${unit}`,
-      pullable: false,
-      freedoms: null,
+      pullable: target === workpiece,
+      freedoms: freedoms.words(),
     });
     bar.tell(target.tell());
   }
 
-  /** Another thing is selected. */
+  /** The place of what is in hand on the canvas, in pixels, for scripts that take hold of it: `data-hand`. */
+  function tellPlace() {
+    const at = target?.pose();
+    if (!at) return;
+    const seen = new Vector3(at[0], at[1], at[2]).project(scene.camera);
+    canvas.dataset.hand = `${(((seen.x + 1) / 2) * extent.width).toFixed(1)} ${(((1 - seen.y) / 2) * extent.height).toFixed(1)}`;
+  }
+
+  let { frame, posture } = store.view;
+  /** Another thing is selected, or the workpiece is elsewhere. */
   function sync() {
-    if (store.view.selected === selected) return;
-    ({ selected } = store.view);
-    target = targetOf(selected);
+    const { view } = store;
+    const moved = target === workpiece && (view.posture !== posture || view.frame !== frame);
+    ({ frame, posture } = view);
+    if (view.selected !== selected) {
+      ({ selected } = view);
+      target = targetOf(selected);
+      if (!target) delete canvas.dataset.hand;
+      scene.changed();
+    } else if (!moved) return;
     show();
-    scene.changed();
+    if (moved && saying && !workpiece.busy()) {
+      saying = false;
+      bar.say(`workpiece at ${workpiece.tell()}`);
+    }
+  }
+
+  /** One step along a freedom. @param {number} index @param {number} sign */
+  function step(index, sign) {
+    freedoms.nudge(index, sign, workpiece);
+    saying = true;
   }
 
   /** A drag of the gizmo. @param {Target} held @returns {import('./pointer-drags.js').Drag} */
@@ -120,14 +166,16 @@ function connect(app, scene) {
       move(at, snap) {
         if (!begun) {
           begun = true;
-          store.setView({ selected: place });
           held.begin('drag');
         }
         const to = new Vector3(at.x, at.y, depth).unproject(scene.camera).sub(start).add(origin);
         if (snap !== how.snap) to.divideScalar(steps().length).round().multiplyScalar(steps().length);
         held.to([...to.toArray(), ...pose.slice(3)], false);
       },
-      end: () => done(held),
+      end() {
+        store.setView({ selected: place });
+        done(held);
+      },
       cancel() {
         if (begun) held.cancel();
         show();
@@ -145,13 +193,24 @@ function connect(app, scene) {
 
   /** A hand has let go. @param {Target} held */
   function done(held) {
-    bar.say(`${held.name} at ${held.tell()}`);
+    // Where the workpiece comes to is known when the planner has answered.
+    saying = held === workpiece;
+    if (!saying) bar.say(`${held.name} at ${held.tell()}`);
     show();
   }
 
   const drags = createPointerDrags(canvas, {
-    hover: (at) => gizmo.hover(at) || KEY_FRAME.test(store.view.hovered),
+    hover(at) {
+      const freedom = free() ? freedoms.handles.pick(at) : -1;
+      if (free()) freedoms.handles.light(freedom);
+      return freedom >= 0 || gizmo.hover(at) || targetOf(store.view.hovered) !== null;
+    },
     grab(at, event) {
+      const freedom = free() ? freedoms.handles.pick(at) : -1;
+      if (freedom >= 0) {
+        freedoms.handles.light(freedom);
+        return freedoms.grab(freedom, at, workpiece, () => done(workpiece));
+      }
       if (target && gizmo.hover(at)) {
         gizmo.grab(at);
         return gizmoDrag(target);
@@ -166,7 +225,7 @@ function connect(app, scene) {
   byId('labels').addEventListener('click', ({ target: tag }) => {
     if (tag instanceof HTMLElement) take(tag.dataset.place ?? '');
   });
-  scene.claimants.add((event) => drags.busy || gizmo.hover(drags.place(event)));
+  scene.claimants.add((event) => drags.busy || gizmo.hover(drags.place(event)) || (free() && freedoms.handles.pick(drags.place(event)) >= 0));
 
   /** One step along or about an axis. @param {Target} held @param {0 | 1 | 2} axis @param {1 | -1} sign */
   function nudge(held, axis, sign) {
@@ -181,8 +240,7 @@ function connect(app, scene) {
     else at.addScaledVector(along, sign * length);
     held.begin('nudge');
     held.to([...at.toArray(), ...turn.toArray()], how.mode === 'turn');
-    show();
-    bar.say(`${held.name} at ${held.tell()}`);
+    done(held);
   }
 
   /** @param {KeyboardEvent} event @returns {boolean} whether the key was meant for what is in hand */
@@ -193,6 +251,7 @@ function connect(app, scene) {
     else if (key in NUDGES) nudge(target, ...NUDGES[key]);
     else if ('gtGT'.includes(key)) choose({ mode: 'move' });
     else if ('rR'.includes(key)) choose({ mode: 'turn' });
+    else if ('dD'.includes(key) && target === workpiece) choose({ mode: 'freedoms' });
     else if ('xwXW'.includes(key)) choose({ space: how.space === 'world' ? 'local' : 'world' });
     else return false;
     return true;
@@ -208,19 +267,32 @@ function connect(app, scene) {
   );
 
   function paint() {
-    gizmo.paint(readPalette(canvas));
+    const palette = readPalette(canvas);
+    gizmo.paint(palette);
+    freedoms.handles.paint(palette);
+    scene.changed();
   }
   paint();
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', paint);
   addEventListener('themechange', paint);
 
+  /** Names of the handles: axes, or the numbers of freedoms. */
+  function names() {
+    const tips = free() ? freedoms.handles.tips() : target ? gizmo.tips(how.space) : [];
+    return tips.map((at, index) => ({ at, text: free() ? String(index + 1) : 'xyz'[index], place: 'hand' }));
+  }
+
   scene.drawn.add(() => {
+    if (!target) return labels.set([], '', '');
     gizmo.look();
-    const tips = target && !drags.busy ? gizmo.tips(how.space) : [];
-    labels.set(tips.map((at, axis) => ({ at, text: 'xyz'[axis], place: 'hand' })), '', '');
-    labels.place(scene.camera, canvas.clientWidth, canvas.clientHeight);
+    labels.set(drags.busy ? [] : names(), '', '');
+    labels.place(scene.camera, extent.width, extent.height);
+    tellPlace();
   });
   store.subscribe('view', sync);
+  store.subscribe('insight', () => {
+    if (free()) show();
+  });
   store.subscribe('document', () => {
     if (target && !target.pose()) store.setView({ selected: '' });
     if (target) show();

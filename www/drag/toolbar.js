@@ -2,6 +2,7 @@
  * The bar over the canvas that says what is in hand and offers how to move it.
  *
  * @typedef {'move' | 'turn' | 'freedoms'} Mode
+ * @typedef {ReturnType<typeof import('./freedom-words.js').freedomWords>} Freedom
  * @typedef {{mode: Mode, space: 'world' | 'local', snap: boolean}} How
  */
 import { element, setText } from '../dom.js';
@@ -31,7 +32,8 @@ export function createDragBar(place, choose, nudge) {
   const readout = element('p', { class: 'readout', 'aria-hidden': 'true' });
   const spoken = element('p', { class: 'sr', role: 'status' });
   const buttons = element('div', { class: 'drag-buttons', role: 'toolbar', 'aria-label': 'Drag' }, name, ...modes, space, snap);
-  const bar = element('section', { class: 'drag-bar', 'aria-label': 'In hand', hidden: true }, buttons, list, readout, spoken);
+  buttons.append(readout);
+  const bar = element('section', { class: 'drag-bar', 'aria-label': 'In hand', hidden: true }, buttons, list, spoken);
   place.prepend(bar);
 
   // One stop of the Tab key; arrows go from button to button.
@@ -49,11 +51,12 @@ export function createDragBar(place, choose, nudge) {
   });
   for (const button of stops.slice(1)) button.tabIndex = -1;
 
-  /** @param {string} words @param {number} index */
+  /** @param {Freedom} words @param {number} index */
   function freedom(words, index) {
     const step = (/** @type {number} */ sign, /** @type {string} */ text) =>
-      element('button', { class: 'icon', 'aria-label': `${text === '+' ? 'Forwards' : 'Backwards'} along freedom ${index + 1}: ${words}`, click: () => nudge(index, sign) }, text);
-    const item = element('li', { 'data-freedom': index }, step(-1, '−'), step(1, '+'), element('span', {}, `${index + 1}  ${words}`));
+      element('button', { 'data-way': text === '+' ? 'Forwards' : 'Backwards', click: () => nudge(index, sign) }, text);
+    const item = element('li', { 'data-freedom': index }, step(-1, '−'), element('span', {}), step(1, '+'));
+    label(item, words, index);
     item.addEventListener('keydown', (event) => {
       const sign = { ArrowRight: 1, ArrowUp: 1, '+': 1, '=': 1, ArrowLeft: -1, ArrowDown: -1, '-': -1 }[event.key];
       if (!sign) return;
@@ -63,11 +66,20 @@ export function createDragBar(place, choose, nudge) {
     return item;
   }
 
+  /** @param {HTMLElement} item @param {Freedom} words @param {number} index */
+  function label(item, words, index) {
+    item.title = words.whole;
+    setText(item.children[1], `${index + 1} ${words.short}`);
+    for (const button of item.querySelectorAll('button')) {
+      button.setAttribute('aria-label', `${button.dataset.way} along freedom ${index + 1}: ${words.whole}`);
+    }
+  }
+
   /** What the list says now. */
   let listed = '';
   return {
     /**
-     * @param {{name: string, how: How, steps: string, pullable: boolean, freedoms: string[] | null} | null} what null: nothing is in hand;
+     * @param {{name: string, how: How, steps: string, pullable: boolean, freedoms: Freedom[] | null} | null} what null: nothing is in hand;
      *   `freedoms` null: not known yet
      */
     show(what) {
@@ -80,21 +92,19 @@ export function createDragBar(place, choose, nudge) {
         button.setAttribute('aria-pressed', String(button.dataset.mode === how.mode));
       }
       const screws = how.mode === 'freedoms';
-      space.hidden = snap.hidden = screws;
+      space.hidden = snap.hidden = readout.hidden = screws;
       setText(space, how.space === 'world' ? 'World axes' : 'Own axes');
       setText(snap, `Snap ${what.steps}`);
       snap.title = `In steps of ${what.steps} (or hold Shift while dragging)`;
       snap.setAttribute('aria-pressed', String(how.snap));
       list.hidden = !screws;
-      const texts = what.freedoms ?? [];
-      if (texts.join() === listed) return;
-      listed = texts.join();
+      const texts = what.freedoms;
+      const now = JSON.stringify(texts);
+      if (!screws || !texts || now === listed) return;
+      listed = now;
       // The one in use keeps the focus: its words change with every step.
-      const old = list.querySelectorAll('li');
-      if (old.length === texts.length && texts.length) {
-        texts.forEach((words, index) => setText(/** @type {Element} */ (old[index].lastElementChild), `${index + 1}  ${words}`));
-        return;
-      }
+      const old = /** @type {HTMLElement[]} */ ([...list.querySelectorAll('[data-freedom]')]);
+      if (old.length === texts.length && texts.length) return texts.forEach((words, index) => label(old[index], words, index));
       list.replaceChildren(...(texts.length ? texts.map(freedom) : [element('li', {}, 'None: the workpiece cannot move here.')]));
     },
     /** @param {string} text where it is */

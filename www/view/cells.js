@@ -53,16 +53,23 @@ export function createCells(store) {
       return field.value.trim() === '' && spec.optional ? undefined : entry(field.value);
     };
 
+    /** @param {'value' | 'title' | 'placeholder'} name @param {string} text */
+    const put = (name, text) => {
+      if (field[name] !== text) field[name] = text;
+    };
+
     const show = () => {
       const now = value();
       const whole = now == null ? '' : String(now);
       // One's own typing stays as typed; another's change (undo, a sample) shows even in the cell being edited.
       if (touched && editing() && (writing || now === seen)) return;
       touched = false;
-      field.value = editing() || typeof now !== 'number' ? whole : short(now, spec.decimals).replace('−', '-');
-      field.title = typeof now === 'number' && field.value !== whole ? whole : '';
+      const text = editing() || typeof now !== 'number' ? whole : short(now, spec.decimals).replace('−', '-');
       const hint = spec.fallback?.();
-      field.placeholder = hint !== undefined ? short(hint, spec.decimals) : spec.optional ? '–' : '';
+      // Written only where it changed: a drag shows every cell anew at every move.
+      put('value', text);
+      put('title', typeof now === 'number' && text !== whole ? whole : '');
+      put('placeholder', hint !== undefined ? short(hint, spec.decimals) : spec.optional ? '–' : '');
     };
 
     /** @param {boolean} final whether the person has finished: while "-" or "1e" is typed, nothing is wrong yet */
