@@ -6,7 +6,7 @@ import { gzipSync } from 'node:zlib';
 import { chromium } from 'playwright-core';
 
 const HIGHEST_RATIO = 1.5;
-const HIGHEST_SIZE = 150_000; // bytes after gzip
+const HIGHEST_SIZE = 165_000; // bytes after gzip
 // The two take turns, and the medians of all turns are compared: a machine that is slow for a while is slow for both.
 const ROUNDS = 5;
 
@@ -27,7 +27,7 @@ function natively(file) {
 /** The same, by the package: the median of samples, each a batch long enough for the browser's coarse clock. @param {string} text */
 async function inBrowser(text) {
   // @ts-ignore: an address of the page, not of this file
-  const { default: init, plan } = await import('/pkg/synthetica.js');
+  const { default: init, plan } = await import('/pkg-first/synthetica.js');
   await init();
   const SAMPLES = 15;
   const BATCH = 20; // ms
@@ -80,7 +80,7 @@ try {
   await browser.close();
 }
 
-const package_ = ['synthetica_bg.wasm', 'synthetica.js'].map((name) => readFileSync(`www/pkg/${name}`));
+const package_ = ['synthetica_bg.wasm', 'synthetica.js'].map((name) => readFileSync(`www/pkg-first/${name}`));
 const size = gzipSync(Buffer.concat(package_), { level: 9 }).length;
 failed ||= size > HIGHEST_SIZE;
 console.log(`package: ${size} bytes after gzip (at most ${HIGHEST_SIZE})`);

@@ -108,7 +108,7 @@ pub fn drive(mechanism: &Mechanism, joints: &mut [f64], variable: usize, value: 
     };
     let obstacle = path.follow(&mut theta, target);
     joints.copy_from_slice(&mechanism.in_unit(&theta, 1.0 / size));
-    let own_limit = (target < asked || target > asked).then_some(Obstacle::OwnLimit);
+    let own_limit = ((target - asked).abs() > 0.0).then_some(Obstacle::OwnLimit);
     if obstacle.is_none() && own_limit.is_none() {
         // Not its rounding in another unit; the loops do not feel the difference.
         joints[variable] = value;

@@ -49,7 +49,8 @@
 //! # Modules, from the top down
 //!
 //! ```text
-//! wasm        →  export, posture, report, trace, problem, json, defaults, enumerate
+//! wasm_study  →  wasm, export, trace, enumerate
+//! wasm        →  posture, report, problem, json, defaults
 //! export      →  columns, mjcf                       columns, mjcf → report
 //! posture     →  report, problem, planner, insight
 //! problem     →  document, start, planner            report → problem, trajectory
@@ -110,6 +111,8 @@ pub mod trajectory;
 pub mod trust_region;
 #[cfg(target_arch = "wasm32")]
 pub mod wasm;
+#[cfg(all(target_arch = "wasm32", feature = "study"))]
+pub mod wasm_study;
 
 /// The README's Rust, as a documentation test.
 #[cfg(doctest)]

@@ -1,17 +1,12 @@
 //! The bindings to JavaScript: text in, copied columns and small objects out, no arithmetic.
 
 use crate::defaults;
-use crate::document::SCHEMA;
-use crate::enumerate;
-use crate::export::{self, Format};
 use crate::fault::Fault;
-use crate::gradient::Arrival;
 use crate::json;
 use crate::pose::Pose;
 use crate::posture::Posture;
 use crate::problem::Problem;
 use crate::report::Report;
-use crate::trace::{self, Course};
 use crate::trajectory::Trajectory;
 use js_sys::{Float64Array, Object, Reflect, Uint8Array, Uint32Array};
 use serde::Serialize;
@@ -32,17 +27,8 @@ extern "C" {
     #[wasm_bindgen(typescript_type = "Insight")]
     pub type JsInsight;
     /// A type of wasm.d.ts.
-    #[wasm_bindgen(typescript_type = "Trace")]
-    pub type JsTrace;
-    /// A type of wasm.d.ts.
-    #[wasm_bindgen(typescript_type = "Matrix")]
-    pub type JsMatrix;
-    /// A type of wasm.d.ts.
     #[wasm_bindgen(typescript_type = "Defaults")]
     pub type JsDefaults;
-    /// A type of wasm.d.ts.
-    #[wasm_bindgen(typescript_type = "Enumeration")]
-    pub type JsEnumeration;
 }
 
 /// Reports panics, which are our own defects, to the console before the instance is lost.
@@ -79,22 +65,6 @@ pub fn pull(text: &str, joints: &[f64], goal: &[f64]) -> Result<JsPosture, JsVal
     self::posture(&problem, &posture).map(JsCast::unchecked_into)
 }
 
-/// One joint variable, counted through all chains, driven to `value` (rad or length) from the joint
-/// values `joints`.
-///
-/// # Errors
-/// A `Fault` where the document, the joint values, the variable or the value are at fault.
-#[wasm_bindgen]
-pub fn drive(text: &str, joints: &[f64], variable: f64, value: f64) -> Result<JsPosture, JsValue> {
-    let problem = problem(text)?;
-    // No index is no variable.
-    let variable = index(variable).and_then(|k| usize::try_from(k).ok());
-    let posture = problem
-        .drive(joints, variable.unwrap_or(usize::MAX), value)
-        .map_err(|fault| refusal(&fault))?;
-    self::posture(&problem, &posture).map(JsCast::unchecked_into)
-}
-
 /// What holds the workpiece at the joint values `joints` against the pull of `goal` (7 numbers).
 ///
 /// # Errors
@@ -105,34 +75,6 @@ pub fn explain(text: &str, joints: &[f64], goal: &[f64]) -> Result<JsInsight, Js
         .explain(joints, goal)
         .map_err(|fault| refusal(&fault))?;
     to_js(&insight).map(JsCast::unchecked_into)
-}
-
-/// The iterations of both planners at one frame, from the joint values `joints` of the frame before;
-/// from the document's start if there are none.
-///
-/// # Errors
-/// A `Fault` where the document, the frame or the joint values are at fault.
-#[wasm_bindgen]
-pub fn trace(text: &str, frame: usize, joints: &[f64]) -> Result<JsTrace, JsValue> {
-    let problem = problem(text)?;
-    let trace = trace::trace(&problem, frame, joints).map_err(|fault| refusal(&fault))?;
-    let object = Object::new();
-    let set = |name: &str, value: &JsValue| Reflect::set(&object, &name.into(), value).map(drop);
-    set("goal", &Float64Array::from(&placed([&trace.goal])[..]))?;
-    set("minimum", &trace.minimum.into())?;
-    set("gradient", &course(&problem, &trace.gradient)?.into())?;
-    set("newton", &course(&problem, &trace.newton)?.into())?;
-    Ok(object.unchecked_into())
-}
-
-/// \[A\] of Eq. 21 at the joint values `joints`, with its singular values.
-///
-/// # Errors
-/// A `Fault` where the document or the joint values are at fault.
-#[wasm_bindgen]
-pub fn matrix(text: &str, joints: &[f64]) -> Result<JsMatrix, JsValue> {
-    let matrix = trace::matrix(&problem(text)?, joints).map_err(|fault| refusal(&fault))?;
-    to_js(&matrix).map(JsCast::unchecked_into)
 }
 
 /// The document with every default written out.
@@ -158,26 +100,6 @@ pub fn find_start(text: &str) -> Result<String, JsValue> {
     Ok(document.text())
 }
 
-/// The planned motion as text for other programs: `csv`, `json` or `mjcf`.
-///
-/// # Errors
-/// A `Fault` where the document is at fault, or where there is no such format.
-#[wasm_bindgen]
-pub fn export_motion(text: &str, format: &str) -> Result<String, JsValue> {
-    let written = Format::named(format).and_then(|format| {
-        let document = json::parse(text)?;
-        let problem = Problem::new(&document)?;
-        let motion = problem.plan();
-        Ok(export::write(
-            format,
-            &document,
-            &problem.mechanism,
-            &motion,
-        ))
-    });
-    written.map_err(|fault| refusal(&fault))
-}
-
 /// What a page starts from: one of everything that can be added to a document.
 ///
 /// # Errors
@@ -187,40 +109,7 @@ pub fn defaults() -> Result<JsDefaults, JsValue> {
     to_js(&defaults::defaults()).map(JsCast::unchecked_into)
 }
 
-/// The JSON Schema of a document.
-#[wasm_bindgen]
-pub fn schema() -> String {
-    SCHEMA.to_owned()
-}
-
-/// Chain classes (Table 2) and assembly categories (Table 3) with their counts.
-///
-/// # Errors
-/// Never for a reason of the caller's.
-#[wasm_bindgen]
-pub fn enumeration() -> Result<JsEnumeration, JsValue> {
-    to_js(&enumerate::tables()).map(JsCast::unchecked_into)
-}
-
-/// The k-th chain with this degree of constraint, such as RPS; undefined if there is none.
-#[wasm_bindgen]
-pub fn chain_by_index(constraints: usize, k: f64) -> Option<String> {
-    enumerate::chain(constraints, index(k)?).map(|kinds| enumerate::letters(&kinds))
-}
-
-/// The k-th assembly with this total degree of constraint, as chain names; undefined if there is none.
-#[wasm_bindgen]
-pub fn assembly_by_index(constraints: usize, k: f64) -> Option<Vec<String>> {
-    let chains = enumerate::assembly(constraints, index(k)?)?;
-    Some(
-        chains
-            .iter()
-            .map(|kinds| enumerate::letters(kinds))
-            .collect(),
-    )
-}
-
-fn problem(text: &str) -> Result<Problem, JsValue> {
+pub(crate) fn problem(text: &str) -> Result<Problem, JsValue> {
     json::parse(text)
         .and_then(|document| Problem::new(&document))
         .map_err(|fault| refusal(&fault))
@@ -250,7 +139,7 @@ fn motion(problem: &Problem, t: &Trajectory, milliseconds: f64) -> Result<Object
     Ok(motion)
 }
 
-fn posture(problem: &Problem, posture: &Posture) -> Result<Object, JsValue> {
+pub(crate) fn posture(problem: &Problem, posture: &Posture) -> Result<Object, JsValue> {
     let object = Object::new();
     let set = |name: &str, value: &JsValue| Reflect::set(&object, &name.into(), value).map(drop);
     let numbers = |values: &[f64]| Float64Array::from(values);
@@ -276,37 +165,8 @@ fn posture(problem: &Problem, posture: &Posture) -> Result<Object, JsValue> {
     Ok(object)
 }
 
-fn course(problem: &Problem, course: &Course) -> Result<Object, JsValue> {
-    let object = Object::new();
-    let set = |name: &str, value: &JsValue| Reflect::set(&object, &name.into(), value).map(drop);
-    let numbers = |name, values: &[f64]| set(name, &Float64Array::from(values));
-    let rows: Vec<Pose> = course
-        .joints
-        .iter()
-        .flat_map(|joints| problem.frames_at(joints))
-        .collect();
-    let arrivals = |part: fn(&Arrival) -> f64| course.arrivals.iter().map(part).collect::<Vec<_>>();
-    set("iteration", &Uint32Array::from(&course.iteration[..]))?;
-    numbers("joints", &course.joints.concat())?;
-    numbers("pose", &placed(&course.poses))?;
-    numbers("rows", &placed(&rows))?;
-    numbers("metric", &course.metric)?;
-    numbers("projected_gradient", &course.projected_gradient)?;
-    numbers("closure", &course.opening)?;
-    numbers("sigma_min", &course.sigma_min)?;
-    numbers("share", &arrivals(|a| a.share))?;
-    numbers("opening", &arrivals(|a| a.opening))?;
-    numbers("corrections", &arrivals(|a| a.corrections as f64))?;
-    numbers("correction", &arrivals(|a| a.correction))?;
-    let guarded: Vec<u8> = course.guarded.iter().map(|g| u8::from(*g)).collect();
-    set("guarded", &Uint8Array::from(&guarded[..]))?;
-    set("last", &course.last.into())?;
-    set("converged", &course.converged.into())?;
-    Ok(object)
-}
-
 /// x y z qx qy qz qw of each pose.
-fn placed<'a>(poses: impl IntoIterator<Item = &'a Pose>) -> Vec<f64> {
+pub(crate) fn placed<'a>(poses: impl IntoIterator<Item = &'a Pose>) -> Vec<f64> {
     let mut column = Vec::new();
     for pose in poses {
         column.extend_from_slice(pose.translation.vector.as_slice());
@@ -315,17 +175,17 @@ fn placed<'a>(poses: impl IntoIterator<Item = &'a Pose>) -> Vec<f64> {
     column
 }
 
-fn refusal(fault: &Fault) -> JsValue {
+pub(crate) fn refusal(fault: &Fault) -> JsValue {
     to_js(fault).unwrap_or_else(|error| error)
 }
 
-fn to_js(value: &impl Serialize) -> Result<JsValue, JsValue> {
+pub(crate) fn to_js(value: &impl Serialize) -> Result<JsValue, JsValue> {
     let serializer = serde_wasm_bindgen::Serializer::json_compatible();
     value.serialize(&serializer).map_err(JsValue::from)
 }
 
 /// A whole number from JavaScript, exact up to 2⁵³.
-fn index(k: f64) -> Option<u64> {
+pub(crate) fn index(k: f64) -> Option<u64> {
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,

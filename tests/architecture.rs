@@ -24,6 +24,7 @@ const LAYERS: &[&[(&str, &str)]] = layers! {
     [mjcf]
     [export]
     [wasm]
+    [wasm_study]
 };
 
 fn words(text: &str) -> impl Iterator<Item = &str> {

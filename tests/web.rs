@@ -6,7 +6,7 @@ mod golden;
 
 use js_sys::{Float64Array, Reflect};
 use synthetica::planner::{Settings, plan};
-use synthetica::wasm;
+use synthetica::{wasm, wasm_study};
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
 
@@ -93,13 +93,13 @@ fn a_posture_is_one_frame_of_columns() {
         &column(&motion, "pose")[7..14]
     ));
 
-    let driven: JsValue = wasm::drive(SAMPLE, joints, 1.0, joints[1] + 0.1)
+    let driven: JsValue = wasm_study::drive(SAMPLE, joints, 1.0, joints[1] + 0.1)
         .expect("a posture")
         .into();
     assert_eq!(get(&driven, "value").as_f64(), Some(joints[1] + 0.1));
     assert!(get(&driven, "obstacle").is_undefined());
     assert_eq!(column(&driven, "pose"), column(&driven, "goal"));
-    let far: JsValue = wasm::drive(SAMPLE, joints, 0.0, 3.0)
+    let far: JsValue = wasm_study::drive(SAMPLE, joints, 0.0, 3.0)
         .expect("a posture")
         .into();
     assert!(get(&far, "obstacle").is_string());
@@ -124,7 +124,7 @@ fn nonsense_about_a_posture_is_a_fault() {
         place(pulled.expect_err("too few")).as_deref(),
         Some("joints")
     );
-    let driven = wasm::drive(SAMPLE, &joints, 0.5, 0.0).map(drop);
+    let driven = wasm_study::drive(SAMPLE, &joints, 0.5, 0.0).map(drop);
     assert_eq!(
         place(driven.expect_err("no index")).as_deref(),
         Some("variable")
@@ -152,27 +152,27 @@ fn documents_come_back_whole() {
     let defaults: JsValue = wasm::defaults().expect("plain data").into();
     let text = get(&defaults, "document").as_string().expect("text");
     assert!(wasm::plan(&text).is_ok(), "the default document plans");
-    assert!(wasm::schema().contains("$schema"));
+    assert!(wasm_study::schema().contains("$schema"));
 }
 
 #[wasm_bindgen_test]
 fn enumeration_is_that_of_the_paper() {
-    let tables: JsValue = wasm::enumeration().expect("plain data").into();
+    let tables: JsValue = wasm_study::enumeration().expect("plain data").into();
     let lines: js_sys::Array = get(&tables, "assemblies").unchecked_into();
     assert_eq!(get(&lines.get(0), "total").as_f64(), Some(487_990_859.0));
-    assert_eq!(wasm::chain_by_index(4, 0.0).as_deref(), Some("RR"));
-    assert_eq!(wasm::chain_by_index(4, 6.0), None);
-    assert_eq!(wasm::chain_by_index(4, 0.5), None);
+    assert_eq!(wasm_study::chain_by_index(4, 0.0).as_deref(), Some("RR"));
+    assert_eq!(wasm_study::chain_by_index(4, 6.0), None);
+    assert_eq!(wasm_study::chain_by_index(4, 0.5), None);
     assert_eq!(
-        wasm::assembly_by_index(5, 487_990_858.0).map(|chains| chains.is_empty()),
+        wasm_study::assembly_by_index(5, 487_990_858.0).map(|chains| chains.is_empty()),
         Some(false)
     );
-    assert_eq!(wasm::assembly_by_index(5, 487_990_859.0), None);
+    assert_eq!(wasm_study::assembly_by_index(5, 487_990_859.0), None);
 }
 
 #[wasm_bindgen_test]
 fn a_trace_is_both_courses_and_the_matrix() {
-    let trace: JsValue = wasm::trace(SAMPLE, 60, &[]).expect("a frame").into();
+    let trace: JsValue = wasm_study::trace(SAMPLE, 60, &[]).expect("a frame").into();
     let minimum = get(&trace, "minimum").as_f64().expect("certified");
     for name in ["gradient", "newton"] {
         let course = get(&trace, name);
@@ -181,12 +181,14 @@ fn a_trace_is_both_courses_and_the_matrix() {
         assert_eq!(column(&course, "rows").len(), 15 * 14 * metric.len());
         assert!((metric[metric.len() - 1] - minimum).abs() < 1e-7, "{name}");
         let joints = &column(&course, "joints")[..15];
-        let matrix: JsValue = wasm::matrix(SAMPLE, joints).expect("joints").into();
+        let matrix: JsValue = wasm_study::matrix(SAMPLE, joints).expect("joints").into();
         assert_eq!(get(&matrix, "rows").as_f64(), Some(20.0));
         assert_eq!(get(&matrix, "columns").as_f64(), Some(23.0));
         assert_eq!(get(&matrix, "rank").as_f64(), Some(20.0));
     }
-    let fault = wasm::trace(SAMPLE, 999, &[]).map(drop).expect_err("none");
+    let fault = wasm_study::trace(SAMPLE, 999, &[])
+        .map(drop)
+        .expect_err("none");
     assert_eq!(
         get(&fault, "where").as_string().as_deref(),
         Some("motion.frames")

@@ -26,6 +26,7 @@ import { Player } from './player.js';
 import { createReplanning } from './replan.js';
 import { samples } from './samples.js';
 import { createStore } from './store.js';
+import { createByHand } from './view/by-hand.js';
 import { createDock } from './view/dock.js';
 import { createDrop } from './view/drop.js';
 import { createHeader } from './view/header.js';
@@ -75,12 +76,7 @@ function connect(defaults) {
   createViewBar(app);
   createWhy(app);
   createLegend(byId('legend'), app);
-  // What moves by hand waits until there is something to move.
-  const first = store.subscribe('result', () => {
-    if (!store.result.motion) return;
-    first();
-    import('./drag/drag.js').then(({ createDrag }) => createDrag(app));
-  });
+  createByHand(app);
 }
 
 try {

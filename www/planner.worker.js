@@ -4,21 +4,31 @@
  * @typedef {{id: number, kind: 'value', value: unknown}
  *   | {id: number, kind: 'fault', fault: import('./types.js').Fault}
  *   | {id: number, kind: 'failure', message: string}} Answer
- * @typedef {'plan' | 'pull' | 'drive' | 'explain' | 'normalise' | 'find_start' | 'export_motion' | 'enumeration' | 'trace' | 'matrix' | 'defaults'} Call
+ * @typedef {keyof typeof first | 'drive' | 'export_motion' | 'enumeration' | 'trace' | 'matrix'} Call
  *   the functions of the package that the page asks for
  */
-import init, { defaults, drive, enumeration, explain, export_motion, find_start, matrix, normalise, plan, pull, trace } from './pkg/synthetica.js';
+import init, { defaults, explain, find_start, normalise, plan, pull } from './pkg-first/synthetica.js';
 
-/** @type {Record<Call, (...args: any[]) => unknown>} */
-const calls = { plan, pull, drive, explain, normalise, find_start, export_motion, enumeration, trace, matrix, defaults };
+/** What the page needs at once, from the smaller of the two packages. */
+const first = { plan, pull, explain, normalise, find_start, defaults };
+
+/** The whole package, loaded when something else is asked for. @type {Promise<typeof import('./pkg/synthetica.js')> | null} */
+let whole = null;
+
+async function loadWhole() {
+  const module = await import('./pkg/synthetica.js');
+  await module.default();
+  return module;
+}
 
 // Set at once: a message that arrives before the handler exists would be lost.
 const ready = init();
 onmessage = async ({ data: { id, call, args } }) => {
   try {
     await ready;
-    const value = calls[/** @type {Call} */ (call)](...args);
-    answer({ id, kind: 'value', value });
+    /** @type {Record<string, any>} */
+    const functions = call in first ? first : await (whole ??= loadWhole());
+    answer({ id, kind: 'value', value: functions[call](...args) });
   } catch (error) {
     if (isFault(error)) answer({ id, kind: 'fault', fault: error });
     else answer({ id, kind: 'failure', message: String(error) });

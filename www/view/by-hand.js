@@ -1,0 +1,28 @@
+/**
+ * What moves things by hand in the 3D view is loaded when a hand may come: a pointer over the view, the focus in it,
+ * or something chosen that can be moved.
+ */
+import { byId } from '../dom.js';
+
+/** @param {import('../main.js').App} app */
+export function createByHand(app) {
+  const canvas = byId('canvas');
+  let loading = false;
+  async function load() {
+    if (loading) return;
+    loading = true;
+    try {
+      const { createDrag } = await import('../drag/drag.js');
+      createDrag(app);
+    } catch (error) {
+      // Off line before the first load was whole: the next pointer tries again.
+      loading = false;
+      app.say(`Moving by hand could not be loaded (${error instanceof Error ? error.message : error}).`);
+    }
+  }
+  canvas.addEventListener('pointerenter', load);
+  canvas.addEventListener('focus', load);
+  app.store.subscribe('view', () => {
+    if (app.store.view.selected) load();
+  });
+}
