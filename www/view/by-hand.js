@@ -22,6 +22,11 @@ export function createByHand(app) {
   }
   canvas.addEventListener('pointerenter', load);
   canvas.addEventListener('focus', load);
+  // A key frame is chosen by its name from the first click on, which may come before what moves it.
+  byId('labels').addEventListener('click', ({ target }) => {
+    const place = target instanceof HTMLElement ? target.dataset.place : '';
+    if (place?.startsWith('motion.key_frames')) app.store.setView({ selected: place });
+  });
   app.store.subscribe('view', () => {
     if (app.store.view.selected) load();
   });
