@@ -32,6 +32,9 @@ export const setValue = (document, path, value) => withValueAt(document, path, v
 /** @template T @param {T[]} list @param {number} index @param {T[]} items */
 const insert = (list, index, ...items) => [...list.slice(0, index), ...items, ...list.slice(index)];
 
+/** @template T @param {T[]} list @param {number} from @param {number} to */
+const moved = (list, from, to) => insert(without(list, from), to, list[from]);
+
 /** @template T @param {T[]} list @param {number} index */
 const without = (list, index) => list.filter((_, i) => i !== index);
 
@@ -64,8 +67,11 @@ function changeJoints(document, chain, change) {
 export const setJoint = (document, chain, joint, fresh) =>
   changeJoints(document, chain, (joints) => joints.map((old, i) => (i === joint ? fresh : old)));
 
-/** @param {MechanismDocument} document @param {number} chain @param {Joint} fresh */
-export const addJoint = (document, chain, fresh) => changeJoints(document, chain, (joints) => [...joints, fresh]);
+/** @param {MechanismDocument} document @param {number} chain @param {number} at where the new joint comes @param {Joint} fresh */
+export const insertJoint = (document, chain, at, fresh) => changeJoints(document, chain, (joints) => insert(joints, at, fresh));
+
+/** @param {MechanismDocument} document @param {number} chain @param {number} from @param {number} to */
+export const moveJoint = (document, chain, from, to) => changeJoints(document, chain, (joints) => moved(joints, from, to));
 
 /** @param {MechanismDocument} document @param {number} chain @param {number} joint */
 export const removeJoint = (document, chain, joint) => changeJoints(document, chain, (joints) => without(joints, joint));
@@ -81,6 +87,9 @@ export const duplicateChain = (document, chain) => ({
   ...document,
   chains: insert(document.chains, chain + 1, { ...document.chains[chain], name: freshName('chain', document.chains) }),
 });
+
+/** @param {MechanismDocument} document @param {number} from @param {number} to */
+export const moveChain = (document, from, to) => ({ ...document, chains: moved(document.chains, from, to) });
 
 /** @param {MechanismDocument} document @param {number} chain */
 export const removeChain = (document, chain) => ({ ...document, chains: without(document.chains, chain) });
@@ -127,13 +136,30 @@ export function setLimit(document, { chain, joint, freedom, freedoms }, bound, v
 const withKeys = (document, keys) => ({ ...document, motion: { ...document.motion, key_frames: keys } });
 
 /**
- * Adds a key frame at the end; where the others have times it comes one unit after the last.
+ * A new key frame at a place among the others; where they have times it comes between its neighbours, or one unit
+ * after the last.
  * @param {MechanismDocument} document
  * @param {KeyFrame} fresh
+ * @param {number} [at] at the end unless told
  */
-export function addKeyFrame(document, fresh) {
+export function addKeyFrame(document, fresh, at = document.motion.key_frames.length) {
   const keys = document.motion.key_frames;
-  return duplicateTime(withKeys(document, [...keys, { ...fresh, name: freshName('key', keys) }]), keys.length);
+  return duplicateTime(withKeys(document, insert(keys, at, { ...fresh, name: freshName('key', keys) })), at);
+}
+
+/**
+ * Moves a pose among the key frames; the times stay where they are, since they grow along the list.
+ * @param {MechanismDocument} document
+ * @param {number} from
+ * @param {number} to
+ */
+export function moveKeyFrame(document, from, to) {
+  const keys = document.motion.key_frames;
+  const timed = moved(keys, from, to).map(({ time: _, ...pose }, index) => ({
+    ...pose,
+    ...(keys[index].time === undefined ? {} : { time: keys[index].time }),
+  }));
+  return withKeys(document, timed);
 }
 
 /** @param {MechanismDocument} document @param {number} key */

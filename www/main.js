@@ -23,6 +23,7 @@ import { workOffline } from './offline.js';
 import { createOpening } from './opening.js';
 import { Planner, PlannerFailure } from './planner.js';
 import { Player } from './player.js';
+import { keyFrameFrames } from './playhead.js';
 import { createReplanning } from './replan.js';
 import { samples } from './samples.js';
 import { createStore } from './store.js';
@@ -59,8 +60,13 @@ function connect(defaults) {
   const app = { store, planner, player, scene: stage.scene, defaults, tabs, say, open };
   const { findStart } = createReplanning(app);
   createInsight(app);
+  const goToKey = (/** @type {number} */ key) => {
+    const { motion, document } = store.result;
+    player.pause();
+    if (motion && document) player.frame = keyFrameFrames(document, motion.time)[key];
+  };
   const panels = { root: byId('tables'), mechanism: byId('mechanism'), motion: byId('motion') };
-  const tables = createTables(panels, store, defaults, { markFault: tabs.mark, findStart });
+  const tables = createTables(panels, store, defaults, { markFault: tabs.mark, findStart, goToKey });
   createStatus(store, player, () => tables.focusFault((panel) => tabs.choosePanel(panel)));
   createTransport(store, player);
   createHistory(store);

@@ -84,6 +84,12 @@ export const motionIsOfDocument = (page) =>
 
 export const cell = (page, path) => page.locator(`[data-path="${path}"]`);
 
+/** Does something with a thing of the tables by its menu: "chain 2", "joint 1 of chain 3", "key frame 2". */
+export async function doTo(page, thing, what) {
+  await page.getByRole('button', { name: `Actions of ${thing}`, exact: true }).click();
+  await page.getByRole('menuitem', { name: what, exact: true }).click();
+}
+
 /** Goes to a frame as a person does who drags the scrub bar. */
 export const scrubTo = (page, frame) => page.locator('#scrub').fill(String(frame));
 

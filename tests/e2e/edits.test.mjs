@@ -1,7 +1,7 @@
 // Every edit is live; a bad one is explained beside its cell and undone.
 import assert from 'node:assert/strict';
 import { after, afterEach, before, beforeEach, test } from 'node:test';
-import { cell, faultBeside, metricBecomes, noFault, number, openBrowser, openSample, otherMetric, scrubTo, text } from './browser.mjs';
+import { cell, doTo, faultBeside, metricBecomes, noFault, number, openBrowser, openSample, otherMetric, scrubTo, text } from './browser.mjs';
 
 let browser;
 let page;
@@ -93,7 +93,7 @@ test('a key frame moves the goal', async () => {
   await otherMetric(page, old);
   await cell(page, 'motion.key_frames[1].name').fill('half way');
   await page.locator('#labels').getByText('half way').waitFor();
-  await page.getByRole('button', { name: 'Duplicate key frame 2' }).click();
+  await doTo(page, 'key frame 2', 'Duplicate');
   await cell(page, 'motion.key_frames[3].z').waitFor();
   await page.keyboard.press('Control+z');
   await cell(page, 'motion.key_frames[3].z').waitFor({ state: 'detached' });
@@ -125,9 +125,9 @@ test('joints and chains come and go, and undo brings them back', async () => {
   await page.locator('#fault-note').waitFor();
   await page.keyboard.press('Control+z');
   await noFault(page);
-  await page.getByRole('button', { name: 'Remove chain 3' }).click();
+  await doTo(page, 'chain 3', 'Remove');
   await typesBecome(['RPS', 'RPS']);
-  await page.getByRole('button', { name: 'Duplicate chain 2' }).click();
+  await doTo(page, 'chain 2', 'Duplicate');
   await typesBecome(['RPS', 'RPS', 'RPS']);
   await page.keyboard.press('Control+z');
   await page.keyboard.press('Control+z');

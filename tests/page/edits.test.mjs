@@ -35,7 +35,7 @@ test('a number is set in its place', () => {
 test('joints are replaced, added and removed, and the start values that belonged to the old ones go', () => {
   const prismatic = { type: 'P', rows: [{}] };
   assert.deepEqual(unharmed((d) => edits.setJoint(d, 0, 1, prismatic)).chains[0], { name: 'chain 1', joints: [revolute(), prismatic] });
-  assert.deepEqual(unharmed((d) => edits.addJoint(d, 1, prismatic)).chains[1].joints, [revolute(), prismatic]);
+  assert.deepEqual(unharmed((d) => edits.insertJoint(d, 1, 1, prismatic)).chains[1].joints, [revolute(), prismatic]);
   assert.deepEqual(unharmed((d) => edits.removeJoint(d, 0, 0)).chains[0], { name: 'chain 1', joints: [{ type: 'C', rows: [{}] }] });
 });
 
@@ -45,6 +45,21 @@ test('chains are added, duplicated and removed under names of their own', () => 
   assert.deepEqual(names(unharmed((d) => edits.duplicateChain(d, 0))), ['chain 1', 'chain 3', 'chain 2']);
   assert.deepEqual(names(unharmed((d) => edits.removeChain(d, 0))), ['chain 2']);
   assert.deepEqual(names(edits.addChain(edits.removeChain(mechanism(), 0), {})), ['chain 2', 'chain 3']);
+});
+
+test('joints, chains and key frames are put in another order', () => {
+  const prismatic = { type: 'P', rows: [{}] };
+  const types = (d) => d.chains[0].joints.map((joint) => joint.type).join('');
+  const first = unharmed((d) => edits.insertJoint(d, 0, 0, prismatic));
+  assert.equal(types(first), 'PRC');
+  assert.equal(types(edits.moveJoint(first, 0, 0, 2)), 'RCP');
+  assert.equal('start' in edits.moveJoint(mechanism(), 0, 0, 1).chains[0], false, 'start values belonged to the old order');
+  assert.deepEqual(unharmed((d) => edits.moveChain(d, 0, 1)).chains.map((chain) => chain.name), ['chain 2', 'chain 1']);
+  const keys = (d) => d.motion.key_frames.map(({ name, time }) => [name, time]);
+  assert.deepEqual(keys(unharmed((d) => edits.moveKeyFrame(d, 1, 0))), [['b', undefined], ['a', undefined]]);
+  const timed = edits.setTime(mechanism(), 1, 4);
+  assert.deepEqual(keys(edits.moveKeyFrame(timed, 1, 0)), [['b', 0], ['a', 4]], 'the times stay where they are');
+  assert.deepEqual(keys(edits.addKeyFrame(timed, {}, 1)), [['a', 0], ['key 3', 2], ['b', 4]]);
 });
 
 test('one start value brings the others in use with it', () => {

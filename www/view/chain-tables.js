@@ -25,9 +25,10 @@ const PARAMETERS = [
  * @param {Store} store
  * @param {Cells} cells
  * @param {Defaults} defaults
+ * @param {ReturnType<typeof import('./arrange.js').createArrange>} arrange
  * @param {() => void} findStart asks the planner for start values
  */
-export function createChainTables(panel, store, cells, defaults, findStart) {
+export function createChainTables(panel, store, cells, defaults, arrange, findStart) {
   /** Outputs that follow the playhead: one a joint variable. @type {HTMLOutputElement[][]} */
   let nows = [];
   /** Chains whose start values are unfolded, kept over a rebuild. @type {Set<number>} */
@@ -67,7 +68,7 @@ export function createChainTables(panel, store, cells, defaults, findStart) {
             element('th', { scope: 'row' }, String(row + 1)),
             element('td', { class: 'joint' }, r === 0 ? jointPicker(chain, j) : ''),
             ...cellsOfRow,
-            element('td', { class: 'act' }, r === 0 ? removeJointButton(chain, j) : ''),
+            element('td', { class: 'act' }, r === 0 ? jointMenu(chain, j) : ''),
           ),
         );
       });
@@ -89,7 +90,7 @@ export function createChainTables(panel, store, cells, defaults, findStart) {
             ...PARAMETERS.map(([, symbol, kind]) =>
               element('th', { scope: 'col' }, element('var', {}, symbol), element('small', {}, kind === 'angle' ? '°' : lengthUnit(unit()))),
             ),
-            element('th', {}, element('span', { class: 'sr' }, 'remove')),
+            element('th', {}, element('span', { class: 'sr' }, 'actions')),
           ),
         ),
         ...body,
@@ -108,17 +109,14 @@ export function createChainTables(panel, store, cells, defaults, findStart) {
   }
 
   /** @param {number} chain @param {number} joint */
-  const removeJointButton = (chain, joint) =>
-    element(
-      'button',
-      {
-        class: 'quiet',
-        'aria-label': `remove joint ${joint + 1} of chain ${chain + 1}`,
-        title: 'Remove this joint',
-        click: () => store.edit((document) => edits.removeJoint(document, chain, joint)),
-      },
-      '×',
-    );
+  function jointMenu(chain, joint) {
+    const insert = (/** @type {number} */ at) => () => store.edit((document) => edits.insertJoint(document, chain, at, defaults.joints.R));
+    return arrange.menu(`chains[${chain}].joints[${joint}]`, `joint ${joint + 1} of chain ${chain + 1}`, () => [
+      { label: 'Insert a joint before', act: insert(joint) },
+      { label: 'Insert a joint after', act: insert(joint + 1) },
+      { label: 'Remove', act: () => store.edit((document) => edits.removeJoint(document, chain, joint)) },
+    ]);
+  }
 
   /** @param {number} chain */
   const framesTable = (chain) =>
@@ -203,8 +201,6 @@ export function createChainTables(panel, store, cells, defaults, findStart) {
   function chainSection(chain) {
     const name = cells.input({ path: `chains[${chain}].name`, label: `name of chain ${chain + 1}`, text: true });
     const { chains } = store.document;
-    const button = (/** @type {string} */ text, /** @type {string} */ label, /** @type {() => void} */ act, disabled = false) =>
-      element('button', { class: 'quiet', 'aria-label': `${label} chain ${chain + 1}`, title: `${label} this chain`, disabled, click: act }, text);
     const details = element(
       'details',
       {
@@ -226,9 +222,11 @@ export function createChainTables(panel, store, cells, defaults, findStart) {
         'header',
         {},
         element('h3', {}, name, element('span', { class: 'type' }, chainType(chains[chain]))),
-        button('+ joint', 'Add a joint to', () => store.edit((document) => edits.addJoint(document, chain, defaults.joints.R))),
-        button('duplicate', 'Duplicate', () => store.edit((document) => edits.duplicateChain(document, chain))),
-        button('remove', 'Remove', () => store.edit((document) => edits.removeChain(document, chain)), chains.length === 1),
+        arrange.menu(`chains[${chain}]`, `chain ${chain + 1}`, () => [
+          { label: 'Add a joint', act: () => store.edit((document) => edits.insertJoint(document, chain, chains[chain].joints.length, defaults.joints.R)) },
+          { label: 'Duplicate', act: () => store.edit((document) => edits.duplicateChain(document, chain)) },
+          { label: 'Remove', disabled: chains.length === 1, act: () => store.edit((document) => edits.removeChain(document, chain)) },
+        ]),
       ),
       dhTable(chain),
       framesTable(chain),
@@ -264,6 +262,7 @@ export function createChainTables(panel, store, cells, defaults, findStart) {
           element('label', { class: 'field' }, element('span', {}, 'Name'), cells.input({ path: 'name', label: 'name of the mechanism', text: true })),
           element('label', { class: 'field' }, element('span', {}, 'Unit of length'), cells.input({ path: 'length_unit', label: 'unit of length', text: true })),
         ),
+        element('h2', { class: 'sr' }, 'Chains'),
         element('div', { 'data-path': 'chains' }, ...chains.map((_, index) => chainSection(index))),
         element('button', { class: 'wide', click: () => store.edit((document) => edits.addChain(document, defaults.chain)) }, '+ chain'),
       );

@@ -7,6 +7,7 @@
 import * as edits from '../edits.js';
 import { lengthUnit, plural } from '../format.js';
 import { element } from '../dom.js';
+import { shownFrame } from '../shown-frame.js';
 import { coordinateCells, coordinateHeads } from './frame-table.js';
 
 /**
@@ -14,8 +15,10 @@ import { coordinateCells, coordinateHeads } from './frame-table.js';
  * @param {Store} store
  * @param {ReturnType<typeof import('./cells.js').createCells>} cells
  * @param {Defaults} defaults
+ * @param {ReturnType<typeof import('./arrange.js').createArrange>} arrange
+ * @param {(key: number) => void} goTo takes the playhead to a key frame
  */
-export function createMotionTables(panel, store, cells, defaults) {
+export function createMotionTables(panel, store, cells, defaults, arrange, goTo) {
   const unit = () => store.document.length_unit;
 
   function keyTable() {
@@ -32,8 +35,6 @@ export function createMotionTables(panel, store, cells, defaults) {
       });
       name.dataset.column = 'name';
       time.dataset.column = 'time';
-      const button = (/** @type {string} */ text, /** @type {string} */ what, /** @type {() => void} */ act, disabled = false) =>
-        element('button', { class: 'quiet', 'aria-label': `${what} ${label}`, title: `${what} this key frame`, disabled, click: act }, text);
       return element(
         'tbody',
         { 'data-path': path, class: 'key' },
@@ -45,8 +46,13 @@ export function createMotionTables(panel, store, cells, defaults) {
           element(
             'td',
             { colspan: 2, class: 'act' },
-            button('duplicate', 'Duplicate', () => store.edit((document) => edits.duplicateKeyFrame(document, index))),
-            button('×', 'Remove', () => store.edit((document) => edits.removeKeyFrame(document, index)), keys.length <= 2),
+            element('button', { class: 'quiet', 'aria-label': `Go to ${label}`, title: 'Go to its moment in the motion', click: () => goTo(index) }, 'go to'),
+            arrange.menu(path, label, () => [
+              { label: 'Duplicate', act: () => store.edit((document) => edits.duplicateKeyFrame(document, index)) },
+              { label: 'Insert the shown pose after it', act: () => addShown('pose', index + 1) },
+              { label: 'Take the shown pose', act: () => takeShown(index) },
+              { label: 'Remove', disabled: keys.length <= 2, act: () => store.edit((document) => edits.removeKeyFrame(document, index)) },
+            ]),
           ),
         ),
         element('tr', {}, ...coordinateCells(cells, path, label, unit())),
@@ -80,7 +86,15 @@ export function createMotionTables(panel, store, cells, defaults) {
           element('span', {}, plural(store.document.motion.key_frames.length, 'pose')),
         ),
         keyTable(),
-        element('button', { class: 'wide', click: () => store.edit((document) => edits.addKeyFrame(document, lastKey())) }, '+ key frame'),
+        element(
+          'div',
+          { class: 'adders' },
+          ...[
+            ['+ at the shown pose', 'A key frame where the workpiece is now', () => addShown('pose')],
+            ['+ at the shown goal', 'A key frame where the goal is now', () => addShown('goal')],
+            ['+ like the last', 'A copy of the last key frame, to be changed', () => store.edit((document) => edits.addKeyFrame(document, lastKey()))],
+          ].map(([text, title, click]) => element('button', /** @type {any} */ ({ class: 'wide', title, click }), /** @type {string} */ (text))),
+        ),
         element('div', { class: 'title' }, element('h2', {}, 'Goal motion')),
         element(
           'div',
@@ -131,6 +145,19 @@ export function createMotionTables(panel, store, cells, defaults) {
       );
     },
   };
+
+  /** @param {'pose' | 'goal'} which @param {number} [at] */
+  function addShown(which, at) {
+    const fresh = shownFrame(store, which);
+    if (fresh) store.edit((document) => edits.addKeyFrame(document, fresh, at));
+  }
+
+  /** @param {number} key */
+  function takeShown(key) {
+    const { time, name } = store.document.motion.key_frames[key];
+    const frame = shownFrame(store, 'pose');
+    if (frame) store.edit((document) => edits.setValue(document, `motion.key_frames[${key}]`, { name, ...frame, ...(time === undefined ? {} : { time }) }));
+  }
 
   /** A new key frame begins where the last one is, so that it can be seen and moved from there. */
   function lastKey() {

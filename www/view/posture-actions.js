@@ -4,13 +4,7 @@
 import { addKeyFrame, takeStarts } from '../edits.js';
 import { element } from '../dom.js';
 import { degrees } from '../format.js';
-import { frameOf } from '../scene/frame.js';
-
-/** Decimals of the coordinates in lengths and degrees: a start closes its loops to better than a person can see. */
-const DECIMALS = 9;
-
-/** @param {number} value */
-const plain = (value) => Number(value.toFixed(DECIMALS)) || 0;
+import { plain, shownFrame } from '../shown-frame.js';
 
 /**
  * The buttons, for where a posture is told of.
@@ -19,10 +13,8 @@ const plain = (value) => Number(value.toFixed(DECIMALS)) || 0;
 export function postureActions({ store }) {
   /** The reached pose as the last key frame. */
   function addKey() {
-    const { posture } = store.view;
-    if (!posture) return;
-    const frame = frameOf(posture.pose, store.document.motion.key_frames.at(-1));
-    const fresh = Object.fromEntries(Object.entries(frame).map(([name, value]) => [name, plain(value)]));
+    const fresh = shownFrame(store, 'pose');
+    if (!fresh) return;
     store.edit((document) => addKeyFrame(document, fresh));
     store.setView({ selected: `motion.key_frames[${store.document.motion.key_frames.length - 1}]` });
   }

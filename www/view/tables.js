@@ -3,6 +3,7 @@
  *
  * @typedef {import('../store.js').Store} Store
  */
+import { createArrange } from './arrange.js';
 import { createCells } from './cells.js';
 import { createChainTables } from './chain-tables.js';
 import { createFaultNote } from './fault-note.js';
@@ -13,13 +14,15 @@ import { createMotionTables } from './motion-tables.js';
  * @param {{root: HTMLElement, mechanism: HTMLElement, motion: HTMLElement}} place
  * @param {Store} store
  * @param {import('../types.js').Defaults} defaults
- * @param {{markFault: (panel: HTMLElement | null) => void, findStart: () => void}} outside
- *   `markFault` is told which panel holds the fault; `findStart` asks the planner for start values
+ * @param {{markFault: (panel: HTMLElement | null) => void, findStart: () => void, goToKey: (key: number) => void}} outside
+ *   `markFault` is told which panel holds the fault; `findStart` asks the planner for start values; `goToKey` takes
+ *   the playhead to a key frame
  */
-export function createTables({ root, mechanism, motion }, store, defaults, { markFault, findStart }) {
+export function createTables({ root, mechanism, motion }, store, defaults, { markFault, findStart, goToKey }) {
+  const arrange = createArrange(root, store);
   const cells = createCells(store);
-  const chains = createChainTables(mechanism, store, cells, defaults, findStart);
-  const keys = createMotionTables(motion, store, cells, defaults);
+  const chains = createChainTables(mechanism, store, cells, defaults, arrange, findStart);
+  const keys = createMotionTables(motion, store, cells, defaults, arrange, goToKey);
   const note = createFaultNote(root);
   let shape = '';
   /** @type {HTMLElement | null} */
