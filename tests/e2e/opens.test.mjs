@@ -38,10 +38,25 @@ test('opens by itself, without a complaint or a word to another host, and moves'
   assert.deepEqual(problems, []);
 });
 
-test('names the content policy that it keeps', async () => {
-  const { page } = await browser.openPage();
+test('keeps a strict content policy: no script but its own files, no eval', async () => {
+  const { page, problems } = await browser.openPage();
   const policy = await page.locator('meta[http-equiv="Content-Security-Policy"]').getAttribute('content');
-  assert.match(policy, /script-src 'self' 'wasm-unsafe-eval';/);
+  const rules = Object.fromEntries(policy.split(';').map((rule) => rule.trim().split(/ (.*)/s)));
+  assert.equal(rules['script-src'], "'self' 'wasm-unsafe-eval'");
+  assert.equal(rules['default-src'], "'self'");
+  assert.deepEqual(problems, [], 'nothing of the page breaks it');
+  // The browser enforces it.
+  const broken = await page.evaluate(
+    () =>
+      new Promise((resolve) => {
+        document.addEventListener('securitypolicyviolation', (event) => resolve(event.effectiveDirective));
+        const script = document.createElement('script');
+        script.textContent = 'window.ran = true';
+        document.body.append(script);
+      }),
+  );
+  assert.match(broken, /^script-src/);
+  assert.equal(await page.evaluate(() => window.ran), undefined);
 });
 
 test('every sample: every frame is closed, and its numbers are shown', async () => {

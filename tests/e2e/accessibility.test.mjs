@@ -1,0 +1,119 @@
+// axe-core finds nothing to complain about in any panel, menu or dialog, in either scheme, on a desktop and a phone;
+// and no text is cut off, at twice the size too.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { after, before, test } from 'node:test';
+import { cell, faultBeside, openBrowser } from './browser.mjs';
+
+const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+
+let browser;
+before(async () => {
+  browser = await openBrowser();
+});
+after(() => browser.close());
+
+/** What axe finds in the page as it is: the rule, and what breaks it. */
+async function violations(page) {
+  if (!(await page.evaluate(() => 'axe' in window))) await page.evaluate(axe);
+  return page.evaluate(async () => {
+    // Colours in passing are neither the one nor the other.
+    await Promise.all(document.getAnimations().map((animation) => animation.finished.catch(() => {})));
+    const { violations: found } = await window.axe.run(document, { resultTypes: ['violations'] });
+    return found.map(({ id, nodes }) => `${id}: ${nodes.map(({ target, failureSummary }) => `${target} ${failureSummary}`).join('; ')}`);
+  });
+}
+
+/** Visible texts that their boxes cut off, or that reach out of the window. */
+const cutOff = (page) =>
+  page.evaluate(() => {
+    const found = [];
+    for (const box of document.body.querySelectorAll('*')) {
+      const own = [...box.childNodes].some((node) => node.nodeType === Node.TEXT_NODE && node.textContent.trim());
+      if (!own || !box.checkVisibility({ checkVisibilityCSS: true }) || box.closest('.sr, svg, math, option')) continue;
+      const style = getComputedStyle(box);
+      const across = style.overflowX !== 'visible' && !['auto', 'scroll'].includes(style.overflowX) && box.scrollWidth > box.clientWidth + 1;
+      const down = style.overflowY !== 'visible' && !['auto', 'scroll'].includes(style.overflowY) && box.scrollHeight > box.clientHeight + 2;
+      if (across || down) found.push(`${box.tagName}.${box.className}#${box.id}: ${box.textContent.slice(0, 40)}`);
+    }
+    return found;
+  });
+
+/** Shows every panel, menu and dialog in turn. @param {(what: string) => Promise<void>} look */
+async function everywhere(page, look) {
+  for (const tab of await page.locator('[role=tab]:visible').all()) {
+    const name = await tab.textContent();
+    await tab.click();
+    for (const fold of await page.locator('[role=tabpanel]:visible details:not([open]) > summary').all()) if (await fold.isVisible()) await fold.click();
+    await look(`panel ${name}`);
+  }
+  const menus = page.locator('button[aria-haspopup=menu]:visible');
+  for (let i = 0; i < (await menus.count()); i++) {
+    const name = (await menus.nth(i).getAttribute('aria-label')) ?? (await menus.nth(i).textContent());
+    await menus.nth(i).click();
+    await page.locator('[role=menu]:popover-open').waitFor();
+    await look(`menu ${name}`);
+    await page.keyboard.press('Escape');
+  }
+  for (const item of ['Keys', 'What the numbers mean']) {
+    await page.getByRole('button', { name: 'Help' }).click();
+    await page.getByRole('menuitem', { name: item }).click();
+    await page.getByRole('dialog').waitFor();
+    await look(`dialog ${item}`);
+    await page.keyboard.press('Escape');
+    await page.getByRole('dialog').waitFor({ state: 'detached' });
+  }
+}
+
+const PLACES = {
+  'desktop, light': { viewport: { width: 1280, height: 800 } },
+  'desktop, dark': { viewport: { width: 1280, height: 800 }, colorScheme: 'dark' },
+  'phone, light': { viewport: { width: 390, height: 844 }, isMobile: true, hasTouch: true },
+  'phone, dark': { viewport: { width: 390, height: 844 }, isMobile: true, hasTouch: true, colorScheme: 'dark' },
+};
+
+for (const [name, options] of Object.entries(PLACES)) {
+  test(`axe finds nothing: ${name}`, async () => {
+    const { page, problems } = await browser.openPage(options);
+    const found = [];
+    await everywhere(page, async (what) => found.push(...(await violations(page)).map((violation) => `${what}: ${violation}`)));
+    assert.deepEqual(found, []);
+    assert.deepEqual(problems, []);
+  });
+}
+
+test('axe finds nothing while a fault is shown, in a lesson, and in the first minute', async () => {
+  const { page } = await browser.openPage({ firstVisit: true, viewport: { width: 1280, height: 800 } });
+  await page.getByRole('region', { name: 'First minute' }).waitFor();
+  assert.deepEqual(await violations(page), [], 'first minute');
+  await page.getByRole('button', { name: 'Skip' }).click();
+  const path = 'chains[0].joints[1].rows[0].a';
+  await cell(page, path).fill('abc');
+  await page.keyboard.press('Enter');
+  await faultBeside(page, path);
+  assert.deepEqual(await violations(page), [], 'fault');
+  await page.goto(`${browser.address}?lesson=why`);
+  await page.getByRole('heading', { name: 'Why the 3RPS cannot follow' }).waitFor();
+  assert.deepEqual(await violations(page), [], 'lesson');
+});
+
+const SIZES = {
+  // 1280 × 800 at 200 % is a window of 640 × 400.
+  'at 200 %': { viewport: { width: 640, height: 400 }, deviceScaleFactor: 2 },
+  'on a phone, upright': { viewport: { width: 390, height: 844 }, isMobile: true, hasTouch: true },
+  'on a phone, across': { viewport: { width: 844, height: 390 }, isMobile: true, hasTouch: true },
+  'on a desktop': { viewport: { width: 1280, height: 800 } },
+};
+for (const [name, options] of Object.entries(SIZES)) {
+  test(`no text is cut off ${name}`, async () => {
+    const { page } = await browser.openPage(options);
+    const found = [];
+    await everywhere(page, async (what) => {
+      found.push(...(await cutOff(page)).map((box) => `${what}: ${box}`));
+      const over = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+      if (over > 0) found.push(`${what}: sticks out by ${over} pixels`);
+    });
+    assert.deepEqual(found, []);
+  });
+}
