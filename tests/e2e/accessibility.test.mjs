@@ -33,6 +33,8 @@ const cutOff = (page) =>
       const own = [...box.childNodes].some((node) => node.nodeType === Node.TEXT_NODE && node.textContent.trim());
       if (!own || !box.checkVisibility({ checkVisibilityCSS: true }) || box.closest('.sr, svg, math, option')) continue;
       const style = getComputedStyle(box);
+      // For screen readers only.
+      if (style.clipPath === 'inset(50%)') continue;
       const across = style.overflowX !== 'visible' && !['auto', 'scroll'].includes(style.overflowX) && box.scrollWidth > box.clientWidth + 1;
       const down = style.overflowY !== 'visible' && !['auto', 'scroll'].includes(style.overflowY) && box.scrollHeight > box.clientHeight + 2;
       if (across || down) found.push(`${box.tagName}.${box.className}#${box.id}: ${box.textContent.slice(0, 40)}`);

@@ -30,7 +30,7 @@ export function createAlgorithm({ store, planner, player }, panel) {
   let seen = false;
 
   const note = element('p', { class: 'muted' });
-  const heading = element('h3');
+  const heading = element('h2');
   const list = element('ol', { class: 'flow' });
   /** @type {Record<string, HTMLElement>} */
   const numbers = {};
