@@ -22,7 +22,7 @@ async function openAlgorithm(frame, options) {
 
 /** A number of the table of the iterate, by its name. */
 const value = async (page, name) => number(await panel(page).locator('dl div').filter({ hasText: name }).locator('output').textContent());
-const heading = (page) => panel(page).getByRole('region', { name: 'Iteration' }).locator('h3');
+const heading = (page) => panel(page).getByRole('region', { name: 'Iteration' }).locator('h2');
 const press = (page, name) => panel(page).getByRole('button', { name }).click();
 
 test('the gradient steps from the answer before to the minimum, in words, equations and numbers', async () => {

@@ -82,7 +82,7 @@ function createAbout(store) {
     const { document: shown, origin, unsaved } = store;
     setText(byId('document-name'), shown.name || 'Linkage');
     // The first sentence; the panel has the whole.
-    setText(byId('about'), (shown.about ?? '').split(/(?<=[.!?:])\s/)[0]);
+    setText(byId('about'), (shown.about ?? '').split(/(?<=[.!?])\s/)[0]);
     for (const [path, field] of fields) if (field.value !== (shown[path] ?? '')) field.value = shown[path] ?? '';
     byId('unsaved').hidden = !unsaved;
     setText(byId('about-file'), origin.title ? `${unsaved ? 'Changed since it was opened or saved as' : 'As in'} ${origin.title}.` : unsaved ? 'In no file yet.' : '');

@@ -34,9 +34,10 @@ export function createStatus(store, player, goToFault) {
     const end = shownEnd(store);
     if (!end) return;
     const { posture } = store.view;
-    const { sign, word, meaning } = statusWords(posture?.value === undefined ? end.status : 'driven');
+    const name = posture?.note && end.status === 'stalled' ? 'iterate' : posture?.value !== undefined ? 'driven' : end.status;
+    const { sign, word, meaning } = statusWords(name);
     setText(byId('frame-title'), posture ? 'This posture' : 'This frame');
-    byId('frame-status').dataset.status = end.status;
+    byId('frame-status').dataset.status = name;
     setText(byId('frame-sign'), sign);
     setText(byId('frame-word'), word);
     setText(byId('frame-meaning'), meaning);

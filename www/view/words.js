@@ -15,6 +15,7 @@ export const STATUS = {
   closest: { sign: '◐', word: 'Closest', meaning: 'The goal is out of reach. No pose nearby comes closer.' },
   at_limit: { sign: '◧', word: 'At a limit', meaning: 'A joint limit keeps the workpiece from coming closer.' },
   stalled: { sign: '△', word: 'Stalled', meaning: 'The planner stopped before it could show that this is the closest pose.' },
+  iterate: { sign: '◇', word: 'On the way', meaning: 'A step of the planner: loops closed, the closest pose not reached yet.' },
   driven: { sign: '◆', word: 'Driven', meaning: 'One joint is driven by hand; the others follow, and every loop stays closed.' },
   closure_lost: { sign: '✕', word: 'Closure lost', meaning: 'The loops could not be closed here. Do not trust this frame.' },
 };
