@@ -21,9 +21,8 @@ const LAYERS: &[&[(&str, &str)]] = layers! {
     [defaults json problem]
     [report trace]
     [columns posture]
-    [mjcf]
+    [mjcf wasm]
     [export]
-    [wasm]
     [wasm_study]
 };
 

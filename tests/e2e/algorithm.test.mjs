@@ -100,6 +100,7 @@ test('[A] has its blocks, its singular values and its rank in words and as a tab
   assert.ok(boxes.length > 10 && Math.max(...boxes.map(([x]) => x)) < Math.min(...other.map(([x]) => x)));
   assert.ok(Math.max(...boxes.map(([, y]) => y)) < Math.min(...other.map(([, y]) => y)));
   await matrix.locator('summary').click();
+  await matrix.locator('table').first().waitFor();
   assert.equal(await matrix.locator('table').first().locator('tbody tr').count(), 20);
   assert.equal(await matrix.locator('table').first().locator('tbody tr').first().locator('td').count(), 23);
 });
