@@ -99,10 +99,12 @@ fn a_posture_is_one_frame_of_columns() {
     assert_eq!(get(&driven, "value").as_f64(), Some(joints[1] + 0.1));
     assert!(get(&driven, "obstacle").is_undefined());
     assert_eq!(column(&driven, "pose"), column(&driven, "goal"));
-    let far: JsValue = wasm_study::drive(SAMPLE, joints, 0.0, 3.0)
+    let far: JsValue = wasm_study::drive(SAMPLE, joints, 1.0, -30.0)
         .expect("a posture")
         .into();
-    assert!(get(&far, "obstacle").is_string());
+    let obstacle = get(&far, "obstacle").as_string().expect("a sentence");
+    assert!(obstacle.contains("cannot close"), "{obstacle}");
+    assert!(get(&far, "value").as_f64() > Some(0.0));
 
     let insight: JsValue = wasm::explain(SAMPLE, joints, goal)
         .expect("an insight")
