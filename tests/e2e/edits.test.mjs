@@ -135,7 +135,7 @@ test('joints and chains come and go, and undo brings them back', async () => {
 });
 
 test('a limit holds a joint back', async () => {
-  await page.locator('details summary').first().click();
+  await page.locator('.chain details summary').first().click();
   const limit = 'chains[0].joints[1].limits[0].max';
   await cell(page, limit).fill('1.3');
   await page.waitForFunction(() => /limit/i.test(document.querySelector('#motion-summary').textContent));
