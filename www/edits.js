@@ -76,6 +76,9 @@ export const moveJoint = (document, chain, from, to) => changeJoints(document, c
 /** @param {MechanismDocument} document @param {number} chain @param {number} joint */
 export const removeJoint = (document, chain, joint) => changeJoints(document, chain, (joints) => without(joints, joint));
 
+/** Other joints between the same base and gripper. @param {MechanismDocument} document @param {number} chain @param {Joint[]} fresh */
+export const setJoints = (document, chain, fresh) => changeJoints(document, chain, () => fresh);
+
 /** @param {MechanismDocument} document @param {Chain} fresh */
 export const addChain = (document, fresh) => ({
   ...document,

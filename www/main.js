@@ -82,6 +82,7 @@ function connect(defaults) {
   createPointing(app);
   whenSeen(byId('algorithm'), 'The algorithm', async () => (await import('./view/algorithm.js')).createAlgorithm(app, byId('algorithm')));
   whenSeen(byId('charts'), 'The charts', async () => (await import('./view/charts.js')).createCharts(app, byId('charts')));
+  whenSeen(byId('types'), 'The types', async () => (await import('./view/types-panel.js')).createTypes(app, byId('types')));
   whenSeen(byId('teach'), 'The joints', async () => (await import('./view/teach.js')).createTeach(app, byId('teach')));
   createViewBar(app);
   createWhy(app);

@@ -50,9 +50,15 @@ async function everywhere(page, look) {
     for (const fold of await page.locator('[role=tabpanel]:visible details:not([open]) > summary').all()) if (await fold.isVisible()) await fold.click();
     await look(`panel ${name}`);
   }
+  await page.getByRole('tab', { name: 'Mechanism' }).click();
   const menus = page.locator('button[aria-haspopup=menu]:visible');
+  const seen = new Set();
   for (let i = 0; i < (await menus.count()); i++) {
     const name = (await menus.nth(i).getAttribute('aria-label')) ?? (await menus.nth(i).textContent());
+    // The menus of every chain and joint are one menu.
+    const kind = name.replace(/\d+/g, 'n');
+    if (seen.has(kind)) continue;
+    seen.add(kind);
     await menus.nth(i).click();
     await page.locator('[role=menu]:popover-open').waitFor();
     await look(`menu ${name}`);

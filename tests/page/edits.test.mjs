@@ -39,6 +39,11 @@ test('joints are replaced, added and removed, and the start values that belonged
   assert.deepEqual(unharmed((d) => edits.removeJoint(d, 0, 0)).chains[0], { name: 'chain 1', joints: [{ type: 'C', rows: [{}] }] });
 });
 
+test('a chain gets other joints between its own base and gripper', () => {
+  const { joints, start, name } = unharmed((d) => edits.setJoints(d, 0, [revolute(), revolute()])).chains[0];
+  assert.deepEqual([joints.map((joint) => joint.type), start, name], [['R', 'R'], undefined, 'chain 1']);
+});
+
 test('chains are added, duplicated and removed under names of their own', () => {
   const names = (d) => d.chains.map((chain) => chain.name);
   assert.deepEqual(names(unharmed((d) => edits.addChain(d, { joints: [revolute()] }))), ['chain 1', 'chain 2', 'chain 3']);
