@@ -53,6 +53,14 @@ test('a cell that is entered selects its joint everywhere, and nothing scrolls a
   assert.equal(await page.evaluate(() => document.activeElement.dataset.path), 'chains[0].base.x');
 });
 
+test('entering a cell moves nothing under the hand', async () => {
+  const at = async () => (await cell(page, 'chains[0].joints[0].rows[0].alpha').boundingBox()).y;
+  const before = await at();
+  await cell(page, 'chains[0].joints[0].rows[0].alpha').click();
+  await item('chains[0].joints[0]').and(page.locator('[aria-selected=true]')).waitFor();
+  assert.equal(await at(), before);
+});
+
 test('pointing at a row shows the thing in the view and in the tree', async () => {
   await page.locator('[data-path="chains[0].joints[2]"] th').first().hover();
   await page.locator('#labels .pointed').filter({ hasText: 'chain 1, joint 3' }).waitFor();
