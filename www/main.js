@@ -68,7 +68,7 @@ function connect(defaults) {
     if (motion && document) player.frame = keyFrameFrames(document, motion.time)[key];
   };
   const panels = { root: byId('tables'), mechanism: byId('mechanism'), motion: byId('motion') };
-  const tables = createTables(panels, store, defaults, { markFault: tabs.mark, findStart, goToKey });
+  const tables = createTables(panels, store, defaults, { markFault: tabs.mark, findStart, goToKey, say });
   const selection = createSelection(panels.root, [panels.mechanism, panels.motion], app);
   createTree(/** @type {HTMLDetailsElement} */ (byId('objects')), app, selection.enter);
   createStatus(store, player, () => tables.focusFault((panel) => tabs.choosePanel(panel)));

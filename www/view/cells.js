@@ -20,7 +20,8 @@ import { element } from '../dom.js';
 
 /** @param {Store} store */
 export function createCells(store) {
-  /** @type {Map<string, {input: HTMLInputElement | HTMLSelectElement, show: () => void}>} */
+  /** @typedef {(document: MechanismDocument, text: string) => MechanismDocument} Put writes a text as if it were typed */
+  /** @type {Map<string, {input: HTMLInputElement | HTMLSelectElement, show: () => void, put?: Put}>} */
   const cells = new Map();
   let visits = 0;
 
@@ -48,10 +49,12 @@ export function createCells(store) {
     const value = () => valueAt(store.document, spec.path);
     const write = spec.write ?? ((document, next) => setValue(document, spec.path, next));
     const editing = () => document.activeElement === field;
-    const typed = () => {
-      if (spec.text) return field.value;
-      return field.value.trim() === '' && spec.optional ? undefined : entry(field.value);
+    /** @param {string} text */
+    const read = (text) => {
+      if (spec.text) return text;
+      return text.trim() === '' && spec.optional ? undefined : entry(text);
     };
+    const typed = () => read(field.value);
 
     /** @param {'value' | 'title' | 'placeholder'} name @param {string} text */
     const put = (name, text) => {
@@ -113,7 +116,7 @@ export function createCells(store) {
       show();
       field.select();
     });
-    cells.set(spec.path, { input: field, show });
+    cells.set(spec.path, { input: field, show, put: (document, text) => write(document, read(text)) });
     show();
     return field;
   }
@@ -149,6 +152,8 @@ export function createCells(store) {
     },
     /** @param {string} path */
     find: (path) => cells.get(path)?.input,
+    /** The document with a text written into a cell as if it were typed there. @param {MechanismDocument} document @param {string} path @param {string} text */
+    written: (document, path, text) => cells.get(path)?.put?.(document, text) ?? document,
     all: () => [...cells.values()].map((cell) => cell.input),
   };
 }

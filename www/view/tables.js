@@ -7,6 +7,7 @@ import { createArrange } from './arrange.js';
 import { createCells } from './cells.js';
 import { createChainTables } from './chain-tables.js';
 import { createFaultNote } from './fault-note.js';
+import { gridBlock } from './grid-block.js';
 import { gridKeys } from './grid-keys.js';
 import { createMotionTables } from './motion-tables.js';
 
@@ -14,11 +15,12 @@ import { createMotionTables } from './motion-tables.js';
  * @param {{root: HTMLElement, mechanism: HTMLElement, motion: HTMLElement}} place
  * @param {Store} store
  * @param {import('../types.js').Defaults} defaults
- * @param {{markFault: (panel: HTMLElement | null) => void, findStart: () => void, goToKey: (key: number) => void}} outside
+ * @param {{markFault: (panel: HTMLElement | null) => void, findStart: () => void, goToKey: (key: number) => void,
+ *   say: import('./notice.js').Say}} outside
  *   `markFault` is told which panel holds the fault; `findStart` asks the planner for start values; `goToKey` takes
  *   the playhead to a key frame
  */
-export function createTables({ root, mechanism, motion }, store, defaults, { markFault, findStart, goToKey }) {
+export function createTables({ root, mechanism, motion }, store, defaults, { markFault, findStart, goToKey, say }) {
   const arrange = createArrange(root, store);
   const cells = createCells(store);
   const chains = createChainTables(mechanism, store, cells, defaults, arrange, findStart);
@@ -48,6 +50,7 @@ export function createTables({ root, mechanism, motion }, store, defaults, { mar
     if (focused && !(document.activeElement instanceof HTMLElement && document.activeElement.dataset.path)) cells.find(focused)?.focus();
   }
 
+  gridBlock(root, store, cells, say);
   gridKeys(root);
   store.subscribe('document', show);
   store.subscribe('result', () => {

@@ -1,0 +1,108 @@
+// Tables take and give blocks as a spreadsheet does.
+import assert from 'node:assert/strict';
+import { after, afterEach, before, beforeEach, test } from 'node:test';
+import { cell, faultBeside, noFault, openBrowser } from './browser.mjs';
+
+let browser;
+let page;
+let problems;
+before(async () => {
+  browser = await openBrowser();
+});
+after(() => browser.close());
+beforeEach(async () => {
+  ({ page, problems } = await browser.openPage());
+});
+afterEach(() => assert.deepEqual(problems, []));
+
+const at = (row, column, chain = 0) => {
+  const [joint, inner] = [[0, 0], [1, 0], [2, 0], [2, 1], [2, 2]][row];
+  return `chains[${chain}].joints[${joint}].rows[${inner}].${column}`;
+};
+const value = (path) => cell(page, path).inputValue();
+const paste = (path, text) =>
+  cell(page, path).evaluate((field, data) => {
+    field.focus();
+    const clipboardData = new DataTransfer();
+    clipboardData.setData('text/plain', data);
+    field.dispatchEvent(new ClipboardEvent('paste', { clipboardData, bubbles: true, cancelable: true }));
+  }, text);
+/** What copying gives. */
+const copied = () =>
+  page.evaluate(() => {
+    const clipboardData = new DataTransfer();
+    document.activeElement.dispatchEvent(new ClipboardEvent('copy', { clipboardData, bubbles: true, cancelable: true }));
+    return clipboardData.getData('text/plain');
+  });
+const active = () => page.evaluate(() => document.activeElement.dataset.path);
+
+test('a pasted block fills the cells to the right and below, as one step of undo', async () => {
+  const before = await value(at(2, 'd'));
+  await paste(at(1, 'theta'), '0,5\t0.01\r\n1\t0.02\r\n');
+  assert.deepEqual(await Promise.all([value(at(1, 'theta')), value(at(1, 'd')), value(at(2, 'theta')), value(at(2, 'd'))]), ['0.5', '0.01', '1', '0.02']);
+  await noFault(page);
+  await page.keyboard.press('Control+z');
+  assert.equal(await value(at(2, 'd')), before);
+  assert.equal(await value(at(1, 'theta')), '0');
+  assert.equal(await page.locator('#undo').isDisabled(), true);
+});
+
+test('a block that is too large is refused in words, and nothing is written', async () => {
+  await paste(at(4, 'theta'), '1\t2\t3\n4\t5\t6');
+  await page.locator('#notices').filter({ hasText: '2 rows of 3 cells; from this cell on there is room for 1 row of 2 cells' }).waitFor();
+  assert.equal(await page.locator('#undo').isDisabled(), true);
+});
+
+test('what is no number is kept as pasted and explained beside its cell', async () => {
+  await paste(at(0, 'a'), '0\tabc');
+  assert.match(await faultBeside(page, at(0, 'theta')), /number/);
+  assert.equal(await value(at(0, 'theta')), 'abc');
+  await page.keyboard.press('Control+z');
+  await noFault(page);
+});
+
+test('frames and key frames take blocks too', async () => {
+  await paste('chains[0].base.x', '-0.51\t-0.86\t0.01');
+  assert.deepEqual(await Promise.all(['x', 'y', 'z'].map((axis) => value(`chains[0].base.${axis}`))), ['-0.51', '-0.86', '0.01']);
+  await page.getByRole('tab', { name: 'Motion' }).click();
+  await paste('motion.key_frames[1].x', '0.3\t0.3\t0.4\n0.25\t0.2\t0');
+  assert.equal(await value('motion.key_frames[2].z'), '0');
+  assert.equal(await value('motion.key_frames[2].x'), '0.25');
+});
+
+test('a chosen block is copied in whole numbers and cleared at once', async () => {
+  await cell(page, 'chains[0].base.x').focus();
+  await page.keyboard.press('Shift+ArrowDown');
+  await page.keyboard.press('Shift+ArrowRight');
+  await page.locator('.block-note').filter({ hasText: '2 rows of 2 cells' }).waitFor();
+  assert.equal(await page.locator('.in-block').count(), 4);
+  assert.equal(await copied(), '-0.5\t-0.866\n0.571\t0');
+  await page.keyboard.press('Escape');
+  assert.equal(await page.locator('.in-block').count(), 0);
+
+  await page.locator('.chain details summary').first().click();
+  await cell(page, 'chains[0].start[0]').focus();
+  await cell(page, 'chains[0].start[1]').click({ modifiers: ['Shift'] });
+  assert.equal(await copied(), '31.420546783\n1.509051435', 'as the document has them, not as they are shown');
+  const limit = 'chains[0].joints[1].limits[0].max';
+  await cell(page, limit).fill('9');
+  await page.keyboard.press('Shift+ArrowLeft');
+  await page.keyboard.press('Tab');
+  await cell(page, limit).focus();
+  await page.keyboard.press('Shift+ArrowLeft');
+  await page.keyboard.press('Delete');
+  assert.equal(await value(limit), '');
+  await noFault(page);
+});
+
+test('left and right arrows leave a cell at the ends of its text', async () => {
+  await cell(page, at(0, 'a')).focus();
+  await page.keyboard.press('ArrowRight');
+  assert.equal(await active(), at(0, 'theta'));
+  await page.keyboard.press('ArrowLeft');
+  assert.equal(await active(), at(0, 'a'));
+  await cell(page, 'chains[0].base.y').focus();
+  await page.keyboard.press('End');
+  await page.keyboard.press('ArrowLeft');
+  assert.equal(await active(), 'chains[0].base.y', 'within a text they go through its letters');
+});
