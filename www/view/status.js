@@ -8,7 +8,7 @@ import { angle, length, plural, scientific, short } from '../format.js';
 import { byId, element, setText } from '../dom.js';
 import { shownEnd } from '../shown.js';
 import { parts, sentence } from './fault-note.js';
-import { countStatuses, frameSentence, mobilitySentence, statusWords, worstFrame } from './words.js';
+import { countStatuses, frameSentence, mobilitySentence, singularSentence, statusWords, worstFrame } from './words.js';
 
 /** Pause before the live region speaks, in milliseconds: while the motion plays it would never stop. */
 const SPEAK_AFTER = 600;
@@ -76,7 +76,7 @@ export function createStatus(store, player, goToFault) {
     setText(byId('mobility-count'), short(report.mobility_count));
     setText(byId('mobility-difference'), unknownsLessEquations(report.chains));
     setText(byId('mobility-rank'), String(report.mobility_rank));
-    setText(byId('mobility-sentence'), mobilitySentence(report.mobility_count, report.mobility_rank));
+    showMobility();
     byId('chain-rows').replaceChildren(
       ...report.chains.map((chain) =>
         element(
@@ -111,6 +111,16 @@ export function createStatus(store, player, goToFault) {
     }, SPEAK_AFTER);
   }
 
+  /** The mobility in words, with what is peculiar to the shown posture. */
+  function showMobility() {
+    const { motion } = store.result;
+    if (!motion) return;
+    const { mobility_count: count, mobility_rank: rank } = motion.report;
+    const here = singularSentence(store.insight?.mobility_rank ?? rank, rank);
+    setText(byId('mobility-sentence'), `${mobilitySentence(count, rank)}${here && ` ${here}`}`);
+  }
+
+  store.subscribe('insight', showMobility);
   store.subscribe('view', () => {
     showFrame();
     speak();

@@ -54,6 +54,16 @@ export function mobilitySentence(count, rank) {
   return `${free}, though ${counted}: some of the chains’ constraints repeat each other (parallel or meeting axes, or a singular position).`;
 }
 
+/**
+ * What the rank at the shown posture says beside that at the start; empty if it says the same.
+ * @param {number} here n − rank [A] there @param {number} start n − rank [A] at the start
+ */
+export function singularSentence(here, start) {
+  if (here === start) return '';
+  const word = here > start ? 'gains' : 'loses';
+  return `Here the rank gives ${here}, not ${start}: at a singular position the linkage ${word} freedoms for the instant.`;
+}
+
 /** The frame at the playhead in one sentence. @param {import('../store.js').Store} store */
 export function frameSentence(store) {
   const { motion, document } = store.result;
