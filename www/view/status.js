@@ -8,7 +8,7 @@ import { angle, length, plural, scientific, short } from '../format.js';
 import { byId, element, setText } from '../dom.js';
 import { shownEnd } from '../shown.js';
 import { parts, sentence } from './fault-note.js';
-import { countStatuses, frameSentence, mobilitySentence, singularSentence, statusWords, worstFrame } from './words.js';
+import { PULLED, countStatuses, frameSentence, mobilitySentence, singularSentence, statusWords, worstFrame } from './words.js';
 
 /** Pause before the live region speaks, in milliseconds: while the motion plays it would never stop. */
 const SPEAK_AFTER = 600;
@@ -40,7 +40,7 @@ export function createStatus(store, player, goToFault) {
     byId('frame-status').dataset.status = name;
     setText(byId('frame-sign'), sign);
     setText(byId('frame-word'), word);
-    setText(byId('frame-meaning'), meaning);
+    setText(byId('frame-meaning'), (posture && !posture.note && PULLED[name]) || meaning);
     setText(numbers.translation, length(end.translation_gap, store.result.document?.length_unit));
     setText(numbers.rotation, angle(end.rotation_gap));
     setText(numbers.metric, scientific(end.metric));

@@ -20,6 +20,12 @@ export const STATUS = {
   closure_lost: { sign: '✕', word: 'Closure lost', meaning: 'The loops could not be closed here. Do not trust this frame.' },
 };
 
+/** What the same ends mean where a hand pulls at the workpiece. @type {Record<string, string>} */
+export const PULLED = {
+  reached: 'The workpiece is where the hand has it.',
+  closest: 'The hand asks for more than the linkage can reach. No pose nearby comes closer.',
+};
+
 /** @param {Motion} motion @param {number} frame */
 export const statusName = (motion, frame) => motion.report.statuses[motion.status[frame]] ?? '';
 
