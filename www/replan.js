@@ -1,6 +1,7 @@
 /**
  * Keeps the result in step with the document: plans after every edit, and says what the planner says.
  */
+import { textOf } from './document-text.js';
 import { takeStarts } from './edits.js';
 import { DocumentFault, PlannerFailure } from './planner.js';
 
@@ -18,7 +19,7 @@ export function createReplanning({ store, planner }) {
   async function replan() {
     const { document } = store;
     try {
-      const motion = await planner.plan(JSON.stringify(document));
+      const motion = await planner.plan(textOf(document));
       store.setResult({ motion, document, fault: null, trouble: '' });
     } catch (error) {
       report(error, document);
@@ -29,7 +30,7 @@ export function createReplanning({ store, planner }) {
   async function findStart() {
     const { document } = store;
     try {
-      const { chains } = JSON.parse(await planner.findStart(JSON.stringify(document)));
+      const { chains } = JSON.parse(await planner.findStart(textOf(document)));
       store.edit((present) => takeStarts(present, chains));
     } catch (error) {
       report(error, document);

@@ -1,6 +1,6 @@
 /**
  * Moving by hand in the 3D view: a gizmo on the selected key frame or the workpiece, handles of the freedoms
- * that the workpiece has, and things dragged themselves. Loaded once the first motion is drawn.
+ * that the workpiece has, and things dragged themselves. Loaded when a hand may come.
  *
  * @typedef {import('./toolbar.js').How} How
  * @typedef {import('./key-frame.js').Target} Target

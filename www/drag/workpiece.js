@@ -1,6 +1,7 @@
 /**
  * The workpiece as something to be pulled: the linkage follows to the closest pose that it can reach, live.
  */
+import { textOf } from '../document-text.js';
 import { DocumentFault, PlannerFailure, Superseded } from '../planner.js';
 import { angle, length, short } from '../format.js';
 import { groupAt, shown } from '../shown.js';
@@ -66,16 +67,4 @@ export function workpieceTarget({ store, planner }) {
       return `${place}; ${sign} ${word.toLowerCase()}, ${length(posture.translation_gap, unit)} and ${angle(posture.rotation_gap)} from the hand`;
     },
   };
-}
-
-/** @type {WeakMap<object, string>} */
-const texts = new WeakMap();
-
-/** A document as text, written once. @param {object} document */
-function textOf(document) {
-  const known = texts.get(document);
-  if (known !== undefined) return known;
-  const text = JSON.stringify(document);
-  texts.set(document, text);
-  return text;
 }

@@ -5,7 +5,7 @@ import { ANGLE_DECIMALS, lengthUnit } from '../format.js';
 import { element } from '../dom.js';
 
 /** @type {[import('../types.js').Frame extends infer F ? keyof F : never, string, 'length' | 'angle', string][]} */
-export const COORDINATES = [
+const COORDINATES = [
   ['x', 'x', 'length', 'x'],
   ['y', 'y', 'length', 'y'],
   ['z', 'z', 'length', 'z'],

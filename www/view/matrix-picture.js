@@ -41,7 +41,7 @@ export function groups({ freedoms, rows, columns }) {
 }
 
 /** @param {Matrix} matrix */
-export function rankInWords({ rows, columns, rank, singular_values: sigma, threshold }) {
+function rankInWords({ rows, columns, rank, singular_values: sigma, threshold }) {
   const dependent = rows - rank;
   const least = sigma[rank - 1];
   return (

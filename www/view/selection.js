@@ -11,7 +11,7 @@ const THING = /^(?:chains\[\d+\](?:\.joints\[\d+\]|\.base|\.gripper)?|motion\.ke
 const PHONE = '(max-width: 759px)';
 
 /** The thing that a place of the document belongs to, '' if it is none. @param {string} path */
-export const thingOf = (path) => THING.exec(path)?.[0] ?? '';
+const thingOf = (path) => THING.exec(path)?.[0] ?? '';
 
 /**
  * @param {HTMLElement} root holds the panels

@@ -8,7 +8,7 @@ import { element } from '../dom.js';
 import { JOINT_TYPES, chainType } from '../joint-types.js';
 
 /** @param {import('../types.js').MechanismDocument} document @returns {Item[]} */
-export function itemsOf({ chains, motion }) {
+function itemsOf({ chains, motion }) {
   return [
     ...chains.map((chain, c) => {
       const path = `chains[${c}]`;

@@ -10,7 +10,7 @@ import { groupAt, shown } from '../shown.js';
  * How a frame or a posture ended: a sign that is told apart without colour, a word, and what it means.
  * @type {Record<string, {sign: string, word: string, meaning: string}>}
  */
-export const STATUS = {
+const STATUS = {
   reached: { sign: '●', word: 'Reached', meaning: 'The workpiece is at the goal.' },
   closest: { sign: '◐', word: 'Closest', meaning: 'The goal is out of reach. No pose nearby comes closer.' },
   at_limit: { sign: '◧', word: 'At a limit', meaning: 'A joint limit keeps the workpiece from coming closer.' },
