@@ -91,6 +91,29 @@ for (const [name, options] of Object.entries(PLACES)) {
   });
 }
 
+test('axe finds nothing in the gallery, the export of a picture, what is said of the document, and with things in hand', async () => {
+  const { page } = await browser.openPage({ viewport: { width: 1280, height: 800 } });
+  await page.getByRole('button', { name: 'Examples', exact: true }).click();
+  await page.locator('dialog.gallery').waitFor();
+  assert.deepEqual(await violations(page), [], 'gallery');
+  await page.keyboard.press('Escape');
+  await page.getByRole('button', { name: 'Export', exact: true }).click();
+  await page.getByRole('menuitem', { name: /PNG/ }).click();
+  await page.getByRole('dialog').waitFor();
+  assert.deepEqual(await violations(page), [], 'picture');
+  await page.keyboard.press('Escape');
+  await page.locator('#about-button').click();
+  await page.locator('#about-panel').waitFor();
+  assert.deepEqual(await violations(page), [], 'about');
+  await page.keyboard.press('Escape');
+  await page.locator('[data-item="workpiece"]').click();
+  await page.getByRole('button', { name: 'Freedoms', exact: true }).click();
+  await page.locator('[data-freedom]').first().waitFor();
+  await page.getByRole('button', { name: /Forwards along freedom 1/ }).click();
+  await page.getByText('Back to the motion').first().waitFor();
+  assert.deepEqual(await violations(page), [], 'in hand');
+});
+
 test('axe finds nothing while a fault is shown, in a lesson, and in the first minute', async () => {
   const { page } = await browser.openPage({ firstVisit: true, viewport: { width: 1280, height: 800 } });
   await page.getByRole('region', { name: 'First minute' }).waitFor();
