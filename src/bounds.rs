@@ -20,6 +20,8 @@ pub const MAX_ROW_FRAMES: usize = 500_000;
 pub const MAX_NAME: usize = 100;
 /// Characters of the sentences on a mechanism.
 pub const MAX_ABOUT: usize = 2_000;
+/// Characters of the address of a schema: what every browser takes.
+pub const MAX_SCHEMA: usize = 2_000;
 /// Characters of the label of a unit.
 pub const MAX_UNIT: usize = 16;
 

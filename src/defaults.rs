@@ -70,6 +70,7 @@ pub fn defaults() -> Defaults {
         radius: None,
     };
     let document = Document {
+        schema: None,
         version: VERSION,
         name: "new mechanism".into(),
         about: String::new(),

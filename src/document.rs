@@ -6,7 +6,7 @@ use crate::planner::{Method, Settings};
 #[cfg(feature = "schema")]
 use crate::{
     bounds::{
-        MAX_ABOUT, MAX_ANGLE, MAX_ITERATIONS, MAX_LENGTH, MAX_NAME, MAX_TIME, MAX_UNIT,
+        MAX_ABOUT, MAX_ANGLE, MAX_ITERATIONS, MAX_LENGTH, MAX_NAME, MAX_SCHEMA, MAX_TIME, MAX_UNIT,
         MIN_METRIC_LENGTH,
     },
     chain::MAX_FREEDOMS,
@@ -18,8 +18,12 @@ use serde::{Deserialize, Serialize};
 /// The version of the format that this crate reads and writes.
 pub const VERSION: u32 = 1;
 
-/// The JSON Schema (draft 2020-12) of a document, generated from the types of this module by
-/// `examples/schema.rs`.
+/// The name of the JSON Schema, its `$id`. Not an address: the project has no domain of its own, and a
+/// name stays true wherever the schema is kept. The number is that of the format.
+pub const SCHEMA_ID: &str = "urn:synthetica:document:1";
+
+/// The JSON Schema (draft 2020-12) of a document, generated from the types of this module: see
+/// `schema`, with the feature of that name.
 pub const SCHEMA: &str = include_str!("document.schema.json");
 
 /// A mechanism, a goal motion and the planner's settings. Angles in degrees, lengths in the
@@ -28,10 +32,17 @@ pub const SCHEMA: &str = include_str!("document.schema.json");
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(
     feature = "schema",
-    schemars(title = "Synthetica mechanism, version 1")
+    schemars(
+        title = "Synthetica mechanism, version 1",
+        extend("$id" = SCHEMA_ID)
+    )
 )]
 #[serde(deny_unknown_fields)]
 pub struct Document {
+    /// Where an editor finds the schema of this document; kept, and not looked at.
+    #[cfg_attr(feature = "schema", schemars(length(max = MAX_SCHEMA)))]
+    #[serde(rename = "$schema", default, skip_serializing_if = "Option::is_none")]
+    pub schema: Option<String>,
     /// Version of the format: 1.
     #[cfg_attr(feature = "schema", schemars(range(min = VERSION, max = VERSION)))]
     pub version: u32,

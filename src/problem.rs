@@ -2,9 +2,9 @@
 //! rule of the model told as a fault with its place.
 
 use crate::bounds::{
-    MAX_ABOUT, MAX_ITERATIONS, MAX_LENGTH, MAX_NAME, MAX_ROW_FRAMES, MAX_TIME, MAX_UNIT,
-    MIN_METRIC_LENGTH, angle, bounded, check_text, joint_value, length, not_finite, out_of_range,
-    wrong_count,
+    MAX_ABOUT, MAX_ITERATIONS, MAX_LENGTH, MAX_NAME, MAX_ROW_FRAMES, MAX_SCHEMA, MAX_TIME,
+    MAX_UNIT, MIN_METRIC_LENGTH, angle, bounded, check_text, joint_value, length, not_finite,
+    out_of_range, wrong_count,
 };
 use crate::chain::{Chain, ChainFault, MAX_FREEDOMS};
 use crate::dh::DhRow;
@@ -42,6 +42,8 @@ impl Problem {
     /// One fault, where there are any.
     pub fn new(document: &Document) -> Result<Self, Fault> {
         let whole = Place::WHOLE;
+        let schema = document.schema.as_deref().unwrap_or_default();
+        check_text(schema, MAX_SCHEMA, &whole.field("$schema"))?;
         check_text(&document.name, MAX_NAME, &whole.field("name"))?;
         check_text(&document.about, MAX_ABOUT, &whole.field("about"))?;
         check_text(&document.length_unit, MAX_UNIT, &whole.field("length_unit"))?;

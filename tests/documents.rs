@@ -19,7 +19,7 @@ use synthetica::problem::{Problem, start_values};
 
 /// A document with every field: two chains, every kind of joint, times, limits, starts.
 const WHOLE: &str = r#"{
-  "version": 1, "name": "all", "about": "one of each", "length_unit": "m",
+  "$schema": "../document.schema.json", "version": 1, "name": "all", "about": "one of each", "length_unit": "m",
   "chains": [
     {
       "name": "left leg", "base": {"x": 1, "longitude": 30},
@@ -166,6 +166,16 @@ fn samples_are_read_and_stay_as_they_are() {
             "{name}"
         );
     }
+}
+
+/// Editors write the schema's address into a document.
+#[test]
+fn the_address_of_a_schema_is_kept() {
+    let document = parse(WHOLE).expect("a document");
+    let first = "{\n  \"$schema\": \"../document.schema.json\",\n  \"version\": 1,";
+    assert!(document.text().starts_with(first), "{}", document.text());
+    let without = parse(&without("/$schema")).expect("a document");
+    assert!(!without.text().contains("$schema"));
 }
 
 #[test]
@@ -508,6 +518,7 @@ fn what_the_model_refuses_is_told_with_its_place() {
         (with("/motion/key_frames/1/time", json!(-1)), TimeOrder, "motion.key_frames[1].time", "Key frame 2, time: -1", "later than 0"),
         (with("/name", json!("n".repeat(101))), NameTooLong, "name", "Name: 101 characters", "100"),
         (with("/about", json!("n".repeat(2001))), NameTooLong, "about", "About", "2000"),
+        (with("/$schema", json!("n".repeat(2001))), NameTooLong, "$schema", "$schema: 2001", "2000"),
         (with("/length_unit", json!("n".repeat(17))), NameTooLong, "length_unit", "Length unit", "16"),
         (with("/chains/1/name", json!("\u{e4}".repeat(101))), NameTooLong, "chains[1].name", "Chain 2", "100"),
         (with("/motion/key_frames/1/name", json!("k".repeat(101))), NameTooLong, "motion.key_frames[1].name", "Key frame 2", "100"),
@@ -650,7 +661,7 @@ fn the_schema_is_up_to_date() {
     assert_eq!(
         SCHEMA,
         schema(),
-        "write it anew: cargo run --features schema --example schema > src/document.schema.json"
+        "write it anew: cargo run --features cli,schema -- schema > src/document.schema.json"
     );
 }
 
@@ -662,6 +673,7 @@ fn the_schema_knows_the_fields() {
         schema["$schema"],
         "https://json-schema.org/draft/2020-12/schema"
     );
+    assert_eq!(schema["$id"], synthetica::document::SCHEMA_ID);
     assert_eq!(schema["additionalProperties"], false);
     let fields = |object: &Value| {
         object

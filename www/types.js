@@ -23,7 +23,7 @@
  * @typedef {Frame & {name?: string, time?: Entry | null}} KeyFrame
  * @typedef {{key_frames: KeyFrame[], interpolation?: string, frames?: Entry, radius?: Entry | null}} MotionSpec
  * @typedef {{method?: string, metric_length?: Entry, max_iterations?: Entry}} PlannerSpec
- * @typedef {{version: number, name?: string, about?: string, length_unit?: string, chains: Chain[],
+ * @typedef {{$schema?: string, version: number, name?: string, about?: string, length_unit?: string, chains: Chain[],
  *   motion: MotionSpec, planner?: PlannerSpec}} MechanismDocument
  *
  * What Rust offers as a start for new things.
