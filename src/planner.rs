@@ -69,6 +69,20 @@ pub fn plan(
     goals: &[Goal],
     settings: &Settings,
 ) -> Trajectory {
+    plan_watched(mechanism, start, goals, settings, &mut |_| {})
+}
+
+/// The same, and tells `done` after each frame how many there are: long motions take minutes.
+///
+/// # Panics
+/// When `start` does not have one value a joint variable.
+pub fn plan_watched(
+    mechanism: &Mechanism,
+    start: &[f64],
+    goals: &[Goal],
+    settings: &Settings,
+    done: &mut dyn FnMut(usize),
+) -> Trajectory {
     assert_eq!(
         start.len(),
         mechanism.variables(),
@@ -128,6 +142,7 @@ pub fn plan(
         if solved.end == End::Runaway {
             t.warnings.push(Warning::Runaway { frame });
         }
+        done(frame + 1);
     }
     measure_singular(
         &mut t,

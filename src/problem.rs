@@ -15,7 +15,7 @@ use crate::fault::{Fault, FaultCode, Place};
 use crate::joint::{Joint, JointFault, JointKind, Limits, Moves};
 use crate::keyframe::{Goal, KeyFrame, KeyFrameFault, MAX_FRAMES, MAX_KEY_FRAMES, goal_motion};
 use crate::mechanism::{MAX_CHAINS, Mechanism, MechanismFault};
-use crate::planner::{Settings, plan};
+use crate::planner::{Settings, plan_watched};
 use crate::pose::{FrameCoordinates, Pose};
 use crate::start;
 use crate::trajectory::Trajectory;
@@ -91,11 +91,17 @@ impl Problem {
 
     /// Plans the motion.
     pub fn plan(&self) -> Trajectory {
-        plan(
+        self.plan_watched(&mut |_| {})
+    }
+
+    /// The same, and tells `done` after each frame how many there are.
+    pub fn plan_watched(&self, done: &mut dyn FnMut(usize)) -> Trajectory {
+        plan_watched(
             &self.mechanism,
             &self.find_start(),
             &self.goals,
             &self.settings,
+            done,
         )
     }
 }
