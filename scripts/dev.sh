@@ -178,8 +178,8 @@ test_wasm() {
 # Every sample as a MuJoCo model: MuJoCo's own residuals at every frame.
 test_mujoco() {
   say "exported models, in MuJoCo"
-  cargo build --quiet --locked --all-features --example export
-  "$MUJOCO_PYTHON" tests/mujoco/check.py "${CARGO_TARGET_DIR:-target}/debug/examples/export" www/mechanisms
+  cargo build --quiet --locked --all-features --bin synthetica
+  "$MUJOCO_PYTHON" tests/mujoco/check.py "${CARGO_TARGET_DIR:-target}/debug/synthetica" www/mechanisms
 }
 
 # The bytes that a visitor's browser loads for the planner. The page as a whole has a budget of 400 kB, which

@@ -18,9 +18,9 @@ if (documents.length === 0) throw new Error(`no documents in ${folder}`);
 /** @param {number[]} values */
 const median = (values) => values.toSorted((a, b) => a - b)[values.length >> 1];
 
-/** Microseconds of one plan, text to columns, by examples/plan.rs; it measures as `inBrowser` does. @param {string} file */
+/** Microseconds of one plan, text to columns, by examples/time.rs; it measures as `inBrowser` does. @param {string} file */
 function natively(file) {
-  const command = ['run', '--release', '--quiet', '--locked', '--example', 'plan', '--', '--time', file];
+  const command = ['run', '--release', '--quiet', '--locked', '--example', 'time', '--', file];
   return JSON.parse(execFileSync('cargo', command, { encoding: 'utf8' })).microseconds;
 }
 

@@ -49,6 +49,7 @@
 //! # Modules, from the top down
 //!
 //! ```text
+//! the command →  export, report, problem, json, enumerate      (src/bin/synthetica, feature cli)
 //! wasm_study  →  wasm, export, trace, enumerate
 //! wasm        →  posture, report, problem, json, defaults
 //! export      →  columns, mjcf                       columns, mjcf → report

@@ -1,14 +1,18 @@
-//! The tower of src/: every module imports from lower layers only, so that there are no circles.
+//! The tower of src/, and that of the command on top of it: every module imports from lower layers only, so that there
+//! are no circles.
+
+type Layers = &'static [&'static [(&'static str, &'static str)]];
 
 /// Name and text of each module, from its file.
 macro_rules! layers {
-    ($([$($module:ident)*])*) => {
-        &[$(&[$((stringify!($module), include_str!(concat!("../src/", stringify!($module), ".rs")))),*]),*]
+    ($folder:literal $([$($module:ident)*])*) => {
+        &[$(&[$((stringify!($module), include_str!(concat!($folder, stringify!($module), ".rs")))),*]),*]
     };
 }
 
 /// From the ground up; a module belongs in the lowest layer that its imports allow.
-const LAYERS: &[&[(&str, &str)]] = layers! {
+const LIBRARY: Layers = layers! {
+    "../src/"
     [linalg pose fault spline]
     [bounds dh keyframe node objective screw trajectory]
     [joint]
@@ -24,6 +28,16 @@ const LAYERS: &[&[(&str, &str)]] = layers! {
     [mjcf wasm]
     [export]
     [wasm_study]
+};
+
+/// The command: it has the library below it, and the library knows nothing of it.
+const COMMAND: Layers = layers! {
+    "../src/bin/synthetica/"
+    [arguments failure progress]
+    [files]
+    [enumerate planned]
+    [check]
+    [motion]
 };
 
 fn words(text: &str) -> impl Iterator<Item = &str> {
@@ -70,44 +84,58 @@ fn imports(text: &str) -> Vec<String> {
 
 #[test]
 fn imports_point_down() {
-    for (height, layer) in LAYERS.iter().enumerate() {
-        for (module, text) in *layer {
-            let mut lowest = 0;
-            for import in imports(text) {
-                let below = LAYERS
-                    .iter()
-                    .position(|l| l.iter().any(|(name, _)| *name == import));
-                let below = below
-                    .unwrap_or_else(|| panic!("{module} imports {import}, which is in no layer"));
-                assert!(
-                    below < height,
-                    "{module} imports {import}, which is not below it"
-                );
-                lowest = lowest.max(below + 1);
+    for layers in [LIBRARY, COMMAND] {
+        for (height, layer) in layers.iter().enumerate() {
+            for (module, text) in *layer {
+                let mut lowest = 0;
+                for import in imports(text) {
+                    let below = layers
+                        .iter()
+                        .position(|l| l.iter().any(|(name, _)| *name == import));
+                    let below = below.unwrap_or_else(|| {
+                        panic!("{module} imports {import}, which is in no layer")
+                    });
+                    assert!(
+                        below < height,
+                        "{module} imports {import}, which is not below it"
+                    );
+                    lowest = lowest.max(below + 1);
+                }
+                assert_eq!(lowest, height, "{module} may stand lower");
             }
-            assert_eq!(lowest, height, "{module} may stand lower");
         }
     }
 }
 
 #[test]
 fn every_module_has_a_layer() {
-    let lib = include_str!("../src/lib.rs");
-    let declared: Vec<&str> = lib
-        .lines()
-        .filter_map(|line| {
-            line.trim_start_matches("pub ")
-                .strip_prefix("mod ")?
-                .strip_suffix(';')
-        })
-        .collect();
-    let placed: Vec<&str> = LAYERS
-        .iter()
-        .flat_map(|l| l.iter().map(|(name, _)| *name))
-        .collect();
-    assert!(!declared.is_empty());
-    assert!(declared.iter().all(|m| placed.contains(m)), "{declared:?}");
-    assert_eq!(declared.len(), placed.len());
+    let library = include_str!("../src/lib.rs");
+    let command = include_str!("../src/bin/synthetica/main.rs");
+    for (root, layers) in [(library, LIBRARY), (command, COMMAND)] {
+        let declared: Vec<&str> = root
+            .lines()
+            .filter_map(|line| {
+                line.trim_start_matches("pub ")
+                    .strip_prefix("mod ")?
+                    .strip_suffix(';')
+            })
+            .collect();
+        let placed: Vec<&str> = layers
+            .iter()
+            .flat_map(|l| l.iter().map(|(name, _)| *name))
+            .collect();
+        assert!(!declared.is_empty());
+        assert!(declared.iter().all(|m| placed.contains(m)), "{declared:?}");
+        assert_eq!(declared.len(), placed.len());
+    }
+}
+
+/// What the command is made of stays out of the library.
+#[test]
+fn the_library_has_no_command_line() {
+    for (module, text) in LIBRARY.iter().flat_map(|layer| layer.iter()) {
+        assert!(!text.contains("clap"), "{module}");
+    }
 }
 
 #[test]

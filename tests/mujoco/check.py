@@ -1,6 +1,6 @@
 """Every sample's exported MuJoCo model, checked by MuJoCo: at every key frame its loops are closed.
 
-usage: check.py EXPORT FOLDER   EXPORT is the built examples/export; the index of FOLDER names the documents
+usage: check.py SYNTHETICA FOLDER   SYNTHETICA is the built command; the index of FOLDER names the documents
 """
 
 import json
@@ -32,8 +32,8 @@ def residual(model, data, qpos):
     return float(np.max(np.abs(equality(data)), initial=0.0))
 
 
-def check(export, document):
-    run = lambda kind: subprocess.run([export, kind, document], check=True, capture_output=True, text=True).stdout
+def check(synthetica, document):
+    run = lambda kind: subprocess.run([synthetica, "export", kind, document], check=True, capture_output=True, text=True).stdout
     motion = json.loads(run("json"))
     columns = {column["name"]: column["values"] for column in motion["columns"]}
     model = mujoco.MjModel.from_xml_string(run("mjcf"))
@@ -77,12 +77,12 @@ def check(export, document):
     return worst, worst_pose, model
 
 
-def main(export, folder):
+def main(synthetica, folder):
     with open(f"{folder}/index.json", encoding="utf-8") as index:
         files = [entry["file"] for entry in json.load(index)]
     assert files, "no document to check"
     for file in files:
-        worst, worst_pose, model = check(export, f"{folder}/{file}")
+        worst, worst_pose, model = check(synthetica, f"{folder}/{file}")
         print(
             f"{file:16} residual {worst:.1e}, workpiece off by {worst_pose:.1e}; "
             f"{model.nkey} frames, {model.njnt} joints, {model.neq} welds"

@@ -1,0 +1,248 @@
+//! The command line: commands, options, and their help.
+
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint, value_parser};
+use clap_complete::Shell;
+use std::path::{Path, PathBuf};
+use synthetica::enumerate::{MAX_CHAIN_CONSTRAINTS, MAX_CONSTRAINTS};
+use synthetica::export::Format;
+use synthetica::joint::JointKind;
+use synthetica::keyframe::MAX_FRAMES;
+
+/// Closest reachable motions of spatial linkages, from documents in JSON
+#[derive(Parser)]
+#[command(
+    name = "synthetica",
+    version,
+    after_help = "\
+A document is a file, or standard input (`-`, or nothing). Angles are in degrees, lengths in the
+document's own unit. `synthetica COMMAND --help` has examples.
+
+Exit codes:
+  0  done
+  1  a document is at fault, which standard error says: FILE: where: what. Accepted: what else.
+  2  the command line is wrong, or a file cannot be read or written
+
+Examples:
+  synthetica check 3rps.json
+  synthetica plan 3rps.json > motion.csv
+  synthetica export mjcf 3rps.json --output 3rps.xml"
+)]
+pub struct Arguments {
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+#[derive(Subcommand)]
+pub enum Command {
+    /// Plan the motion closest to a document's goal and print it, a line a frame
+    Plan(Plan),
+    /// Say what is wrong with documents, and how well their linkages follow the goal
+    Check(Check),
+    /// Print the planned motion for other programs, such as a model for MuJoCo
+    Export(Export),
+    /// Count the types of chains and assemblies, list them, find one by its number
+    Enumerate(Enumerate),
+    /// Print the JSON Schema of a document
+    #[command(after_help = "\
+Examples:
+  synthetica schema --output document.schema.json
+
+An editor that finds \"$schema\": \"document.schema.json\" in a document then checks it while you type.")]
+    Schema {
+        #[command(flatten)]
+        into: Output,
+    },
+    /// Print what a shell needs to complete commands and options
+    #[command(after_help = "\
+Examples:
+  synthetica completions bash > synthetica.bash
+  synthetica completions zsh > _synthetica
+  synthetica completions fish > synthetica.fish
+
+bash reads such files from ~/.local/share/bash-completion/completions (there named synthetica), zsh
+from the folders of $fpath, fish from ~/.config/fish/completions.")]
+    Completions {
+        /// The shell
+        shell: Shell,
+    },
+}
+
+#[derive(Args)]
+#[command(after_help = "\
+Warnings go to standard error. A frame that is not certified is no failure: its status says so, and
+`synthetica check` exits with 1.
+
+Examples:
+  synthetica plan 3rps.json > motion.csv
+  synthetica plan --frames 500 --output motion.csv 3rps.json
+  synthetica plan --format json < 3rps.json
+  cat 3rps.json | synthetica plan --method gradient --frames 9 --quiet | cut -d, -f1-6")]
+pub struct Plan {
+    /// csv: a table with units in its headings; json: columns, report and document
+    #[arg(short, long, value_name = "FORMAT", default_value = "csv")]
+    pub format: Table,
+    #[command(flatten)]
+    pub options: MotionOptions,
+}
+
+#[derive(Args)]
+#[command(after_help = "\
+csv is a table with units in its headings, json has columns, report and document, mjcf is a model for
+MuJoCo with a key frame for every frame.
+
+Examples:
+  synthetica export mjcf 3rps.json > 3rps.xml
+  synthetica export json --frames 33 3rps.json --output motion.json
+  cat 3rps.json | synthetica export csv")]
+pub struct Export {
+    /// What to print
+    #[arg(value_parser = PossibleValuesParser::new(Format::ALL.map(Format::name)).try_map(|name| Format::named(&name)))]
+    pub format: Format,
+    #[command(flatten)]
+    pub options: MotionOptions,
+}
+
+#[derive(Args)]
+#[command(after_help = "\
+Exit codes:
+  0  every frame of every document is certified: reached, closest or at_limit
+  1  a document is at fault, or a frame is not certified: stalled or closure_lost
+  2  the command line is wrong, or a file cannot be read
+
+Examples:
+  synthetica check 3rps.json
+  synthetica check *.json
+  synthetica check --json 3rps.json 2tpr.json
+  synthetica check --frames 500 - < scara.json")]
+pub struct Check {
+    /// The documents; `-` or nothing for standard input
+    #[arg(value_name = "DOCUMENT", default_value = "-", hide_default_value = true, value_hint = ValueHint::FilePath)]
+    pub documents: Vec<PathBuf>,
+    /// An object a line for each document; frames count from 0 there
+    #[arg(long)]
+    pub json: bool,
+    #[command(flatten)]
+    pub planning: Planning,
+}
+
+#[derive(Args)]
+pub struct MotionOptions {
+    /// The document; `-` or nothing for standard input
+    #[arg(default_value = "-", hide_default_value = true, value_hint = ValueHint::FilePath)]
+    pub document: PathBuf,
+    #[command(flatten)]
+    pub planning: Planning,
+    #[command(flatten)]
+    pub into: Output,
+    /// No warnings
+    #[arg(short, long)]
+    pub quiet: bool,
+}
+
+/// What is planned otherwise than the document says.
+#[derive(Args)]
+pub struct Planning {
+    /// Plan by Newton's method or by the paper's gradient, whatever the document says
+    #[arg(long, value_name = "METHOD")]
+    pub method: Option<Method>,
+    /// Plan so many frames, whatever the document says
+    #[arg(long, value_name = "N", value_parser = value_parser!(u32).range(2..=MAX_FRAMES as i64))]
+    pub frames: Option<u32>,
+}
+
+#[derive(Args)]
+pub struct Output {
+    /// Write into this file; `-` or nothing for standard output
+    #[arg(short, long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    output: Option<PathBuf>,
+}
+
+impl Output {
+    /// The file, if it is to be one.
+    pub fn file(&self) -> Option<&Path> {
+        self.output.as_deref()
+    }
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+pub enum Table {
+    Csv,
+    Json,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+pub enum Method {
+    Newton,
+    Gradient,
+}
+
+#[derive(Args)]
+#[command(
+    disable_help_subcommand = true,
+    after_help = "\
+A chain imposes U = 1 to 4 constraints on its workpiece, an assembly of chains 1 to 5 together. Without
+a command both tables are printed. Numbers count from 0.
+
+Examples:
+  synthetica enumerate
+  synthetica enumerate chains 2
+  synthetica enumerate chains 1 17
+  synthetica enumerate assemblies 2 --output assemblies.txt
+  synthetica enumerate assemblies 5 487990858
+  synthetica enumerate find RPS RPS RPS
+  synthetica enumerate --json"
+)]
+pub struct Enumerate {
+    #[command(subcommand)]
+    pub listing: Option<Listing>,
+    /// JSON: the tables whole, lists as a value a line
+    #[arg(long, global = true)]
+    pub json: bool,
+    /// Write into this file; `-` or nothing for standard output
+    #[arg(short, long, global = true, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub output: Option<PathBuf>,
+}
+
+#[derive(Subcommand)]
+pub enum Listing {
+    /// Chains: Table 2, those with U constraints, or one of them
+    Chains {
+        /// Constraints U that the chain imposes
+        #[arg(value_name = "U", value_parser = value_parser!(u8).range(1..=MAX_CHAIN_CONSTRAINTS as i64))]
+        constraints: Option<u8>,
+        /// The number of one chain, from 0
+        #[arg(value_name = "K")]
+        number: Option<u64>,
+    },
+    /// Assemblies of chains: Table 3, those with U constraints, or one of them
+    Assemblies {
+        /// Constraints U that its chains impose together
+        #[arg(value_name = "U", value_parser = value_parser!(u8).range(1..=MAX_CONSTRAINTS as i64))]
+        constraints: Option<u8>,
+        /// The number of one assembly, from 0
+        #[arg(value_name = "K")]
+        number: Option<u64>,
+    },
+    /// The numbers of a chain or an assembly, as `chains` and `assemblies` take them
+    Find {
+        /// Chains such as RPS, of the joints R, P, C, T, S, E
+        #[arg(value_name = "CHAIN", required = true, value_parser = chain)]
+        chains: Vec<Chain>,
+    },
+}
+
+/// The joints of a chain.
+pub type Chain = Vec<JointKind>;
+
+fn chain(letters: &str) -> Result<Chain, String> {
+    let joint = |letter: char| {
+        let found = JointKind::ALL
+            .into_iter()
+            .find(|kind| kind.letter() == letter);
+        found.ok_or_else(|| {
+            format!("\u{201c}{letter}\u{201d} is no joint. Accepted: R, P, C, T, S, E")
+        })
+    };
+    letters.chars().map(joint).collect()
+}

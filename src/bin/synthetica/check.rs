@@ -1,0 +1,186 @@
+//! `check`: what is wrong with documents, and how well their linkages follow the goal.
+
+use crate::arguments::Check;
+use crate::failure::{AT_FAULT, Failure};
+use crate::files::Out;
+use crate::planned::{Planned, planned};
+use serde::Serialize;
+use std::collections::BTreeMap;
+use synthetica::fault::Fault;
+use synthetica::report::Report;
+use synthetica::trajectory::{Status, Trajectory};
+
+/// Says it of each document; fails where one is at fault, or has a frame that is not certified.
+pub fn check(asked: &Check) -> Result<(), Failure> {
+    let mut out = Out::new(None)?;
+    let mut worst = 0;
+    for file in &asked.documents {
+        let code = match planned(file, &asked.planning) {
+            Ok(planned) => {
+                let verdict = Verdict::new(&planned);
+                out.write(&if asked.json {
+                    line(&verdict)
+                } else {
+                    words(&verdict, &planned)
+                })?;
+                if verdict.ok { 0 } else { AT_FAULT }
+            }
+            Err(Failure::Fault { file, fault }) if asked.json => {
+                let ok = false;
+                out.write(&line(&Refused { file, ok, fault }))?;
+                AT_FAULT
+            }
+            Err(failure) => {
+                failure.tell();
+                failure.code()
+            }
+        };
+        // In step with what goes to standard error.
+        out.flush()?;
+        worst = worst.max(code);
+    }
+    match worst {
+        0 => Ok(()),
+        code => Err(Failure::Said(code)),
+    }
+}
+
+/// What is said of a document that plans. Frames count from 0, as they do in the library.
+#[derive(Serialize)]
+struct Verdict<'a> {
+    file: &'a str,
+    /// Is every frame certified?
+    ok: bool,
+    name: &'a str,
+    frames: usize,
+    statuses: BTreeMap<&'a str, usize>,
+    uncertified: Vec<Run>,
+    /// Largest distance from the goal.
+    translation_gap: f64,
+    /// The same of the rotation, degrees.
+    rotation_gap: f64,
+    /// Largest opening of a loop.
+    closure: f64,
+    report: Report,
+}
+
+/// What is said of a document that does not.
+#[derive(Serialize)]
+struct Refused {
+    file: String,
+    ok: bool,
+    fault: Box<Fault>,
+}
+
+/// Neighbouring frames with the same status, not certified.
+#[derive(Serialize)]
+struct Run {
+    first: usize,
+    last: usize,
+    status: &'static str,
+}
+
+impl<'a> Verdict<'a> {
+    fn new(planned: &'a Planned) -> Self {
+        let motion = &planned.motion;
+        let mut statuses = BTreeMap::new();
+        for status in &motion.status {
+            *statuses.entry(status.name()).or_default() += 1;
+        }
+        Self {
+            file: &planned.file,
+            ok: motion.status.iter().all(|status| status.is_certified()),
+            name: &planned.document.name,
+            frames: motion.frames(),
+            statuses,
+            uncertified: uncertified(motion),
+            translation_gap: largest(&motion.translation_gap),
+            rotation_gap: largest(&motion.rotation_gap).to_degrees(),
+            closure: largest(&motion.closure),
+            report: Report::new(&planned.problem.mechanism, motion),
+        }
+    }
+}
+
+/// For a program: one line.
+fn line(value: &impl Serialize) -> String {
+    let text = serde_json::to_string(value).expect("plain data becomes JSON");
+    text + "\n"
+}
+
+/// For a person.
+fn words(verdict: &Verdict, planned: &Planned) -> String {
+    let report = &verdict.report;
+    let chains: Vec<&str> = report.chains.iter().map(|c| c.kind.as_str()).collect();
+    let statuses: Vec<String> = (Status::ALL.iter())
+        .filter_map(|status| verdict.statuses.get_key_value(status.name()))
+        .map(|(status, frames)| format!("{frames} {status}"))
+        .collect();
+    let unit = match planned.document.length_unit.as_str() {
+        "" => "lengths",
+        unit => unit,
+    };
+    let (rank, count) = (report.mobility_rank, report.mobility_count);
+    let (shift, turn) = (verdict.translation_gap, verdict.rotation_gap);
+    let mut lines = vec![
+        format!("{}: {}", verdict.file, verdict.name),
+        format!("  chains    {}", chains.join(", ")),
+        format!("  mobility  {rank} by rank, {count} by count"),
+        format!("  frames    {}: {}", verdict.frames, statuses.join(", ")),
+        format!("  gap       up to {shift:.4} {unit} and {turn:.2}°"),
+        format!("  loops     closed to {:.1e}", verdict.closure),
+    ];
+    let said = warnings(report, &planned.motion);
+    lines.extend(said.iter().map(|said| format!("  warning   {said}")));
+    lines.join("\n") + "\n"
+}
+
+/// What deserves a look, in sentences.
+pub fn warnings(report: &Report, motion: &Trajectory) -> Vec<String> {
+    let mut said: Vec<String> = (report.warnings.iter())
+        .map(|warning| warning.message.clone())
+        .collect();
+    let runs = uncertified(motion);
+    if !runs.is_empty() {
+        let frames: usize = runs.iter().map(|run| run.last - run.first + 1).sum();
+        let list: Vec<String> = runs.iter().map(Run::words).collect();
+        let (all, list) = (motion.frames(), list.join(", "));
+        said.push(format!(
+            "{frames} of {all} frames are not certified: {list}."
+        ));
+    }
+    said
+}
+
+fn uncertified(motion: &Trajectory) -> Vec<Run> {
+    let mut runs: Vec<Run> = Vec::new();
+    for (frame, status) in motion.status.iter().enumerate() {
+        let name = status.name();
+        match runs.last_mut() {
+            _ if status.is_certified() => {}
+            Some(run) if run.status == name && run.last + 1 == frame => run.last = frame,
+            _ => runs.push(Run {
+                first: frame,
+                last: frame,
+                status: name,
+            }),
+        }
+    }
+    runs
+}
+
+impl Run {
+    /// Frames count from 1 here.
+    fn words(&self) -> String {
+        let (first, last, status) = (self.first + 1, self.last + 1, self.status);
+        if first == last {
+            format!("{first} {status}")
+        } else {
+            format!("{first} to {last} {status}")
+        }
+    }
+}
+
+fn largest(values: &[f64]) -> f64 {
+    values.iter().copied().fold(0.0, f64::max)
+}

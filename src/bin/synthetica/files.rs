@@ -1,0 +1,93 @@
+//! Where documents come from and where the output goes: files, or `-` for the standard streams.
+
+use crate::failure::{Failure, tell};
+use std::fs::{self, File};
+use std::io::{self, BufWriter, IsTerminal, Read, Write};
+use std::path::Path;
+use synthetica::fault::{Fault, FaultCode};
+
+/// The file as messages call it.
+pub fn name(file: &Path) -> String {
+    if is_standard(file) {
+        "standard input".to_owned()
+    } else {
+        file.display().to_string()
+    }
+}
+
+/// The text of a document.
+pub fn read(file: &Path) -> Result<String, Failure> {
+    let bytes = if is_standard(file) {
+        if io::stdin().is_terminal() {
+            tell("synthetica: reads a document from the terminal, up to Ctrl-D");
+        }
+        let mut bytes = Vec::new();
+        io::stdin().read_to_end(&mut bytes).map(|_| bytes)
+    } else {
+        fs::read(file)
+    };
+    let bytes = bytes.map_err(|error| Failure::file(&name(file), error))?;
+    String::from_utf8(bytes).map_err(|error| Failure::Fault {
+        file: name(file),
+        fault: Box::new(not_text(error.utf8_error().valid_up_to())),
+    })
+}
+
+fn not_text(byte: usize) -> Fault {
+    let accepted = "JSON text in UTF-8";
+    Fault {
+        code: FaultCode::Syntax,
+        message: format!("The document: byte {byte} is no text. Accepted: {accepted}."),
+        place: String::new(),
+        accepted: accepted.to_owned(),
+        line: None,
+        column: None,
+    }
+}
+
+/// Writes a text whole; the file is opened only now, so that what stood there stays where nothing comes.
+pub fn write(file: Option<&Path>, text: &str) -> Result<(), Failure> {
+    let mut out = Out::new(file)?;
+    out.write(text)?;
+    out.flush()
+}
+
+/// Where the output goes, written to in pieces.
+pub struct Out {
+    name: String,
+    sink: Box<dyn Write>,
+}
+
+impl Out {
+    /// Into this file; to standard output without one.
+    pub fn new(file: Option<&Path>) -> Result<Self, Failure> {
+        match file.filter(|file| !is_standard(file)) {
+            None => Ok(Self {
+                name: "standard output".to_owned(),
+                sink: Box::new(BufWriter::new(io::stdout().lock())),
+            }),
+            Some(file) => {
+                let name = file.display().to_string();
+                let opened = File::create(file).map_err(|error| Failure::file(&name, error))?;
+                let sink = Box::new(BufWriter::new(opened));
+                Ok(Self { name, sink })
+            }
+        }
+    }
+
+    /// Writes a text, as it is.
+    pub fn write(&mut self, text: &str) -> Result<(), Failure> {
+        let written = self.sink.write_all(text.as_bytes());
+        written.map_err(|error| Failure::file(&self.name, error))
+    }
+
+    /// Writes what is still held back.
+    pub fn flush(&mut self) -> Result<(), Failure> {
+        let written = self.sink.flush();
+        written.map_err(|error| Failure::file(&self.name, error))
+    }
+}
+
+fn is_standard(file: &Path) -> bool {
+    file.as_os_str() == "-"
+}

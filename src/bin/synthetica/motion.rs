@@ -1,0 +1,41 @@
+//! `plan` and `export`: a document's motion as text.
+
+use crate::arguments::{Export, MotionOptions, Plan, Table};
+use crate::check::warnings;
+use crate::failure::{Failure, tell};
+use crate::files;
+use crate::planned::{Planned, planned};
+use synthetica::export::{Format, write};
+use synthetica::report::Report;
+
+/// The motion as a table or as JSON.
+pub fn plan(asked: &Plan) -> Result<(), Failure> {
+    let format = match asked.format {
+        Table::Csv => Format::Csv,
+        Table::Json => Format::Json,
+    };
+    print(format, &asked.options)
+}
+
+/// The motion for another program.
+pub fn export(asked: &Export) -> Result<(), Failure> {
+    print(asked.format, &asked.options)
+}
+
+fn print(format: Format, options: &MotionOptions) -> Result<(), Failure> {
+    let planned = planned(&options.document, &options.planning)?;
+    if !options.quiet {
+        let report = Report::new(&planned.problem.mechanism, &planned.motion);
+        for said in warnings(&report, &planned.motion) {
+            tell(&format!("{}: warning: {said}", planned.file));
+        }
+    }
+    let Planned {
+        document,
+        problem,
+        motion,
+        ..
+    } = &planned;
+    let text = write(format, document, &problem.mechanism, motion);
+    files::write(options.into.file(), &text)
+}

@@ -1,0 +1,58 @@
+//! A document read, changed as the options ask, and planned.
+
+use crate::arguments::{Method, Planning};
+use crate::failure::Failure;
+use crate::files;
+use crate::progress::Progress;
+use std::path::Path;
+use synthetica::document::Document;
+use synthetica::json;
+use synthetica::planner;
+use synthetica::problem::Problem;
+use synthetica::trajectory::Trajectory;
+
+/// A document and its motion.
+pub struct Planned {
+    /// As messages call the file.
+    pub file: String,
+    pub document: Document,
+    pub problem: Problem,
+    pub motion: Trajectory,
+}
+
+/// Plans the document of this file.
+pub fn planned(file: &Path, planning: &Planning) -> Result<Planned, Failure> {
+    let text = files::read(file)?;
+    let file = files::name(file);
+    let posed = json::parse(&text).and_then(|mut document| {
+        change(&mut document, planning);
+        Ok((Problem::new(&document)?, document))
+    });
+    let (problem, document) = match posed {
+        Ok(posed) => posed,
+        Err(fault) => {
+            let fault = Box::new(fault);
+            return Err(Failure::Fault { file, fault });
+        }
+    };
+    let mut progress = Progress::new("frame", problem.goals.len() as u64);
+    let motion = problem.plan_watched(&mut |frames| progress.at(frames as u64));
+    Ok(Planned {
+        file,
+        document,
+        problem,
+        motion,
+    })
+}
+
+fn change(document: &mut Document, planning: &Planning) {
+    if let Some(method) = planning.method {
+        document.planner.method = match method {
+            Method::Newton => planner::Method::Newton,
+            Method::Gradient => planner::Method::Gradient,
+        };
+    }
+    if let Some(frames) = planning.frames {
+        document.motion.frames = frames;
+    }
+}

@@ -1,0 +1,437 @@
+//! The command `synthetica`, run as a shell runs it: every command on every sample, what it says and which code it
+//! leaves.
+#![cfg(not(target_arch = "wasm32"))]
+
+use serde_json::Value;
+use std::fs;
+use std::io::{Read, Write};
+use std::path::PathBuf;
+use std::process::{Command, Output, Stdio};
+use synthetica::{document, enumerate, export, json, problem::Problem};
+
+const SAMPLES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/www/mechanisms");
+
+fn synthetica(arguments: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_synthetica"));
+    command
+        .args(arguments)
+        .current_dir(SAMPLES)
+        .stdin(Stdio::null());
+    command
+}
+
+/// What it printed, what it said on standard error, its exit code.
+fn run(arguments: &[&str]) -> (String, String, i32) {
+    said(synthetica(arguments).output().expect("the command runs"))
+}
+
+/// The same with a text as standard input.
+fn fed(arguments: &[&str], input: &str) -> (String, String, i32) {
+    let mut command = synthetica(arguments);
+    command
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped());
+    let mut child = command.spawn().expect("the command runs");
+    let mut stdin = child.stdin.take().expect("a pipe");
+    stdin
+        .write_all(input.as_bytes())
+        .expect("it reads all of it");
+    drop(stdin);
+    said(child.wait_with_output().expect("it ends"))
+}
+
+fn said(output: Output) -> (String, String, i32) {
+    let text = |bytes| String::from_utf8(bytes).expect("UTF-8");
+    let code = output.status.code().expect("no signal");
+    (text(output.stdout), text(output.stderr), code)
+}
+
+/// What it printed, where all is well.
+fn printed(arguments: &[&str]) -> String {
+    let (out, err, code) = run(arguments);
+    assert_eq!(code, 0, "{arguments:?}: {err}");
+    out
+}
+
+fn samples() -> Vec<String> {
+    let index = fs::read_to_string(format!("{SAMPLES}/index.json")).expect("the samples' index");
+    let index: Vec<Value> = serde_json::from_str(&index).expect("a list");
+    assert!(!index.is_empty());
+    let file = |entry: &Value| entry["file"].as_str().expect("a file's name").to_owned();
+    index.iter().map(file).collect()
+}
+
+fn sample(name: &str) -> String {
+    fs::read_to_string(format!("{SAMPLES}/{name}")).expect("a sample")
+}
+
+/// A new folder of this test's own.
+fn folder(name: &str) -> PathBuf {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).expect("a folder");
+    folder
+}
+
+#[test]
+fn every_sample_is_planned_and_exported_as_the_library_does() {
+    for name in samples() {
+        let document = json::parse(&sample(&name)).expect("a document");
+        let problem = Problem::new(&document).expect("a problem");
+        let motion = problem.plan();
+        for format in export::Format::ALL {
+            let expected = export::write(format, &document, &problem.mechanism, &motion);
+            let exported = printed(&["export", format.name(), &name]);
+            assert!(exported == expected, "{name}, {}", format.name());
+        }
+        assert_eq!(
+            printed(&["plan", &name]),
+            printed(&["export", "csv", &name])
+        );
+        let json = printed(&["plan", "--format", "json", &name]);
+        assert_eq!(json, printed(&["export", "json", &name]));
+    }
+}
+
+#[test]
+fn every_sample_passes_the_check() {
+    let names = samples();
+    let arguments: Vec<&str> = ["check"]
+        .into_iter()
+        .chain(names.iter().map(String::as_str))
+        .collect();
+    let text = printed(&arguments);
+    for name in &names {
+        assert!(text.contains(&format!("{name}: ")), "{name}: {text}");
+    }
+    let mobility = text.lines().filter(|line| line.contains("by rank"));
+    assert_eq!(mobility.count(), names.len());
+
+    let arguments: Vec<&str> = ["check", "--json"]
+        .into_iter()
+        .chain(names.iter().map(String::as_str))
+        .collect();
+    let text = printed(&arguments);
+    assert_eq!(text.lines().count(), names.len());
+    for (line, name) in text.lines().zip(&names) {
+        let verdict: Value = serde_json::from_str(line).expect("JSON");
+        assert_eq!(
+            (&verdict["file"], &verdict["ok"]),
+            (&Value::from(name.as_str()), &Value::from(true))
+        );
+        assert_eq!(verdict["uncertified"], Value::Array(Vec::new()));
+        let statuses = verdict["statuses"].as_object().expect("an object");
+        let frames: u64 = statuses.values().filter_map(Value::as_u64).sum();
+        assert_eq!(verdict["frames"], frames);
+        assert!(verdict["report"]["mobility_rank"].is_u64());
+    }
+}
+
+/// The gradient planner knows no joint limits: the SCARA's frames beyond one are not certified.
+#[test]
+fn frames_that_are_not_certified_fail_the_check_and_not_the_plan() {
+    let planning = ["--method", "gradient", "--frames", "9"];
+    let with = |command: &[&'static str]| [command, &planning, &["scara.json"]].concat();
+    let (out, err, code) = run(&with(&["check"]));
+    assert_eq!((err.as_str(), code), ("", 1));
+    assert!(
+        out.contains("  warning   3 of 9 frames are not certified: 4 to 6 stalled.\n"),
+        "{out}"
+    );
+    let (out, _, code) = run(&with(&["check", "--json"]));
+    assert_eq!(code, 1);
+    let verdict: Value = serde_json::from_str(&out).expect("JSON");
+    assert_eq!(verdict["ok"], false);
+    assert_eq!(verdict["uncertified"][0]["first"], 3);
+    assert_eq!(verdict["uncertified"][0]["last"], 5);
+
+    let (out, err, code) = run(&with(&["plan"]));
+    assert_eq!((out.lines().count(), code), (10, 0));
+    assert!(
+        err.contains("scara.json: warning: 3 of 9 frames are not certified"),
+        "{err}"
+    );
+    let (quiet, err, code) = run(&with(&["plan", "--quiet"]));
+    assert_eq!((quiet, err.as_str(), code), (out, "", 0));
+}
+
+/// The document inside a motion is the one that was planned.
+#[test]
+fn options_stand_in_the_document_that_is_answered() {
+    let text = printed(&[
+        "plan",
+        "-f",
+        "json",
+        "--frames",
+        "5",
+        "--method",
+        "gradient",
+        "3rps.json",
+    ]);
+    let motion: Value = serde_json::from_str(&text).expect("JSON");
+    assert_eq!(motion["frames"], 5);
+    assert_eq!(motion["document"]["motion"]["frames"], 5);
+    assert_eq!(motion["document"]["planner"]["method"], "gradient");
+}
+
+#[test]
+fn standard_input_is_a_document_too() {
+    let text = sample("2tpr.json");
+    let expected = printed(&["plan", "2tpr.json"]);
+    for arguments in [&["plan"][..], &["plan", "-"], &["export", "csv"]] {
+        assert_eq!(fed(arguments, &text), (expected.clone(), String::new(), 0));
+    }
+    let (out, _, code) = fed(&["check", "3rps.json", "-"], &text);
+    assert_eq!(code, 0);
+    assert!(out.contains("\nstandard input: 2TPR\n"), "{out}");
+}
+
+#[test]
+fn output_goes_into_a_file_only_when_there_is_some() {
+    let folder = folder("output");
+    let file = folder.join("motion.csv");
+    let path = file.to_str().expect("a path");
+    assert_eq!(printed(&["plan", "scara.json", "--output", path]), "");
+    let written = fs::read_to_string(&file).expect("a file");
+    assert_eq!(written, printed(&["plan", "scara.json", "-o", "-"]));
+    let (_, err, code) = fed(&["plan", "-o", path], "{}");
+    assert_eq!((code, err.is_empty()), (1, false));
+    assert_eq!(fs::read_to_string(&file).expect("the same file"), written);
+    let nowhere = folder.join("none/motion.csv");
+    let nowhere = nowhere.to_str().expect("a path");
+    for command in [
+        &["plan", "scara.json"][..],
+        &["schema"],
+        &["enumerate"],
+        &["enumerate", "chains", "1"],
+    ] {
+        let (out, err, code) = run(&[command, &["-o", nowhere]].concat());
+        assert_eq!((out.as_str(), code), ("", 2), "{command:?}");
+        assert!(err.starts_with(&format!("{nowhere}: ")), "{err}");
+    }
+}
+
+#[test]
+fn a_document_at_fault_is_named_with_the_place() {
+    let scara = sample("scara.json");
+    let cases = [
+        (
+            "",
+            "standard input: The document: there is no text. Accepted: ",
+        ),
+        (
+            "{\n  nonsense",
+            "standard input: Line 2, column 3. The document: this is not JSON, ",
+        ),
+        (
+            &scara.replacen("\"frames\"", "\"pictures\"", 1),
+            "standard input: Motion, pictures: there is no field",
+        ),
+        (
+            &scara.replacen("\"version\": 1", "\"version\": 2", 1),
+            "standard input: Version: this is version 2 of the format. Accepted: 1.",
+        ),
+    ];
+    for (text, message) in cases {
+        for command in [&["plan"][..], &["check"], &["export", "mjcf"]] {
+            let (out, err, code) = fed(command, text);
+            assert_eq!((out.as_str(), code), ("", 1), "{command:?}: {err}");
+            assert!(
+                err.starts_with(message),
+                "{err:?} does not start with {message:?}"
+            );
+            assert_eq!(err.lines().count(), 1, "{err}");
+        }
+        let (out, err, code) = fed(&["check", "--json"], text);
+        assert_eq!((err.as_str(), code), ("", 1));
+        let verdict: Value = serde_json::from_str(&out).expect("JSON");
+        let fault = verdict["fault"]["message"].as_str().expect("a message");
+        assert_eq!(
+            format!("standard input: {fault}"),
+            fed(&["check"], text).1.trim_end()
+        );
+    }
+}
+
+#[test]
+fn what_is_no_text_is_at_fault() {
+    let file = folder("bytes").join("bytes.json");
+    fs::write(&file, b"{\"version\": \xff}").expect("a file");
+    let path = file.to_str().expect("a path");
+    let (_, err, code) = run(&["plan", path]);
+    assert_eq!(
+        (err, code),
+        (
+            format!("{path}: The document: byte 12 is no text. Accepted: JSON text in UTF-8.\n"),
+            1
+        )
+    );
+}
+
+/// The others are checked all the same, and the worst decides.
+#[test]
+fn a_file_that_is_not_there_gives_no_answer() {
+    for command in [&["plan"][..], &["check"], &["export", "json"]] {
+        let (out, err, code) = run(&[command, &["none.json"]].concat());
+        assert_eq!((out.as_str(), code), ("", 2));
+        assert!(err.starts_with("none.json: No such file"), "{err}");
+    }
+    let (out, err, code) = run(&["check", "none.json", "index.json", "2tpr.json"]);
+    assert_eq!((out.lines().next(), code), (Some("2tpr.json: 2TPR"), 2));
+    assert_eq!(err.lines().count(), 2, "{err}");
+}
+
+#[test]
+fn a_wrong_command_line_says_what_would_be_accepted() {
+    for (arguments, accepted) in [
+        (&["plan", "--format", "xls"][..], "csv, json"),
+        (&["export", "xls"], "csv, json, mjcf"),
+        (&["plan", "--frames", "1"], "2..=10000"),
+        (&["plan", "--method", "guess"], "newton, gradient"),
+        (&["enumerate", "chains", "5"], "1..=4"),
+        (&["enumerate", "chains", "4", "6"], "Accepted: 0 to 5"),
+        (&["enumerate", "find", "RXP"], "Accepted: R, P, C, T, S, E"),
+        (
+            &["enumerate", "find", "SS"],
+            "Accepted: chains that impose 1 to 4",
+        ),
+        (&["draw"], "--help"),
+        (&[], "Usage: synthetica <COMMAND>"),
+    ] {
+        let (out, err, code) = run(arguments);
+        assert_eq!((out.as_str(), code), ("", 2), "{arguments:?}");
+        assert!(err.contains(accepted), "{arguments:?}: {err}");
+    }
+}
+
+#[test]
+fn the_schema_is_the_published_one() {
+    assert_eq!(printed(&["schema"]), document::SCHEMA);
+}
+
+#[test]
+fn tables_and_lists_are_those_of_the_library() {
+    let text = printed(&["enumerate"]);
+    assert!(
+        text.contains("\n1  I         all                139\n"),
+        "{text}"
+    );
+    assert!(
+        text.contains("\n5            all          487990859\n"),
+        "{text}"
+    );
+    let whole: Value = serde_json::from_str(&printed(&["enumerate", "--json"])).expect("JSON");
+    assert_eq!(
+        whole,
+        serde_json::to_value(enumerate::tables()).expect("JSON")
+    );
+    for (table, list) in [("chains", "classes"), ("assemblies", "assemblies")] {
+        assert!(text.contains(printed(&["enumerate", table]).trim_end()));
+        let part: Value =
+            serde_json::from_str(&printed(&["enumerate", table, "--json"])).expect("JSON");
+        assert_eq!(part, whole[list]);
+    }
+
+    let chains = printed(&["enumerate", "chains", "1"]);
+    assert_eq!(chains.lines().count(), 139);
+    for (k, chain) in chains.lines().enumerate().step_by(23) {
+        assert_eq!(
+            printed(&["enumerate", "chains", "1", &k.to_string()]),
+            format!("{chain}\n")
+        );
+        assert_eq!(
+            printed(&["enumerate", "find", chain]),
+            format!("chains 1 {k}\n")
+        );
+    }
+    let assemblies = printed(&["enumerate", "assemblies", "2"]);
+    assert_eq!(assemblies.lines().count(), 9_781);
+    let last = printed(&["enumerate", "assemblies", "5", "487990858", "--json"]);
+    assert_eq!(last, "[\"TT\",\"E\"]\n");
+}
+
+#[test]
+fn the_end_of_a_pipe_is_the_end_quietly() {
+    for arguments in [
+        &["enumerate", "assemblies", "4"][..],
+        &["plan", "--frames", "2000", "scara.json"],
+        &["export", "mjcf", "--frames", "2000", "scara.json"],
+        &["check", "3rps.json"],
+        &["completions", "bash"],
+    ] {
+        let mut command = synthetica(arguments);
+        let mut child = command
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .expect("the command runs");
+        let mut first = [0];
+        let mut stdout = child.stdout.take().expect("a pipe");
+        stdout.read_exact(&mut first).expect("some output");
+        drop(stdout);
+        let output = child.wait_with_output().expect("it ends");
+        assert_eq!(
+            said(output),
+            (String::new(), String::new(), 0),
+            "{arguments:?}"
+        );
+    }
+}
+
+/// Every line under "Examples:" runs, in a folder with the samples.
+#[test]
+fn the_examples_of_the_help_run() {
+    let folder = folder("examples");
+    for name in samples() {
+        fs::copy(format!("{SAMPLES}/{name}"), folder.join(name)).expect("a copy");
+    }
+    let built = PathBuf::from(env!("CARGO_BIN_EXE_synthetica"));
+    let built = built.parent().expect("a folder").display().to_string();
+    let path = format!("{built}:{}", std::env::var("PATH").unwrap_or_default());
+    let mut helps = vec![vec!["--help"]];
+    for command in [
+        "plan",
+        "check",
+        "export",
+        "enumerate",
+        "schema",
+        "completions",
+    ] {
+        helps.push(vec![command, "--help"]);
+    }
+    for help in helps {
+        let text = printed(&help);
+        let (_, examples) = text.split_once("\nExamples:\n").expect("examples");
+        let examples = examples.lines().take_while(|line| line.starts_with("  "));
+        let examples: Vec<&str> = examples.map(str::trim).collect();
+        assert!(!examples.is_empty(), "{help:?}");
+        for example in examples {
+            let mut bash = Command::new("bash");
+            bash.args(["-c", &format!("set -eo pipefail; {example}")]);
+            bash.current_dir(&folder)
+                .env("PATH", &path)
+                .stdin(Stdio::null());
+            let (_, err, code) = said(bash.output().expect("bash"));
+            assert_eq!(code, 0, "{example}: {err}");
+        }
+    }
+}
+
+#[test]
+fn completions_name_the_commands() {
+    for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
+        let script = printed(&["completions", shell]);
+        for word in ["enumerate", "assemblies", "frames", "gradient"] {
+            assert!(script.contains(word), "{shell}: {word}");
+        }
+    }
+    let script = folder("completions").join("synthetica.bash");
+    fs::write(&script, printed(&["completions", "bash"])).expect("a file");
+    let checked = Command::new("bash")
+        .arg("-n")
+        .arg(&script)
+        .output()
+        .expect("bash");
+    assert_eq!(said(checked), (String::new(), String::new(), 0));
+}
