@@ -33,8 +33,9 @@ const LIBRARY: Layers = layers! {
 /// The command: it has the library below it, and the library knows nothing of it.
 const COMMAND: Layers = layers! {
     "../src/bin/synthetica/"
-    [arguments failure progress]
+    [arguments failure]
     [files]
+    [progress]
     [enumerate planned]
     [check]
     [motion]

@@ -351,6 +351,17 @@ fn tables_and_lists_are_those_of_the_library() {
     assert_eq!(last, "[\"TT\",\"E\"]\n");
 }
 
+/// Long enough to be shown on a terminal; standard error is none here.
+#[test]
+fn progress_is_not_written_into_pipes() {
+    let file = folder("progress").join("assemblies.txt");
+    let path = file.to_str().expect("a path");
+    let said = run(&["enumerate", "assemblies", "3", "--output", path]);
+    assert_eq!(said, (String::new(), String::new(), 0));
+    let written = fs::read_to_string(&file).expect("a file");
+    assert_eq!(written.lines().count(), 464_417);
+}
+
 #[test]
 fn the_end_of_a_pipe_is_the_end_quietly() {
     for arguments in [

@@ -94,9 +94,8 @@ impl List {
                 ))
             }
         };
-        let output = asked.output.as_deref();
-        let mut out = Out::new(output)?;
-        let mut progress = Progress::new(self.one, self.count).beside(output);
+        let mut out = Out::new(asked.output.as_deref())?;
+        let mut progress = Progress::new(self.one, self.count).beside(&out);
         for k in numbers {
             if let Some(thing) = get(k) {
                 out.write(&text(asked, &thing, &words))?;

@@ -55,6 +55,7 @@ pub fn write(file: Option<&Path>, text: &str) -> Result<(), Failure> {
 /// Where the output goes, written to in pieces.
 pub struct Out {
     name: String,
+    terminal: bool,
     sink: Box<dyn Write>,
 }
 
@@ -64,15 +65,25 @@ impl Out {
         match file.filter(|file| !is_standard(file)) {
             None => Ok(Self {
                 name: "standard output".to_owned(),
+                terminal: io::stdout().is_terminal(),
                 sink: Box::new(BufWriter::new(io::stdout().lock())),
             }),
             Some(file) => {
                 let name = file.display().to_string();
                 let opened = File::create(file).map_err(|error| Failure::file(&name, error))?;
                 let sink = Box::new(BufWriter::new(opened));
-                Ok(Self { name, sink })
+                Ok(Self {
+                    name,
+                    terminal: false,
+                    sink,
+                })
             }
         }
+    }
+
+    /// Does a person see it come?
+    pub fn is_terminal(&self) -> bool {
+        self.terminal
     }
 
     /// Writes a text, as it is.

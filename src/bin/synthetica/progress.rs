@@ -1,7 +1,7 @@
 //! How far long work has come: a line on standard error, where a person looks on.
 
+use crate::files::Out;
 use std::io::{self, IsTerminal, Write};
-use std::path::Path;
 use std::time::{Duration, Instant};
 
 /// Work that takes less shows nothing.
@@ -37,8 +37,8 @@ impl Progress {
     }
 
     /// The same for work that writes as it goes: on a terminal its output is progress enough.
-    pub fn beside(mut self, output: Option<&Path>) -> Self {
-        self.seen &= output.is_some() || !io::stdout().is_terminal();
+    pub fn beside(mut self, out: &Out) -> Self {
+        self.seen &= !out.is_terminal();
         self
     }
 
