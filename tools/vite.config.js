@@ -4,6 +4,7 @@ import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import { join, relative } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build, defineConfig } from 'vite';
+import { pages } from './pages.js';
 
 const at = (path) => fileURLToPath(new URL(path, import.meta.url));
 
@@ -65,5 +66,5 @@ export default defineConfig({
   server: { fs: { allow: [at('../www'), at('node_modules')] } },
   build: { target: 'es2022', outDir: at('../www/dist'), emptyOutDir: true },
   worker: { format: 'es' },
-  plugins: [bundle(), serviceWorker()],
+  plugins: [pages(), bundle(), serviceWorker()],
 });

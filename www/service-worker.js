@@ -13,10 +13,16 @@ const NAME = PREFIX + version;
 /** The few things of a service worker that the page's types do not know. @typedef {Event & {waitUntil: (done: Promise<unknown>) => void, request: Request, respondWith: (answer: Promise<Response>) => void}} WorkerEvent */
 const on = (/** @type {string} */ name, /** @type {(event: WorkerEvent) => void} */ act) => self.addEventListener(name, /** @type {EventListener} */ (act));
 
+const pathOf = (/** @type {string} */ address) => new URL(address, location.href).pathname;
+const kept = new Set(files.map(pathOf));
+
+/** The applet's own page has two addresses. @param {string} url */
+const isHome = (url) => ['./', './index.html'].map(pathOf).includes(pathOf(url));
+
 async function keep() {
   const cache = await caches.open(NAME);
-  // Hashed names may come from the browser's own cache; the page itself must be this build's.
-  await cache.addAll(files.map((file) => new Request(file, { cache: file === './' ? 'reload' : 'default' })));
+  // Hashed names may come from the browser's own cache; whatever else, the pages first, must be this build's.
+  await cache.addAll(files.map((file) => new Request(file, { cache: file.startsWith('./assets/') ? 'default' : 'reload' })));
 }
 
 async function forgetOthers() {
@@ -27,19 +33,17 @@ async function forgetOthers() {
 /** @param {Request} request */
 async function answer(request) {
   const cache = await caches.open(NAME);
-  // Whatever is asked of the page, such as ?sample=2tpr.json, is asked of the same file.
+  // Whatever is asked of a page, such as ?sample=2tpr.json, is asked of the same file.
   const page = request.mode === 'navigate';
   // A server's `Vary: Origin` would part the script that asks from the one that was kept; the files do not vary.
-  const kept = await cache.match(page ? './' : request, { ignoreSearch: page, ignoreVary: true });
-  return kept ?? fetch(request);
+  const found = await cache.match(isHome(request.url) ? './' : request, { ignoreSearch: page, ignoreVary: true });
+  return found ?? fetch(request);
 }
 
 on('install', (event) => event.waitUntil(keep()));
 on('activate', (event) => event.waitUntil(forgetOthers()));
 on('fetch', (event) => {
   const { method, url, mode } = event.request;
-  const { origin, pathname } = new URL(url);
-  const scope = new URL('./', location.href).pathname;
-  const page = mode === 'navigate' && pathname !== scope && pathname !== `${scope}index.html`;
-  if (method === 'GET' && origin === location.origin && !page) event.respondWith(answer(event.request));
+  const own = isHome(url) || kept.has(pathOf(url));
+  if (method === 'GET' && new URL(url).origin === location.origin && (own || mode !== 'navigate')) event.respondWith(answer(event.request));
 });

@@ -1,29 +1,15 @@
 // axe-core finds nothing to complain about in any panel, menu or dialog, in either scheme, on a desktop and a phone;
 // and no text is cut off, at twice the size too.
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
 import { after, before, test } from 'node:test';
+import { violations } from './axe.mjs';
 import { cell, faultBeside, openBrowser } from './browser.mjs';
-
-const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 
 let browser;
 before(async () => {
   browser = await openBrowser();
 });
 after(() => browser.close());
-
-/** What axe finds in the page as it is: the rule, and what breaks it. */
-async function violations(page) {
-  if (!(await page.evaluate(() => 'axe' in window))) await page.evaluate(axe);
-  return page.evaluate(async () => {
-    // Colours in passing are neither the one nor the other.
-    await Promise.all(document.getAnimations().map((animation) => animation.finished.catch(() => {})));
-    const { violations: found } = await window.axe.run(document, { resultTypes: ['violations'] });
-    return found.map(({ id, nodes }) => `${id}: ${nodes.map(({ target, failureSummary }) => `${target} ${failureSummary}`).join('; ')}`);
-  });
-}
 
 /** Visible texts that their boxes cut off, or that reach out of the window. */
 const cutOff = (page) =>

@@ -80,6 +80,15 @@ test('every number of the info panel is explained', async () => {
   assert.ok((await dialog.locator('math').count()) > 5, 'with equations');
 });
 
+test('the pages of the site open beside the applet', async () => {
+  const { page } = await browser.openPage();
+  for (const [item, heading] of [['Gallery', 'Gallery'], ['Method', 'The method'], ['Reference', 'Reference']]) {
+    const opened = page.waitForEvent('popup');
+    await fromMenu(page, item);
+    await (await opened).getByRole('heading', { name: heading, level: 1 }).waitFor();
+  }
+});
+
 const lessons = JSON.parse(readFileSync(new URL('../../www/lessons/index.json', import.meta.url), 'utf8'));
 
 for (const { id, title } of lessons) {

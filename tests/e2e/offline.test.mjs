@@ -37,6 +37,13 @@ test('works offline after the first load, every lazily loaded part included', as
     assert.ok(missing.scripts >= 2, 'scripts are kept');
     assert.equal(missing.failed, 0);
     assert.deepEqual(problems.filter((url) => !url.endsWith('service-worker.js')), []);
+
+    // So are the pages beside the applet, and what they show.
+    await page.goto(`${address}gallery.html?from=a-bookmark`);
+    await page.getByRole('heading', { name: '3RPS' }).scrollIntoViewIfNeeded();
+    await page.waitForFunction(() => document.images[1].naturalWidth > 0);
+    await page.getByRole('link', { name: 'Method' }).click();
+    await page.getByRole('heading', { name: 'The method' }).waitFor();
   } finally {
     await browser.close();
     await server.close().catch(() => {});

@@ -1,5 +1,5 @@
 /**
- * The Help menu: the first minute, the keys, what the numbers mean, the lessons.
+ * The Help menu: the first minute, the keys, what the numbers mean, the lessons, the pages beside the applet.
  *
  * @typedef {import('../main.js').App} App
  */
@@ -14,6 +14,9 @@ export function createHelp(app) {
   const showKeys = () => reference().then(({ showKeys: show }) => show());
   const showNumbers = () => reference().then(({ showNumbers: show }) => show());
 
+  /** A page of the site, beside the applet. @param {string} address */
+  const page = (address) => () => window.open(address, '_blank', 'noopener');
+
   byId('menus').append(
     menuButton('Help', () => [
       { label: 'First minute', hint: 'A short tour of the page', act: () => startTour({ focus: true }) },
@@ -21,6 +24,10 @@ export function createHelp(app) {
       { label: 'What the numbers mean', hint: 'Each with its equation', act: showNumbers },
       'line',
       ...lessons.map(({ id, title, line }) => ({ label: `Lesson: ${title}`, hint: line, act: () => openLesson(app, id) })),
+      'line',
+      { label: 'Gallery', hint: 'The examples, described', act: page('./gallery.html') },
+      { label: 'Method', hint: 'The derivation, and the paper’s misprints', act: page('./method.html') },
+      { label: 'Reference', hint: 'Documents and programs', act: page('./reference.html') },
     ]),
   );
   document.addEventListener('keydown', (event) => {

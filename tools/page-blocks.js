@@ -1,0 +1,76 @@
+// Blocks of the site's pages that are made of the project's own files: cards of samples, fields of documents, types.
+import { readFileSync } from 'node:fs';
+
+const read = (path) => readFileSync(new URL(`../${path}`, import.meta.url), 'utf8');
+
+/** Fenced blocks by name: the words within, a Markdown renderer for a line, an escape for HTML. */
+export const blocks = { samples, fields, declarations };
+
+/** Every sample with its picture. */
+function samples(_, inline, escape) {
+  const card = ({ file, title, line, mobility }) => {
+    const { about } = JSON.parse(read(`www/mechanisms/${file}`));
+    return `<li>
+  <a class="picture" href="./?sample=${file}" tabindex="-1" aria-hidden="true"><img src="./thumbnails/${file.replace('.json', '.webp')}" alt="" width="480" height="320" loading="lazy" /></a>
+  <h2>${escape(title)}</h2>
+  <p class="line">${escape(line)}</p>
+  <p>${escape(about)}</p>
+  <p class="mobility">${mobility} ${mobility === 1 ? 'freedom' : 'freedoms'}</p>
+  <p class="ways"><a href="./?sample=${file}">Open <span class="sr">${escape(title)} </span>in the applet</a> <a href="./mechanisms/${file}">Document<span class="sr"> of ${escape(title)}</span></a></p>
+</li>`;
+  };
+  return `<ul class="samples">\n${JSON.parse(read('www/mechanisms/index.json')).map(card).join('\n')}\n</ul>\n`;
+}
+
+/** The fields of parts of a document, out of the JSON Schema; `Document` is the whole. */
+function fields(names, inline, escape) {
+  const schema = JSON.parse(read('src/document.schema.json'));
+  const partOf = (reference) => reference.replace('#/$defs/', '');
+  const number = (x) => x.toLocaleString('en', { maximumFractionDigits: 9 });
+
+  const type = (field) => {
+    if (field.$ref) {
+      const name = partOf(field.$ref);
+      const choice = schema.$defs[name].enum;
+      return choice ? choice.map((value) => `<code>"${value}"</code>`).join(' ') : `<a href="#fields-${name}">${name.replace('Entry', '').replace(/(.)([A-Z])/g, '$1 $2').toLowerCase()}</a>`;
+    }
+    if (field.anyOf) return field.anyOf.map(type).join(' or ');
+    const types = [field.type].flat().map((t) => (t === 'array' ? `list of ${type(field.items)}` : t));
+    return types.join(' or ');
+  };
+  const bounds = ({ minimum, maximum, minItems, maxItems, maxLength }) =>
+    [
+      minimum !== undefined && maximum !== undefined && (minimum === maximum ? `${minimum}` : `${number(minimum)} to ${number(maximum)}`),
+      minItems !== undefined && `${minItems} to ${number(maxItems)} entries`,
+      maxLength !== undefined && `up to ${number(maxLength)} characters`,
+    ].filter(Boolean).join(', ');
+  const standard = ({ default: value, $ref }) =>
+    value === undefined ? '' : typeof value === 'object' && value !== null ? 'all defaults' : `<code>${escape(JSON.stringify(value))}</code>`;
+
+  const table = (name) => {
+    const part = name === 'Document' ? schema : schema.$defs[name];
+    if (!part) throw new Error(`src/document.schema.json has no ${name}`);
+    const rows = Object.entries(part.properties)
+      // What must be there comes first, as a person would write it.
+      .sort(([a], [b]) => (part.required?.includes(b) ?? false) - (part.required?.includes(a) ?? false))
+      .map(([field, about]) => {
+        const must = part.required?.includes(field);
+        return `<tr><th scope="row"><code>${field}</code></th><td>${type(about)}</td><td>${must ? 'required' : standard(about)}</td><td>${inline(about.description)}${bounds(about) && ` <small>${bounds(about)}</small>`}</td></tr>`;
+      });
+    return `<div class="scroller fields" id="fields-${name}" tabindex="0" role="group" aria-label="Fields of ${name.replace('Entry', '')}">
+<table><thead><tr><th scope="col">field</th><th scope="col">type</th><th scope="col">default</th><th scope="col">what</th></tr></thead>
+<tbody>${rows.join('\n')}</tbody></table></div>\n`;
+  };
+  return names.map(table).join('');
+}
+
+/** Declarations of src/wasm.d.ts as they stand there. */
+function declarations(names, inline, escape) {
+  const source = read('src/wasm.d.ts');
+  const one = (name) => {
+    const found = source.match(new RegExp(`(?:/\\*\\*(?:[^*]|\\*(?!/))*\\*/\\n)?export (?:interface ${name} \\{[^]*?\\n\\}|type ${name} = [^;]*;)`));
+    if (!found) throw new Error(`src/wasm.d.ts has no ${name}`);
+    return found[0].replaceAll(/^export /gm, '');
+  };
+  return `<pre><code>${escape(names.map(one).join('\n\n'))}</code></pre>\n`;
+}
