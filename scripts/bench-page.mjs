@@ -43,7 +43,7 @@ function watch() {
   Object.assign(globalThis, { noted });
   let first = '';
   const look = () => {
-    const now = document.querySelector('#frame-number')?.textContent ?? '';
+    const now = page$('#frame-number')?.textContent ?? '';
     if (/^\d/.test(now)) first ||= now;
     if (first && now !== first) noted.moved = performance.now();
     else requestAnimationFrame(look);
@@ -142,7 +142,7 @@ async function select(page, place) {
 async function drag(what, place, call) {
   for (const rate of RATES) {
     const { context, page } = await load({ reducedMotion: 'reduce' });
-    await page.waitForFunction(() => document.querySelector('#closure')?.textContent !== '–');
+    await page.waitForFunction(() => (page$('#closure')?.textContent ?? '–') !== '–');
     const at = await select(page, place);
     const devtools = await context.newCDPSession(page);
     await devtools.send('Performance.enable');

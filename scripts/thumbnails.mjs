@@ -24,10 +24,10 @@ const context = await browser.newContext({ viewport: { width: 1600, height: 1000
 for (const { file } of samples) {
   const page = await context.newPage();
   await page.goto(`${server.resolvedUrls.local[0]}?sample=${file}`);
-  await page.waitForFunction(() => document.querySelector('#closure').textContent !== '–');
+  await page.waitForFunction(() => (page$('#closure')?.textContent ?? '–') !== '–');
   // Only the picture: without what lies over the view, in its proportions.
   await page.evaluate(({ width, height }) => {
-    const canvas = document.querySelector('#canvas');
+    const canvas = page$('#canvas');
     for (const other of canvas.parentElement.children) if (other !== canvas) other.style.display = 'none';
     Object.assign(canvas.parentElement.style, { position: 'fixed', left: '0', top: '0', width: `${width}px`, height: `${height}px`, zIndex: '99' });
   }, VIEW);

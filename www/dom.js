@@ -20,8 +20,22 @@ export function element(tag, attributes = {}, ...children) {
   return made;
 }
 
-/** @template {Element} [T=HTMLElement] @param {string} id @returns {T} */
-export const byId = (id) => /** @type {T} */ (/** @type {unknown} */ (document.getElementById(id)));
+/**
+ * Elements by their id in a tree: the page's own, or a shadow tree's.
+ * @typedef {<T extends Element = HTMLElement>(id: string) => T} Find
+ */
+
+/** @param {Document | ShadowRoot} root @returns {Find} */
+export const finder = (root) => (id) => /** @type {any} */ (root.getElementById(id));
+
+/** In the page itself. @type {Find} */
+export const byId = (id) => /** @type {any} */ (document.getElementById(id));
+
+/** What has the focus in the tree that holds a node; of another tree only its host is seen. @param {Node} node */
+export const focusBeside = (node) => /** @type {Document | ShadowRoot} */ (node.getRootNode()).activeElement ?? null;
+
+/** What an event happened to, also inside an element's shadow tree. @param {Event} event @returns {Element | null} */
+export const targetOf = (event) => /** @type {Element | null} */ (event.composedPath()[0] ?? null);
 
 /**
  * Writes text only where it changed, so that screen readers and layout are left alone.

@@ -9,7 +9,7 @@ import { groupAt, shown } from './shown.js';
 /** Least pause between two questions, in milliseconds: as often as a person can read. */
 const PAUSE = 120;
 
-/** @param {Pick<import('./main.js').App, 'store' | 'planner'>} app */
+/** @param {Pick<import('./linkage.js').Parts, 'store' | 'planner'>} app */
 export function createInsight({ store, planner }) {
   /** The columns and the index of the last question, to tell whether anything else is shown now. @type {unknown[]} */
   let asked = [];
@@ -41,4 +41,5 @@ export function createInsight({ store, planner }) {
   }
   store.subscribe('result', follow);
   store.subscribe('view', follow);
+  follow();
 }

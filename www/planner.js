@@ -1,45 +1,25 @@
 /**
- * The page's planner: promises in front of a worker. The latest edit wins; a planner that fails or hangs is
- * discarded and a new one made, and the document survives.
+ * A linkage's planner: promises in front of the page's one worker (desk.js). The latest edit wins.
  *
  * @typedef {import('./types.js').Motion} Motion
  * @typedef {import('./types.js').Fault} Fault
  * @typedef {import('./types.js').Defaults} Defaults
  * @typedef {import('./types.js').Posture} Posture
  * @typedef {import('./types.js').Insight} Insight
- * @typedef {import('./planner.worker.js').Answer} Answer
- * @typedef {import('./planner.worker.js').Call} Call
- * @typedef {{id: number, call: Call, args: unknown[], resolve: (value: any) => void, reject: (reason: Error) => void}} Job
+ * @typedef {import('./planner.calls.js').Call} Call
  */
+import { desk } from './desk.js';
 
-/** How long a plan may hold up a newer edit before its worker is ended, in milliseconds. */
-const PATIENCE = 4000;
-
-/** The document is at fault, and a person can mend it. */
-export class DocumentFault extends Error {
-  /** @param {Fault} fault */
-  constructor(fault) {
-    super(fault.message);
-    this.fault = fault;
-  }
-}
-
-/** A newer call of the same kind took this one's place; its answer would have been out of date. */
-export class Superseded extends Error {}
-
-/** The planner itself failed: our mistake, not the document's. */
-export class PlannerFailure extends Error {}
+export { DocumentFault, PlannerFailure, Superseded } from './desk.js';
 
 export class Planner {
-  /** @type {Worker | null} */
-  #worker = null;
-  /** @type {Job[]} */
-  #waiting = [];
-  /** @type {Job | null} */
-  #running = null;
-  #lastId = 0;
-  /** @type {ReturnType<typeof setTimeout> | undefined} */
-  #timer;
+  #desk;
+  /** Asked for once. @type {Promise<Defaults> | null} */
+  #defaults = null;
+
+  constructor(where = desk) {
+    this.#desk = where;
+  }
 
   /** @param {string} text a document @returns {Promise<Motion>} */
   plan(text) {
@@ -112,9 +92,13 @@ export class Planner {
     return this.#askLatest('matrix', text, joints);
   }
 
-  /** @returns {Promise<Defaults>} */
+  /** What new things are made of. @returns {Promise<Defaults>} */
   defaults() {
-    return this.#ask('defaults');
+    this.#defaults ??= this.#ask('defaults').catch((error) => {
+      this.#defaults = null;
+      throw error;
+    });
+    return this.#defaults;
   }
 
   /** Tables 2 and 3. @returns {Promise<import('./pkg/synthetica.js').Enumeration>} */
@@ -124,69 +108,11 @@ export class Planner {
 
   /** Takes the place of the same call that is still waiting: its answer would be out of date. @param {Call} call @param {...unknown} args */
   #askLatest(call, ...args) {
-    const old = this.#waiting.find((job) => job.call === call);
-    if (old) {
-      this.#waiting = this.#waiting.filter((job) => job !== old);
-      old.reject(new Superseded());
-    }
-    return this.#ask(call, ...args);
+    return this.#desk.ask({ asker: this, latest: true, call, args });
   }
 
-  /** @param {Call} call @param {...unknown} args @returns {Promise<any>} */
+  /** @param {Call} call @param {...unknown} args */
   #ask(call, ...args) {
-    return new Promise((resolve, reject) => {
-      this.#waiting.push({ id: ++this.#lastId, call, args, resolve, reject });
-      this.#next();
-    });
-  }
-
-  #start() {
-    const worker = new Worker(new URL('./planner.worker.js', import.meta.url), { type: 'module' });
-    worker.onmessage = ({ data }) => this.#receive(data);
-    worker.onerror = (event) => {
-      event.preventDefault();
-      this.#discard(event.message || 'the planner could not be loaded');
-    };
-    return worker;
-  }
-
-  #next() {
-    if (this.#running) {
-      this.#timer ??= setTimeout(() => this.#discard('a plan took too long and was given up'), PATIENCE);
-      return;
-    }
-    const job = this.#waiting.shift();
-    if (!job) return;
-    this.#running = job;
-    this.#worker ??= this.#start();
-    this.#worker.postMessage({ id: job.id, call: job.call, args: job.args });
-    if (this.#waiting.length) this.#next();
-  }
-
-  /** @param {Answer} answer */
-  #receive(answer) {
-    const job = this.#running;
-    if (!job || answer.id !== job.id) return;
-    if (answer.kind === 'failure') return this.#discard(answer.message);
-    this.#settle();
-    if (answer.kind === 'fault') job.reject(new DocumentFault(answer.fault));
-    else job.resolve(answer.value);
-    this.#next();
-  }
-
-  /** Ends the worker and fails its job; the next job makes a new one. @param {string} reason */
-  #discard(reason) {
-    this.#worker?.terminate();
-    this.#worker = null;
-    const job = this.#running;
-    this.#settle();
-    job?.reject(new PlannerFailure(reason));
-    this.#next();
-  }
-
-  #settle() {
-    clearTimeout(this.#timer);
-    this.#timer = undefined;
-    this.#running = null;
+    return this.#desk.ask({ asker: this, latest: false, call, args });
   }
 }

@@ -1,6 +1,6 @@
 /**
- * The playhead, in the media element's language, and the page's one animation loop, which draws only when
- * something changed.
+ * The playhead, in the media element's language, and its animation loop, which draws only when something changed and
+ * somebody sees it.
  *
  * @typedef {import('./playhead.js').Loop} Loop
  * @typedef {import('./store.js').Store} Store
@@ -15,7 +15,8 @@ const MAX_STEP = 100;
 
 export class Player {
   #store;
-  #draw;
+  /** What a picture is made by. */
+  draw = () => {};
   #request = 0;
   #dirty = false;
   #last = 0;
@@ -25,12 +26,19 @@ export class Player {
   /** First and last time of the motion that the playhead was set in. @type {[number, number]} */
   #span = [0, 0];
 
-  /** @param {Store} store @param {() => void} draw */
-  constructor(store, draw) {
+  /** Out of sight nothing is drawn, and the playhead waits. */
+  #seen = true;
+
+  /** @param {Store} store */
+  constructor(store) {
     this.#store = store;
-    this.#draw = draw;
     store.subscribe('result', () => this.#keepPlace());
-    document.addEventListener('visibilitychange', () => this.#schedule());
+  }
+
+  /** @param {boolean} seen whether there is anybody to draw for */
+  set seen(seen) {
+    this.#seen = seen;
+    this.#schedule();
   }
 
   get paused() {
@@ -104,7 +112,7 @@ export class Player {
 
   #schedule() {
     const busy = this.#dirty || !this.paused;
-    if (busy && !this.#request && !document.hidden) this.#request = requestAnimationFrame((now) => this.#step(now));
+    if (busy && !this.#request && this.#seen) this.#request = requestAnimationFrame((now) => this.#step(now));
     if (!busy) this.#last = 0;
   }
 
@@ -115,7 +123,7 @@ export class Player {
     this.#last = this.paused ? 0 : now;
     if (this.#dirty) {
       this.#dirty = false;
-      this.#draw();
+      this.draw();
     }
     this.#schedule();
   }

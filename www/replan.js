@@ -5,7 +5,7 @@ import { textOf } from './document-text.js';
 import { takeStarts } from './edits.js';
 import { DocumentFault, PlannerFailure } from './planner.js';
 
-/** @param {Pick<import('./main.js').App, 'store' | 'planner'>} app */
+/** @param {Pick<import('./linkage.js').Parts, 'store' | 'planner'>} app */
 export function createReplanning({ store, planner }) {
   /** What the page says when the planner fails or the document is at fault. @param {unknown} error @param {unknown} document */
   function report(error, document) {

@@ -1,10 +1,25 @@
 /**
- * The sample documents, in the order of their index.
+ * The sample documents, in the order of their index; their texts are loaded when they are asked for.
  */
 import index from './mechanisms/index.json';
+import { Refusal } from './refusal.js';
 
-/** @type {Record<string, string>} */
-const texts = import.meta.glob(['./mechanisms/*.json', '!./mechanisms/index.json'], { query: '?raw', import: 'default', eager: true });
+const texts = /** @type {Record<string, () => Promise<string>>} */ (
+  import.meta.glob(['./mechanisms/*.json', '!./mechanisms/index.json'], { query: '?raw', import: 'default' })
+);
 
-/** @type {{file: string, title: string, line: string, mobility: number, text: string}[]} */
-export const samples = index.map((entry) => ({ ...entry, text: texts[`./mechanisms/${entry.file}`] }));
+/** @typedef {{file: string, title: string, line: string, mobility: number}} Sample */
+
+/** @type {Sample[]} */
+export const samples = index;
+
+/** @param {Sample} sample @returns {Promise<string>} */
+export const sampleText = ({ file }) => texts[`./mechanisms/${file}`]();
+
+/** By its file, with or without its ending, or by its title. @param {string} name @returns {Sample} */
+export function sampleOf(name) {
+  const wanted = name.trim().toLowerCase();
+  const found = samples.find(({ file, title }) => [file, file.replace('.json', ''), title.toLowerCase()].includes(wanted));
+  if (!found) throw new Refusal(`There is no sample “${name}”. Accepted: ${samples.map(({ file }) => file).join(', ')}.`);
+  return found;
+}

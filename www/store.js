@@ -32,9 +32,10 @@ export function createStore(first) {
   /** @type {View} */
   let view = {
     frame: 0, playing: false, posture: null, selected: '', hovered: '',
-    speed: 1, loop: 'bounce', charts: ['translation', 'rotation', 'joints', 'sigma'],
+    speed: 1, loop: 'once', side: '', charts: ['translation', 'rotation', 'joints', 'sigma'],
     projection: 'perspective', show: { goal: true, closest: true, gaps: true, names: true, axes: true, ground: true }, ghosts: 'none',
   };
+  let readonly = false;
   /** @type {Insight | null} */
   let insight = null;
   /** @type {Record<Part, Set<() => void>>} */
@@ -77,6 +78,13 @@ export function createStore(first) {
       const { saved } = originOf(document);
       return !saved || !same(saved, document);
     },
+    /** Whether edits are refused: the document is there to be looked at. */
+    get readonly() {
+      return readonly;
+    },
+    set readonly(on) {
+      readonly = on;
+    },
     get canUndo() {
       return past.length > 0;
     },
@@ -95,6 +103,7 @@ export function createStore(first) {
      * @param {string} [merge] edits in a row with the same mark are undone together
      */
     edit(change, merge = '') {
+      if (readonly) return;
       const next = change(document);
       if (next === document || same(next, document)) return;
       if (!merge || merge !== mark) {
@@ -115,7 +124,7 @@ export function createStore(first) {
 
     undo() {
       const previous = past.at(-1);
-      if (!previous) return;
+      if (!previous || readonly) return;
       past = past.slice(0, -1);
       future = [document, ...future];
       mark = '';
@@ -124,7 +133,7 @@ export function createStore(first) {
 
     redo() {
       const [next, ...rest] = future;
-      if (!next) return;
+      if (!next || readonly) return;
       future = rest;
       past = [...past, document];
       mark = '';

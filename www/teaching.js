@@ -56,7 +56,7 @@ export const readable = ({ turns }, value) => (turns ? degrees(value) : value);
 
 /**
  * Drives a joint from what is shown and shows where that led.
- * @param {Pick<import('./main.js').App, 'store' | 'planner'>} app
+ * @param {Pick<import('./workbench.js').App, 'store' | 'planner'>} app
  * @param {Variable} variable
  * @param {number} value degrees or length
  * @returns {Promise<string | null>} why it did not get there, empty if it did; null if the answer came too late

@@ -26,7 +26,7 @@ test('once stops at the end, loop begins again', async () => {
   assert.equal(await frame(page), 129);
   await page.selectOption('#loop', 'loop');
   await button(page, 'Play').click();
-  await page.waitForFunction(() => Number(document.querySelector('#scrub').value) < 60);
+  await page.waitForFunction(() => Number(page$('#scrub').value) < 60);
   assert.equal(await button(page, 'Pause').count(), 1, 'and plays on');
 });
 
@@ -60,7 +60,7 @@ test('by mouse: a press anywhere on the strip, a drag, and what is under the poi
   assert.equal(await page.locator('#strip-tip').isVisible(), false);
   const line = await page.locator('#strip-playhead').boundingBox();
   assert.ok(Math.abs(line.x + line.width / 2 - x(1)) < 1.5, 'the playhead stands there');
-  assert.equal(await page.evaluate(() => document.activeElement.id), 'scrub', 'and the keys go on from there');
+  assert.equal(await page.evaluate(() => pageFocus().id), 'scrub', 'and the keys go on from there');
 });
 
 test('a press pauses', async () => {
@@ -114,7 +114,7 @@ test('a frame is typed; one that is none is refused in words', async () => {
   await field.fill('40');
   await field.press('Enter');
   assert.equal(await frame(page), 40);
-  assert.equal(await page.evaluate(() => document.activeElement.id), 'frame-number');
+  assert.equal(await page.evaluate(() => pageFocus().id), 'frame-number');
   await page.keyboard.press('Enter');
   await field.fill('7');
   await page.keyboard.press('Escape');
@@ -124,7 +124,7 @@ test('a frame is typed; one that is none is refused in words', async () => {
 test('how frames ended is told apart without colour', async () => {
   const { page } = await browser.openPage();
   const heights = await page.evaluate(() => {
-    const of = (name) => [...document.querySelectorAll(`#strip .band.${name}`)].map((band) => band.getAttribute('height'));
+    const of = (name) => [...page$$(`#strip .band.${name}`)].map((band) => band.getAttribute('height'));
     return { reached: of('reached'), closest: of('closest') };
   });
   assert.deepEqual(heights.reached, ['4', '4']);
@@ -155,7 +155,7 @@ test('on a phone: by touch, with room for a thumb, and nothing sticks out', asyn
     client.send('Input.dispatchTouchEvent', { type, touchPoints: share === undefined ? [] : [{ x: lane.x + lane.width * share, y: track.y + 30 }] });
   await touch('touchStart', 0.4);
   for (const share of [0.45, 0.55, 0.75]) await touch('touchMove', share);
-  await page.waitForFunction(() => document.querySelector('#scrub').value === '96');
+  await page.waitForFunction(() => page$('#scrub').value === '96');
   assert.ok(await page.locator('#strip-tip').isVisible(), 'the finger hides the strip, not what it says');
   await touch('touchEnd');
   assert.equal(await frame(page), 97);

@@ -9,6 +9,21 @@ const WINDOW = { width: 800, height: 600 };
 /** How Chromium is started. */
 export const LAUNCH = { executablePath: process.env.CHROMIUM || '/usr/bin/chromium', args: ['--no-sandbox'] };
 
+/**
+ * For functions that run in the page: what has the focus, and what a selector finds, inside the linkage element too. (A
+ * locator looks there by itself.)
+ */
+export function lookInside() {
+  const trees = () => [document, ...[...document.querySelectorAll('synthetica-linkage')].map((element) => element.shadowRoot).filter(Boolean)];
+  window.page$$ = (selector) => trees().flatMap((tree) => [...tree.querySelectorAll(selector)]);
+  window.page$ = (selector) => window.page$$(selector)[0] ?? null;
+  window.pageFocus = () => {
+    let at = document.activeElement;
+    while (at?.shadowRoot?.activeElement) at = at.shadowRoot.activeElement;
+    return at;
+  };
+}
+
 /** Serves www/dist and starts a browser. */
 export async function openBrowser() {
   const server = await preview({ configFile: 'tools/vite.config.js', preview: { port: 0 } });
@@ -28,7 +43,7 @@ export async function openBrowser() {
     async openPage(options) {
       const { page, problems } = await this.blankPage(options);
       await page.goto(address);
-      await page.waitForFunction(() => document.querySelector('#closure').textContent !== '–');
+      await page.waitForFunction(() => (page$('#closure')?.textContent ?? '–') !== '–');
       return { page, problems };
     },
     /** A page that is nowhere yet; the first minute counts as seen, unless it is the visitor's first. */
@@ -43,6 +58,7 @@ export async function openBrowser() {
           }
         });
       }
+      await context.addInitScript(lookInside);
       const page = await context.newPage();
       const problems = [];
       page.on('console', (message) => {
@@ -78,7 +94,7 @@ export async function openSample(page, file) {
 /** Waits until the chains named in the info panel are those of the tables. */
 export const motionIsOfDocument = (page) =>
   page.waitForFunction(() => {
-    const types = (all) => [...document.querySelectorAll(all)].map((node) => node.textContent).join();
+    const types = (all) => [...page$$(all)].map((node) => node.textContent).join();
     return types('#mechanism .chain .type') === types('#chain-rows td:nth-child(2)');
   });
 
@@ -100,12 +116,12 @@ export const number = (shown) => Number(shown.replaceAll('−', '-').replace(/[^
 
 /** Waits until the metric of the shown frame is another than `old`, and gives it. */
 export async function otherMetric(page, old) {
-  await page.waitForFunction((value) => document.querySelector('#metric').textContent !== value, old);
+  await page.waitForFunction((value) => page$('#metric').textContent !== value, old);
   return text(page, 'metric');
 }
 
 export const metricBecomes = (page, value) =>
-  page.waitForFunction((wanted) => document.querySelector('#metric').textContent === wanted, value);
+  page.waitForFunction((wanted) => page$('#metric').textContent === wanted, value);
 
 /** The fault's text, once it stands beside the cell that caused it. */
 export async function faultBeside(page, path) {

@@ -45,7 +45,7 @@ test('the charts are loaded when they are first seen, without a complaint', asyn
   const asked = [];
   page.on('request', (request) => asked.push(request.url()));
   await page.goto(browser.address);
-  await page.waitForFunction(() => document.querySelector('#closure').textContent !== '–');
+  await page.waitForFunction(() => (page$('#closure')?.textContent ?? '–') !== '–');
   assert.ok(!asked.some((url) => /charts/.test(url)));
   await page.getByRole('tab', { name: 'Charts' }).click();
   await chart(page, 'Translation gap').waitFor();
@@ -100,7 +100,7 @@ test('an edit comes into the charts', async () => {
   await page.getByRole('tab', { name: 'Mechanism' }).click();
   await cell(page, 'chains[0].gripper.x').fill('0.7');
   await otherMetric(page, metric);
-  await page.waitForFunction(() => document.querySelector('[aria-label="Translation gap"] .value').textContent === document.querySelector('#gap-translation').textContent);
+  await page.waitForFunction(() => page$('[aria-label="Translation gap"] .value').textContent === page$('#gap-translation').textContent);
   assert.notEqual(await value.textContent(), old);
 });
 
@@ -110,7 +110,7 @@ test('charts are chosen, series hidden and shown', async () => {
   await joints.scrollIntoViewIfNeeded();
   const series = joints.getByRole('button', { name: 'θ₁' });
   const drawn = () => joints.locator('canvas').evaluate((canvas) => canvas.toDataURL());
-  const settled = (old) => page.waitForFunction(([before]) => document.querySelector('[aria-label="chain 1, angles"] canvas').toDataURL() !== before, [old]);
+  const settled = (old) => page.waitForFunction(([before]) => page$('[aria-label="chain 1, angles"] canvas').toDataURL() !== before, [old]);
   const before = await drawn();
   await series.click();
   assert.equal(await series.getAttribute('aria-pressed'), 'false');
@@ -178,17 +178,17 @@ test('dark: the charts are drawn anew in the other colours', async () => {
       for (let i = 0; i < data.length; i += 4) if (data[i + 3] > 200) [sum, count] = [sum + data[i + 1], count + 1];
       return sum / count;
     });
-  await page.waitForFunction(() => document.querySelector('.chart .value').textContent !== '');
+  await page.waitForFunction(() => page$('.chart .value').textContent !== '');
   const [before, picture] = [await lightness(), await canvas.evaluate((drawn) => drawn.toDataURL())];
   await page.emulateMedia({ colorScheme: 'dark' });
-  await page.waitForFunction((old) => document.querySelector('.chart canvas').toDataURL() !== old, picture);
+  await page.waitForFunction((old) => page$('.chart canvas').toDataURL() !== old, picture);
   assert.ok(Math.abs((await lightness()) - before) > 20, `${await lightness()} and ${before}`);
   const dark = await canvas.evaluate((drawn) => drawn.toDataURL());
   await page.evaluate(() => {
     document.documentElement.dataset.theme = 'light';
     window.dispatchEvent(new Event('themechange'));
   });
-  await page.waitForFunction((old) => document.querySelector('.chart canvas').toDataURL() !== old, dark);
+  await page.waitForFunction((old) => page$('.chart canvas').toDataURL() !== old, dark);
   near(await lightness(), before, 8, 'light again');
 });
 

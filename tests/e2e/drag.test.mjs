@@ -74,7 +74,7 @@ test('with Shift the numbers are round', async () => {
   await page.keyboard.down('Shift');
   await drag(await placeOf(KEY), 35, -45);
   await page.keyboard.up('Shift');
-  await page.waitForFunction(() => !document.querySelector('#undo').disabled);
+  await page.waitForFunction(() => !page$('#undo').disabled);
   const after = await coordinates();
   assert.notDeepEqual(after, before);
   for (const value of after.slice(0, 3)) assert.ok(Math.abs(value * 20 - Math.round(value * 20)) < 1e-9, `${value} is round`);
@@ -86,7 +86,7 @@ test('in turning mode the angles change and the place stays', async () => {
   const before = await coordinates();
   const at = await placeOf(KEY);
   await drag({ x: at.x + 8, y: at.y + 6 }, 30, 12);
-  await page.waitForFunction(() => !document.querySelector('#undo').disabled);
+  await page.waitForFunction(() => !page$('#undo').disabled);
   const after = await coordinates();
   assert.deepEqual(after.slice(0, 3), before.slice(0, 3));
   assert.notDeepEqual(after.slice(3), before.slice(3));
@@ -111,7 +111,7 @@ test('keys move and turn by a step, along the axes of the world or its own', asy
   const before = await coordinates();
   await page.locator('#canvas').focus();
   await page.keyboard.press('PageUp');
-  await page.waitForFunction(() => !document.querySelector('#undo').disabled);
+  await page.waitForFunction(() => !page$('#undo').disabled);
   let now = await coordinates();
   const step = now[2] - before[2];
   assert.ok([0.05, 0.1, 0.2].some((round) => Math.abs(step - round) < 1e-5), `a step of ${step}`);
@@ -146,7 +146,7 @@ async function pieceInHand(options, sample) {
   ({ page, problems } = await browser.openPage(options));
   if (sample) {
     await openSample(page, sample);
-    await page.waitForFunction(() => document.querySelector('#mobility-count').textContent === '−2');
+    await page.waitForFunction(() => page$('#mobility-count').textContent === '−2');
   }
   await page.locator('#scrub').fill('40');
   await page.locator('#canvas').focus();
@@ -166,7 +166,7 @@ async function hand() {
 const atRest = (selector) =>
   page.waitForFunction(
     (which) => {
-      const { x, y } = document.querySelector(which).getBoundingClientRect();
+      const { x, y } = page$(which).getBoundingClientRect();
       const now = `${x} ${y}`;
       const rests = globalThis.lastPlace === now;
       globalThis.lastPlace = now;
@@ -249,12 +249,12 @@ for (const [sample, count] of [['', 3], ['four-bar.json', 1]]) {
       const where = await text(page, 'canvas-text');
       await page.keyboard.press('ArrowRight');
       await byHand(true);
-      await page.waitForFunction((old) => document.querySelector('#canvas-text').textContent !== old, where);
+      await page.waitForFunction((old) => page$('#canvas-text').textContent !== old, where);
       assert.ok(number(await text(page, 'closure')) <= 1e-10);
     }
     await page.getByRole('button', { name: 'Back to the motion' }).click();
     await byHand(false);
-    await page.waitForFunction((wanted) => document.querySelectorAll('.freedoms [data-freedom]').length === wanted, count);
+    await page.waitForFunction((wanted) => page$$('.freedoms [data-freedom]').length === wanted, count);
 
     // The first freedom's handle, taken by the arrow's head, where its name stands.
     await atRest('.hand-labels span');

@@ -83,7 +83,7 @@ test('a fault in a panel that is not open is found from the info panel', async (
   await faultBeside(page, A);
   await page.getByRole('tab', { name: 'Motion' }).click();
   await page.getByRole('button', { name: 'Go to it' }).click();
-  assert.equal(await page.evaluate(() => document.activeElement.dataset.path), A);
+  assert.equal(await page.evaluate(() => pageFocus().dataset.path), A);
 });
 
 test('a key frame moves the goal', async () => {
@@ -105,7 +105,7 @@ test('frames, interpolation and method are settings of the document', async () =
   await page.locator('#frame-number').filter({ hasText: '/ 9' }).waitFor();
   await cell(page, 'motion.interpolation').selectOption('straight');
   await cell(page, 'planner.method').selectOption('gradient');
-  await page.waitForFunction(() => document.querySelector('#undo').disabled === false);
+  await page.waitForFunction(() => page$('#undo').disabled === false);
   for (let i = 0; i < 3; i++) await page.keyboard.press('Control+z');
   await page.locator('#frame-number').filter({ hasText: '/ 129' }).waitFor();
   await page.keyboard.press('Control+Shift+z');
@@ -116,7 +116,7 @@ test('joints and chains come and go, and undo brings them back', async () => {
   const types = () => page.locator('#chain-rows td:nth-child(2)').allTextContents();
   const typesBecome = (wanted) =>
     page.waitForFunction(
-      (list) => [...document.querySelectorAll('#chain-rows td:nth-child(2)')].map((node) => node.textContent).join() === list,
+      (list) => [...page$$('#chain-rows td:nth-child(2)')].map((node) => node.textContent).join() === list,
       wanted.join(),
     );
   assert.deepEqual(await types(), ['RPS', 'RPS', 'RPS']);
@@ -138,8 +138,8 @@ test('a limit holds a joint back', async () => {
   await page.locator('.chain details summary').first().click();
   const limit = 'chains[0].joints[1].limits[0].max';
   await cell(page, limit).fill('1.3');
-  await page.waitForFunction(() => /limit/i.test(document.querySelector('#motion-summary').textContent));
+  await page.waitForFunction(() => /limit/i.test(page$('#motion-summary').textContent));
   await cell(page, limit).fill('');
   await page.keyboard.press('Tab');
-  await page.waitForFunction(() => !/limit/i.test(document.querySelector('#motion-summary').textContent));
+  await page.waitForFunction(() => !/limit/i.test(page$('#motion-summary').textContent));
 });

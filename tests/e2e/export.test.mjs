@@ -114,7 +114,7 @@ test('the saved page plays from a file, without a network', async () => {
     assert.equal(await alone.title(), '3RPS – Synthetica');
     assert.equal(await alone.locator('#frame-number').textContent(), '1 / 129');
     await alone.keyboard.press('Space');
-    await alone.waitForFunction(() => Number(document.querySelector('#scrub').value) > 3);
+    await alone.waitForFunction(() => Number(page$('#scrub').value) > 3);
     await alone.getByRole('button', { name: 'Pause' }).click();
     await alone.locator('#scrub').fill('63');
     assert.match(await status.textContent(), /Closest: 0\.1\d+ m and 12\.\d+° from the goal/);
@@ -183,7 +183,7 @@ test('a film that is cancelled leaves nothing behind', async () => {
   await scrubTo(page, 20);
   page.on('download', () => problems.push('a film was saved'));
   await choose(page, /WebM/);
-  await page.waitForFunction(() => document.querySelector('dialog progress')?.value > 0.05);
+  await page.waitForFunction(() => page$('dialog progress')?.value > 0.05);
   await page.getByRole('button', { name: 'Cancel' }).click();
   await page.locator('#notices').filter({ hasText: 'cancelled' }).waitFor();
   assert.equal(await page.locator('dialog').count(), 0);
@@ -195,7 +195,7 @@ test('a browser that cannot record says so in the menu', async () => {
   const { page } = await browser.blankPage();
   await page.addInitScript(() => delete globalThis.MediaRecorder);
   await page.goto(browser.address);
-  await page.waitForFunction(() => document.querySelector('#closure').textContent !== '–');
+  await page.waitForFunction(() => (page$('#closure')?.textContent ?? '–') !== '–');
   await page.getByRole('button', { name: 'Export', exact: true }).click();
   const item = page.getByRole('menuitem', { name: /WebM/ });
   assert.ok(await item.isDisabled());

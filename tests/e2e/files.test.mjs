@@ -13,7 +13,7 @@ after(() => browser.close());
 const A = 'chains[0].joints[1].rows[0].a';
 const fourBar = readFileSync(new URL('../../www/mechanisms/four-bar.json', import.meta.url), 'utf8');
 
-const ready = (page) => page.waitForFunction(() => document.querySelector('#closure').textContent !== '–');
+const ready = (page) => page.waitForFunction(() => (page$('#closure')?.textContent ?? '–') !== '–');
 const nameIs = (page, name) => page.locator('#document-name').filter({ hasText: new RegExp(`^${name}$`) }).waitFor();
 const notice = (page, words) => page.locator('#notices p').filter({ hasText: words });
 
@@ -61,7 +61,7 @@ const keeps = (page, words) => page.waitForFunction((wanted) => localStorage.get
 test('new, edit, save, open: the same document comes back', async () => {
   const { page, problems } = await pageWithoutPickers({ viewport: { width: 1280, height: 700 }, acceptDownloads: true });
   await page.getByRole('button', { name: 'New', exact: true }).click();
-  await page.waitForFunction(() => document.querySelectorAll('.chain').length === 1);
+  await page.waitForFunction(() => page$$('.chain').length === 1);
   await motionIsOfDocument(page);
   await cell(page, 'name').fill('My arm');
   await page.keyboard.press('Tab');
@@ -161,7 +161,7 @@ test('examples open from the keyboard; opening is undone with all steps before i
   await edit(page);
   await page.getByRole('button', { name: 'Examples' }).press('Enter');
   await page.locator('.card').first().waitFor();
-  const focused = () => page.evaluate(() => document.activeElement.dataset.sample);
+  const focused = () => page.evaluate(() => pageFocus().dataset.sample);
   assert.equal(await focused(), '3rps.json');
   await page.keyboard.press('ArrowRight');
   assert.equal(await focused(), '2tpr.json');

@@ -31,10 +31,10 @@ const paste = (path, text) =>
 const copied = () =>
   page.evaluate(() => {
     const clipboardData = new DataTransfer();
-    document.activeElement.dispatchEvent(new ClipboardEvent('copy', { clipboardData, bubbles: true, cancelable: true }));
+    pageFocus().dispatchEvent(new ClipboardEvent('copy', { clipboardData, bubbles: true, cancelable: true }));
     return clipboardData.getData('text/plain');
   });
-const active = () => page.evaluate(() => document.activeElement.dataset.path);
+const active = () => page.evaluate(() => pageFocus().dataset.path);
 
 test('a pasted block fills the cells to the right and below, as one step of undo', async () => {
   const before = await value(at(2, 'd'));

@@ -19,7 +19,7 @@ test('the first minute comes once, walks through the page, and comes again only 
   const { page, problems } = await browser.openPage({ firstVisit: true });
   const note = page.getByRole('region', { name: 'First minute' });
   await note.waitFor();
-  assert.equal(await page.evaluate(() => document.activeElement === document.body), true, 'the focus is left alone');
+  assert.equal(await page.evaluate(() => pageFocus() === document.body), true, 'the focus is left alone');
   const texts = [];
   for (;;) {
     texts.push(await note.locator('p').textContent());
@@ -35,7 +35,7 @@ test('the first minute comes once, walks through the page, and comes again only 
   await note.waitFor({ state: 'detached' });
 
   await page.reload();
-  await page.waitForFunction(() => document.querySelector('#closure').textContent !== '–');
+  await page.waitForFunction(() => (page$('#closure')?.textContent ?? '–') !== '–');
   assert.equal(await note.count(), 0);
   await fromMenu(page, 'First minute');
   await note.waitFor();
@@ -50,7 +50,7 @@ test('the first minute can be skipped, and the page is usable beside it', async 
   assert.match(await text(page, 'frame-number'), /^2 \//);
   await page.getByRole('button', { name: 'Skip' }).click();
   await page.reload();
-  await page.waitForFunction(() => document.querySelector('#closure').textContent !== '–');
+  await page.waitForFunction(() => (page$('#closure')?.textContent ?? '–') !== '–');
   assert.equal(await page.getByRole('region', { name: 'First minute' }).count(), 0);
 });
 
@@ -62,7 +62,7 @@ test('? lists the keys, from the menu too; Escape gives the focus back', async (
   await dialog.getByText('play or pause').waitFor();
   await page.keyboard.press('Escape');
   await dialog.waitFor({ state: 'detached' });
-  assert.equal(await page.evaluate(() => document.activeElement.id), 'scrub');
+  assert.equal(await page.evaluate(() => pageFocus().id), 'scrub');
   await fromMenu(page, 'Keys');
   await dialog.waitFor();
   assert.deepEqual(problems, []);
@@ -103,7 +103,7 @@ for (const { id, title } of lessons) {
     for (let i = 0; i < count; i++) {
       await page.getByRole('tab', { name: 'Lesson' }).click();
       await buttons.nth(i).click();
-      await page.waitForFunction(() => [...document.querySelectorAll('.lesson .live output')].some((output) => output.textContent !== ''));
+      await page.waitForFunction(() => [...page$$('.lesson .live output')].some((output) => output.textContent !== ''));
       assert.equal(await page.locator('#notices').textContent(), '', `button ${i + 1} acts`);
       await page.locator('#fault-note').waitFor({ state: 'detached' });
     }
@@ -117,7 +117,7 @@ for (const { id, title } of lessons) {
 
 /** Waits until an output of the lesson reads so. */
 const reads = (page, value, wanted) =>
-  page.waitForFunction(([name, pattern]) => new RegExp(pattern).test(document.querySelector(`.lesson [data-value=${name}]`)?.textContent), [value, wanted]);
+  page.waitForFunction(([name, pattern]) => new RegExp(pattern).test(page$(`.lesson [data-value=${name}]`)?.textContent), [value, wanted]);
 
 test('the lessons’ claims hold: counts, ranks, gaps', async () => {
   const { page } = await browser.blankPage();
@@ -145,7 +145,7 @@ test('the lessons’ claims hold: counts, ranks, gaps', async () => {
   const after = async (name) => {
     const old = await page.locator('.lesson [data-value=worst]').first().textContent();
     await button(name).first().click();
-    await page.waitForFunction((was) => document.querySelector('.lesson [data-value=worst]').textContent !== was, old);
+    await page.waitForFunction((was) => page$('.lesson [data-value=worst]').textContent !== was, old);
     return worst();
   };
   await page.goto(`${browser.address}?lesson=metric`);

@@ -65,7 +65,7 @@ test('an edit by keyboard only: find the cell, type, go on, undo', async () => {
   const { page } = await browser.openPage();
   await scrubTo(page, 60);
   const old = await text(page, 'metric');
-  const place = () => page.evaluate(() => document.activeElement.dataset.path);
+  const place = () => page.evaluate(() => pageFocus().dataset.path);
   await page.locator('#scrub').focus();
   const wanted = 'chains[0].joints[0].rows[0].alpha';
   for (let i = 0; i < 40 && (await place()) !== wanted; i++) await page.keyboard.press('Tab');
@@ -87,7 +87,7 @@ test('reduced motion: nothing moves before it is asked to', async () => {
   assert.equal(await page.locator('#play').getAttribute('aria-label'), 'Play');
   assert.match(await text(page, 'frame-number'), /^1 \//);
   await page.locator('#play').click();
-  await page.waitForFunction(() => document.querySelector('#scrub').value !== '0');
+  await page.waitForFunction(() => page$('#scrub').value !== '0');
 });
 
 test('the view has a text, and the status is spoken when the motion rests', async () => {

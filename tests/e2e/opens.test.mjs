@@ -15,12 +15,12 @@ after(() => browser.close());
 /** What every frame of the shown motion says of itself. */
 const eachFrame = (page) =>
   page.evaluate(() => {
-    const scrub = document.querySelector('#scrub');
+    const scrub = page$('#scrub');
     const frames = [];
     for (let frame = 0; frame <= Number(scrub.max); frame++) {
       scrub.value = String(frame);
       scrub.dispatchEvent(new Event('input'));
-      const shown = (id) => document.querySelector(`#${id}`).textContent;
+      const shown = (id) => page$(`#${id}`).textContent;
       frames.push({ number: shown('frame-number'), closure: shown('closure'), status: shown('frame-word') });
     }
     return frames;
@@ -31,7 +31,7 @@ test('opens by itself, without a complaint or a word to another host, and moves'
   const canvas = page.locator('#canvas');
   const first = await canvas.screenshot();
   const from = await page.inputValue('#scrub');
-  await page.waitForFunction((frame) => document.querySelector('#scrub').value !== frame, from);
+  await page.waitForFunction((frame) => page$('#scrub').value !== frame, from);
   await page.getByRole('button', { name: 'Pause' }).click();
   await scrubTo(page, 60);
   assert.notDeepEqual(await canvas.screenshot(), first, 'the picture has changed');
@@ -64,7 +64,7 @@ test('every sample: every frame is closed, and its numbers are shown', async () 
   assert.ok(samples.length >= 8);
   for (const { file: sample, mobility } of samples) {
     await openSample(page, sample);
-    await page.waitForFunction((rank) => document.querySelector('#mobility-rank').textContent === rank, String(mobility));
+    await page.waitForFunction((rank) => page$('#mobility-rank').textContent === rank, String(mobility));
     const frames = await eachFrame(page);
     assert.ok(frames.length >= 2, sample);
     frames.forEach((frame, index) => {
@@ -82,7 +82,7 @@ test('mobility is told by count, by n − m and by rank, and a difference is put
   assert.deepEqual(await told(), ['3', '23 − 20 = 3', '3']);
   assert.match(await text(page, 'mobility-sentence'), /as the count says/);
   await openSample(page, 'four-bar.json');
-  await page.waitForFunction(() => document.querySelector('#mobility-rank').textContent === '1');
+  await page.waitForFunction(() => page$('#mobility-rank').textContent === '1');
   assert.deepEqual(await told(), ['−2', '12 − 14 = −2', '1']);
   assert.match(await text(page, 'mobility-sentence'), /repeat each other/);
 });
@@ -99,7 +99,7 @@ test('steps, scrubs and plays from the keyboard', async () => {
   assert.equal(at, of);
   await page.keyboard.press('Space');
   await page.getByRole('button', { name: 'Pause' }).waitFor();
-  await page.waitForFunction((end) => document.querySelector('#scrub').value !== end, String(Number(of) - 1));
+  await page.waitForFunction((end) => page$('#scrub').value !== end, String(Number(of) - 1));
   await page.keyboard.press('Space');
   await page.getByRole('button', { name: 'Play' }).waitFor();
 });
@@ -119,7 +119,7 @@ test('turns, zooms and fits the view from the keyboard', async () => {
 
 test('a lost graphics context is told, and the view comes back with it', async () => {
   const { page } = await browser.openPage();
-  const loss = await page.evaluateHandle(() => document.querySelector('#canvas').getContext('webgl2').getExtension('WEBGL_lose_context'));
+  const loss = await page.evaluateHandle(() => page$('#canvas').getContext('webgl2').getExtension('WEBGL_lose_context'));
   await loss.evaluate((extension) => extension.loseContext());
   await page.locator('#view-note').filter({ hasText: 'interrupted' }).waitFor();
   await loss.evaluate((extension) => extension.restoreContext());

@@ -26,7 +26,7 @@ test('what is chosen in the view is marked in the tables and in the tree, and th
   await page.keyboard.press('Enter');
   await marked('chains[2].joints[1]').waitFor();
   await item('chains[2].joints[1]').and(page.locator('[aria-selected=true]')).waitFor();
-  assert.equal(await page.evaluate(() => document.activeElement.id), 'canvas');
+  assert.equal(await page.evaluate(() => pageFocus().id), 'canvas');
   const [row, box] = [await marked('chains[2].joints[1]').boundingBox(), await page.locator('#tables').boundingBox()];
   assert.ok(row.y >= box.y - 1 && row.y + row.height <= box.y + box.height + 1, `the row is in sight: ${JSON.stringify([row, box])}`);
   await page.keyboard.press('Escape');
@@ -50,7 +50,7 @@ test('a cell that is entered selects its joint everywhere, and nothing scrolls a
   await cell(page, 'chains[0].base.x').focus();
   await inView('base of chain 1').waitFor();
   assert.equal(await marked('chains[1].joints[1]').count(), 0);
-  assert.equal(await page.evaluate(() => document.activeElement.dataset.path), 'chains[0].base.x');
+  assert.equal(await page.evaluate(() => pageFocus().dataset.path), 'chains[0].base.x');
 });
 
 test('entering a cell moves nothing under the hand', async () => {
@@ -73,7 +73,7 @@ test('the tree by keyboard: branches, letters, selection, and the way into the t
   assert.equal(await item('chains[0]').getAttribute('aria-expanded'), 'true');
   await page.keyboard.press('ArrowRight');
   await page.keyboard.press('ArrowDown');
-  const focused = () => page.evaluate(() => document.activeElement.dataset.item);
+  const focused = () => page.evaluate(() => pageFocus().dataset.item);
   assert.equal(await focused(), 'chains[0].joints[0]');
   await page.keyboard.press('Space');
   await inView('chain 1, joint 1').waitFor();
@@ -84,7 +84,7 @@ test('the tree by keyboard: branches, letters, selection, and the way into the t
   await page.keyboard.press('ArrowRight');
   await page.keyboard.press('ArrowRight');
   await page.keyboard.press('Enter');
-  assert.equal(await page.evaluate(() => document.activeElement.dataset.path), 'motion.key_frames[0].name');
+  assert.equal(await page.evaluate(() => pageFocus().dataset.path), 'motion.key_frames[0].name');
   await page.keyboard.press('Home');
 });
 

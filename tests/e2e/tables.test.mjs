@@ -17,7 +17,7 @@ afterEach(() => assert.deepEqual(problems, []));
 
 const joints = (chain) => page.locator(`[data-path^="chains[${chain}].joints"][data-path$=".type"]`).evaluateAll((all) => all.map((s) => s.value).join(''));
 const names = () => page.locator('#mechanism h3 input').evaluateAll((all) => all.map((input) => input.value));
-const active = () => page.evaluate(() => document.activeElement.dataset.path ?? document.activeElement.dataset.menu);
+const active = () => page.evaluate(() => pageFocus().dataset.path ?? pageFocus().dataset.menu);
 
 test('a joint is inserted, moved by its menu and by Alt and an arrow, removed; each is one step of undo', async () => {
   assert.equal(await joints(0), 'RPS');
@@ -82,5 +82,5 @@ test('a key frame at the shown pose can be reached', async () => {
   await page.getByRole('tab', { name: 'Motion' }).click();
   await doTo(page, 'key frame 2', 'Take the shown pose');
   await page.getByRole('button', { name: 'Go to key frame 2' }).click();
-  await page.waitForFunction(() => document.querySelector('#frame-word').textContent === 'Reached');
+  await page.waitForFunction(() => page$('#frame-word').textContent === 'Reached');
 });

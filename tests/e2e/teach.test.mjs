@@ -22,7 +22,7 @@ const row = (index) => page.locator(`.teach-row[data-variable="${index}"]`);
 const slider = (index) => row(index).locator('input[type=range]');
 const field = (index) => row(index).locator('input[type=text]');
 const values = () => page.locator('.teach-row input[type=text]').evaluateAll((fields) => fields.map((f) => Number(f.value)));
-const moved = (old) => page.waitForFunction((before) => [...document.querySelectorAll('.teach-row input[type=text]')].some((f, i) => Number(f.value) !== before[i]), old);
+const moved = (old) => page.waitForFunction((before) => [...page$$('.teach-row input[type=text]')].some((f, i) => Number(f.value) !== before[i]), old);
 
 test('every joint variable has a slider and a number, named with its unit', async () => {
   assert.equal(await page.locator('.teach-row').count(), 15);
@@ -47,7 +47,7 @@ test('a slider drives its joint; the others follow, every loop stays closed', as
   assert.equal(await text(page, 'frame-word'), 'Driven');
   assert.ok(number(await text(page, 'closure')) <= 1e-10);
   await page.getByRole('tabpanel', { name: 'Teach' }).getByRole('button', { name: 'Back to the motion' }).click();
-  await page.waitForFunction((d) => Number(document.querySelector('.teach-row[data-variable="1"] input[type=text]').value) === d, before[1]);
+  await page.waitForFunction((d) => Number(page$('.teach-row[data-variable="1"] input[type=text]').value) === d, before[1]);
   assert.notEqual(await text(page, 'frame-word'), 'Driven');
 });
 
@@ -58,12 +58,12 @@ test('by keyboard: an arrow moves the slider, a number is driven to', async () =
   await moved(before);
   await field(1).fill('1.2');
   await page.keyboard.press('Enter');
-  await page.waitForFunction(() => document.querySelector('.teach-row[data-variable="1"] input[type=range]').getAttribute('aria-valuetext') === '1.2 m');
+  await page.waitForFunction(() => page$('.teach-row[data-variable="1"] input[type=range]').getAttribute('aria-valuetext') === '1.2 m');
 });
 
 test('where the linkage cannot follow it says why, and goes as far as it can', async () => {
   await openSample(page, 'four-bar.json');
-  await page.waitForFunction(() => document.querySelectorAll('.teach-row').length === 4);
+  await page.waitForFunction(() => page$$('.teach-row').length === 4);
   // The rocker cannot turn round.
   const rocker = 2;
   const [old] = [await field(rocker).inputValue()];
@@ -83,7 +83,7 @@ test('where the linkage cannot follow it says why, and goes as far as it can', a
 
 test('a number beyond a limit, or none, is refused in words; nothing moves', async () => {
   await openSample(page, 'scara.json');
-  await page.waitForFunction(() => document.querySelectorAll('.teach-row').length === 4);
+  await page.waitForFunction(() => page$$('.teach-row').length === 4);
   const before = await values();
   for (const bad of ['9999', 'abc']) {
     await field(0).fill(bad);
@@ -99,7 +99,7 @@ test('a number beyond a limit, or none, is refused in words; nothing moves', asy
 test('a posture becomes the start or a key frame, and undo takes it back', async () => {
   await field(1).fill('1.25');
   await page.keyboard.press('Enter');
-  await page.waitForFunction(() => document.querySelector('#frame-word').textContent === 'Driven');
+  await page.waitForFunction(() => page$('#frame-word').textContent === 'Driven');
   const panel = page.getByRole('tabpanel', { name: 'Teach' });
   await panel.getByRole('button', { name: 'Add key frame here' }).click();
   await page.getByRole('tab', { name: 'Motion' }).click();
@@ -110,13 +110,13 @@ test('a posture becomes the start or a key frame, and undo takes it back', async
   await page.getByRole('tab', { name: 'Teach' }).click();
   await field(1).fill('1.25');
   await page.keyboard.press('Enter');
-  await page.waitForFunction(() => document.querySelector('#frame-word').textContent === 'Driven');
+  await page.waitForFunction(() => page$('#frame-word').textContent === 'Driven');
   await panel.getByRole('button', { name: 'Use as start' }).click();
   await page.getByRole('tab', { name: 'Mechanism' }).click();
   const start = page.locator('[data-path="chains[0].start[1]"]');
-  await page.waitForFunction(() => Number(document.querySelector('[data-path="chains[0].start[1]"]').value) === 1.25);
+  await page.waitForFunction(() => Number(page$('[data-path="chains[0].start[1]"]').value) === 1.25);
   await page.keyboard.press('Control+z');
-  await page.waitForFunction(() => Number(document.querySelector('[data-path="chains[0].start[1]"]').value) !== 1.25);
+  await page.waitForFunction(() => Number(page$('[data-path="chains[0].start[1]"]').value) !== 1.25);
   assert.notEqual(await start.inputValue(), '1.25');
 });
 

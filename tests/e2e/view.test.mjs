@@ -71,7 +71,7 @@ test('the keyboard goes through the things, says them, and leaves the view with 
   await page.keyboard.press('Escape');
   await chosen(page, '');
   await page.keyboard.press('Tab');
-  assert.notEqual(await page.evaluate(() => document.activeElement.id), 'canvas');
+  assert.notEqual(await page.evaluate(() => pageFocus().id), 'canvas');
 });
 
 test('standard views, by key and by menu, each another picture; fitting the selection another still', async () => {
@@ -108,7 +108,7 @@ test('without reduced motion a standard view is reached too', async () => {
   await page.keyboard.press('p');
   const before = await across();
   await page.keyboard.press('1');
-  await page.waitForFunction((old) => document.querySelector('#labels [data-place="chains[1].base"]').style.transform !== old, before);
+  await page.waitForFunction((old) => page$('#labels [data-place="chains[1].base"]').style.transform !== old, before);
   let last = '';
   while (last !== (last = await across())) await page.waitForTimeout(300);
   const heights = await page.locator('#labels [data-place$=".base"]').evaluateAll((tags) => tags.map((tag) => Number(tag.style.transform.match(/[\d.]+(?=px\))/)[0])));
@@ -153,7 +153,7 @@ test('at rest nothing is drawn', async () => {
   assert.equal(await draws(), last);
   await page.locator('#canvas').focus();
   await page.keyboard.press('ArrowLeft');
-  await page.waitForFunction((old) => document.querySelector('#canvas').dataset.draws !== old, last);
+  await page.waitForFunction((old) => page$('#canvas').dataset.draws !== old, last);
 });
 
 test('ghosts, and leaving out parts, change the picture; the legend tells the sizes of gaps', async () => {
@@ -185,7 +185,7 @@ test('another colour scheme repaints the view at once', async () => {
   const { page } = await browser.openPage({ colorScheme: 'light' });
   const draws = await page.locator('#canvas').getAttribute('data-draws');
   await page.emulateMedia({ colorScheme: 'dark' });
-  await page.waitForFunction((old) => document.querySelector('#canvas').dataset.draws !== old, draws);
+  await page.waitForFunction((old) => page$('#canvas').dataset.draws !== old, draws);
 });
 
 test('what is pointed at elsewhere is named in the view, and the other way round', async () => {

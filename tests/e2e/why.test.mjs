@@ -67,8 +67,8 @@ test('at a limit the joint and its chain are named', async () => {
   const { page } = await openAt(60);
   await page.locator('#mechanism summary', { hasText: 'limits' }).first().click();
   await cell(page, 'chains[0].joints[1].limits[0].max').fill('1.3');
-  await page.waitForFunction(() => /limit/i.test(document.querySelector('#motion-summary').textContent));
-  const frame = await page.evaluate(() => Number(document.querySelector('#scrub').max));
+  await page.waitForFunction(() => /limit/i.test(page$('#motion-summary').textContent));
+  const frame = await page.evaluate(() => Number(page$('#scrub').max));
   for (let at = 0; at <= frame && !(await page.locator('#frame-status[data-status="at_limit"]').count()); at += 4) await scrubTo(page, at);
   await why(page).getByText(/of chain 1 is at its largest value, 1.3 m/).waitFor();
 });

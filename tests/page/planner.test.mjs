@@ -1,6 +1,7 @@
 // The promises in front of the worker, with a worker that answers on command.
 import assert from 'node:assert/strict';
 import { afterEach, beforeEach, mock, test } from 'node:test';
+import { Desk } from '../../www/desk.js';
 import { DocumentFault, Planner, PlannerFailure, Superseded } from '../../www/planner.js';
 
 /** @type {{requests: {id: number, call: string, args: unknown[]}[], ended: boolean, onmessage: Function, onerror: Function}[]} */
@@ -27,14 +28,14 @@ afterEach(() => mock.timers.reset());
 const answer = (worker, message) => worker.onmessage({ data: { id: worker.requests.at(-1).id, ...message } });
 
 test('an answer comes back to its question', async () => {
-  const planner = new Planner();
+  const planner = new Planner(new Desk());
   const motion = planner.plan('a');
   answer(workers[0], { kind: 'value', value: 'motion of a' });
   assert.equal(await motion, 'motion of a');
 });
 
 test('the latest edit wins: of the waiting plans only the newest is made', async () => {
-  const planner = new Planner();
+  const planner = new Planner(new Desk());
   const plans = ['a', 'b', 'c'].map((text) => planner.plan(text));
   const overtaken = assert.rejects(plans[1], Superseded);
   answer(workers[0], { kind: 'value', value: 1 });
@@ -45,7 +46,7 @@ test('the latest edit wins: of the waiting plans only the newest is made', async
 });
 
 test('the linkage follows the latest hand: of the waiting pulls, drives and explanations only the newest of each is asked', async () => {
-  const planner = new Planner();
+  const planner = new Planner(new Desk());
   const joints = new Float64Array(3);
   const goal = new Float64Array(7);
   const first = planner.plan('a');
@@ -62,7 +63,7 @@ test('the linkage follows the latest hand: of the waiting pulls, drives and expl
 });
 
 test('a fault of the document is told with its place, and the worker lives', async () => {
-  const planner = new Planner();
+  const planner = new Planner(new Desk());
   const plan = planner.plan('a');
   const fault = { code: 'x', message: 'no number', where: 'chains[0]', accepted: 'a number' };
   answer(workers[0], { kind: 'fault', fault });
@@ -71,7 +72,7 @@ test('a fault of the document is told with its place, and the worker lives', asy
 });
 
 test('a failed worker is discarded, and the next plan gets a new one', async () => {
-  const planner = new Planner();
+  const planner = new Planner(new Desk());
   const first = planner.plan('a');
   const second = planner.plan('b');
   answer(workers[0], { kind: 'failure', message: 'unreachable' });
@@ -82,7 +83,7 @@ test('a failed worker is discarded, and the next plan gets a new one', async () 
 });
 
 test('a worker that cannot be loaded is not tried for ever', async () => {
-  const planner = new Planner();
+  const planner = new Planner(new Desk());
   const plan = planner.plan('a');
   workers[0].onerror({ preventDefault() {}, message: 'gone' });
   await assert.rejects(plan, PlannerFailure);
@@ -91,7 +92,7 @@ test('a worker that cannot be loaded is not tried for ever', async () => {
 
 test('a plan that hangs gives way to a newer edit, not before one comes', async () => {
   mock.timers.enable({ apis: ['setTimeout'] });
-  const planner = new Planner();
+  const planner = new Planner(new Desk());
   const slow = planner.plan('a');
   mock.timers.tick(60_000);
   assert.equal(workers[0].ended, false);

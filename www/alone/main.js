@@ -45,10 +45,11 @@ document.body.append(
   ),
 );
 
-const player = new Player(store, () => {
+const player = new Player(store);
+player.draw = () => {
   const what = shown(store);
   if (what) scene?.draw(what);
-});
+};
 const scene = createScene({ canvas, labels }, () => player.invalidate());
 note.hidden = scene !== null;
 

@@ -7,7 +7,7 @@
  * @typedef {import('./pointer-drags.js').Pointer} Pointer
  */
 import { Quaternion, Vector3 } from 'three';
-import { byId, element, setText } from '../dom.js';
+import { element, setText } from '../dom.js';
 import { lengthUnit, short } from '../format.js';
 import { createLabels } from '../scene/labels.js';
 import { nameOf } from '../scene/names.js';
@@ -26,17 +26,18 @@ const NUDGES = { ArrowRight: [0, 1], ArrowLeft: [0, -1], ArrowUp: [1, 1], ArrowD
 
 const KEY_FRAME = /^motion\.key_frames\[(\d+)\]/;
 
-/** @param {import('../main.js').App} app */
+/** @param {import('../workbench.js').App} app */
 export const createDrag = (app) => app.scene && connect(app, app.scene);
 
-/** @param {import('../main.js').App} app @param {NonNullable<typeof app.scene>} scene */
+/** @param {import('../workbench.js').App} app @param {NonNullable<typeof app.scene>} scene */
 function connect(app, scene) {
-  const { store } = app;
+  const { store, signal } = app;
+  app.explain();
   const { canvas } = scene;
   const size = () => scene.radius;
   const gizmo = createGizmo(scene);
   const layer = element('div', { class: 'hand-labels', 'aria-hidden': 'true' });
-  byId('labels').after(layer);
+  app.find('labels').after(layer);
   const labels = createLabels(layer);
 
   // Kept: to ask the canvas in every picture would lay the page out in every picture.
@@ -70,7 +71,7 @@ function connect(app, scene) {
 
   const banners = /** @type {HTMLElement} */ (canvas.parentElement?.querySelector('.banners'));
   const bar = createDragBar(banners, choose, step);
-  byId('back-to-motion').before(...postureActions(app).flatMap((button) => [button, ' ']));
+  app.find('back-to-motion').before(...postureActions(app).flatMap((button) => [button, ' ']));
 
   /** The workpiece goes by its freedoms. */
   const free = () => target === workpiece && how.mode === 'freedoms';
@@ -187,7 +188,7 @@ function connect(app, scene) {
   function take(place) {
     if (!targetOf(place)) return;
     store.setView({ selected: place });
-    setText(byId('view-live'), `Selected: ${nameOf(place, store)}.`);
+    setText(app.find('view-live'), `Selected: ${nameOf(place, store)}.`);
     canvas.focus({ preventScroll: true });
   }
 
@@ -222,7 +223,7 @@ function connect(app, scene) {
     click: (event) => take(scene.pick(event)),
   });
   // A key frame inside the workpiece is reached by its name.
-  byId('labels').addEventListener('click', ({ target: tag }) => {
+  app.find('labels').addEventListener('click', ({ target: tag }) => {
     if (tag instanceof HTMLElement) take(tag.dataset.place ?? '');
   });
   scene.claimants.add((event) => drags.busy || gizmo.hover(drags.place(event)) || (free() && freedoms.handles.pick(drags.place(event)) >= 0));
@@ -273,8 +274,8 @@ function connect(app, scene) {
     scene.changed();
   }
   paint();
-  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', paint);
-  addEventListener('themechange', paint);
+  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', paint, { signal });
+  addEventListener('themechange', paint, { signal });
 
   /** Names of the handles: axes, or the numbers of freedoms. */
   function names() {

@@ -24,7 +24,7 @@ const LONGEST_TURN = (2 / 3) * Math.PI;
 
 const Y = new Vector3(0, 1, 0);
 
-/** @param {NonNullable<import('../main.js').App['scene']>} scene */
+/** @param {NonNullable<import('../workbench.js').App['scene']>} scene */
 export function createFreedomHandles(scene) {
   const group = new Group();
   scene.root.add(group);

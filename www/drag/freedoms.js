@@ -12,8 +12,8 @@ import { movePoint, movePose } from './screws.js';
 import { ANGLE_STEP, lengthStep } from './steps.js';
 
 /**
- * @param {Pick<import('../main.js').App, 'store'>} app
- * @param {NonNullable<import('../main.js').App['scene']>} scene
+ * @param {Pick<import('../workbench.js').App, 'store'>} app
+ * @param {NonNullable<import('../workbench.js').App['scene']>} scene
  */
 export function createFreedoms({ store }, scene) {
   const handles = createFreedomHandles(scene);

@@ -13,7 +13,7 @@ const SIZE = { fine: 0.85, coarse: 1.25 };
 const TIP = 0.68;
 const SCREEN_SHARE = 1.9;
 
-/** @param {NonNullable<import('../main.js').App['scene']>} scene */
+/** @param {NonNullable<import('../workbench.js').App['scene']>} scene */
 export function createGizmo(scene) {
   const handle = new Object3D();
   const controls = new TransformControls(scene.camera, null);

@@ -21,7 +21,7 @@ const ANGLES = /** @type {const} */ (['longitude', 'latitude', 'roll']);
 let drags = 0;
 
 /**
- * @param {Pick<import('../main.js').App, 'store' | 'player'>} app
+ * @param {Pick<import('../workbench.js').App, 'store' | 'player'>} app
  * @param {number} index
  * @param {() => number} size the scene's radius
  * @returns {Target}

@@ -8,7 +8,7 @@ import { groupAt, shown } from '../shown.js';
 import { statusWords } from '../view/words.js';
 
 /**
- * @param {Pick<import('../main.js').App, 'store' | 'planner'>} app
+ * @param {Pick<import('../workbench.js').App, 'store' | 'planner'>} app
  * @returns {import('./key-frame.js').Target & {busy: () => boolean}}
  */
 export function workpieceTarget({ store, planner }) {

@@ -1,7 +1,7 @@
 /**
  * A film of one pass of the motion, recorded while it plays, as WebM.
  *
- * @typedef {import('../main.js').App} App
+ * @typedef {import('../workbench.js').App} App
  */
 import { element, setText } from '../dom.js';
 import { fileName, saveFile } from '../files/save.js';

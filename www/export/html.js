@@ -5,7 +5,7 @@ import { script, style } from '../alone/main.js?bundle';
 import { pack } from '../alone/pack.js';
 import { fileName, saveFile } from '../files/save.js';
 
-/** @param {import('../main.js').App} app */
+/** @param {import('../workbench.js').App} app */
 export async function exportHtml({ store, say }) {
   const { motion, document } = store.result;
   if (!motion || !document) return;

@@ -1,7 +1,7 @@
 /**
  * The Export menu. What makes the files is loaded when it is first asked for.
  *
- * @typedef {import('../main.js').App} App
+ * @typedef {import('../workbench.js').App} App
  */
 import { byId } from '../dom.js';
 import { menuButton } from '../view/menu.js';

@@ -9,7 +9,7 @@ const FILES = {
   mjcf: { ending: 'mjcf.xml', type: 'application/xml' },
 };
 
-/** @param {import('../main.js').App} app @param {keyof typeof FILES} format */
+/** @param {import('../workbench.js').App} app @param {keyof typeof FILES} format */
 export async function exportMotion({ store, planner, say }, format) {
   const { document } = store.result;
   const text = await planner.exportMotion(JSON.stringify(document), format);

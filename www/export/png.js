@@ -6,7 +6,7 @@ import { fileName, saveFile } from '../files/save.js';
 import { openDialog } from '../view/dialog.js';
 import { drawPicture } from './picture.js';
 
-/** @param {import('../main.js').App} app */
+/** @param {import('../workbench.js').App} app */
 export async function exportPng({ store, scene, say }) {
   if (!scene) return;
   const { clientWidth: width, clientHeight: height } = scene.canvas;

@@ -14,7 +14,7 @@ import { onlyVisible } from './visible.js';
 /** Steps in which the ground's lines fade. */
 const FADES = 8;
 
-/** @param {import('../main.js').App} app */
+/** @param {import('../workbench.js').App} app */
 export async function exportSvg({ store, scene, say }) {
   if (!scene) return;
   const { name } = store.result.document ?? {};

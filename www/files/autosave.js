@@ -6,7 +6,7 @@
 const PAUSE = 400;
 
 /**
- * @param {Pick<import('../main.js').App, 'store' | 'say'>} app
+ * @param {Pick<import('../workbench.js').App, 'store' | 'say'>} app
  * @param {ReturnType<typeof import('./keeper.js').createKeeper>} keeper
  */
 export function createAutosave({ store, say }, keeper) {

@@ -4,6 +4,7 @@
  * `1.` (version of this form), then in base64url: the CRC-32 of the text's bytes, high byte first, and those bytes
  * compressed by raw deflate (RFC 1951). The sum tells a link that was cut or mistyped from a whole one.
  */
+import { Refusal } from '../refusal.js';
 
 const VERSION = '1';
 
@@ -11,7 +12,7 @@ const VERSION = '1';
 const MAX_TEXT = 4_000_000;
 
 /** The payload is not what was sent; the message is a sentence for a person. */
-export class DamagedLink extends Error {}
+export class DamagedLink extends Refusal {}
 
 /** @param {string} text @returns {Promise<string>} */
 export async function encode(text) {

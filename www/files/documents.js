@@ -2,7 +2,7 @@
  * What a person does with documents: new, open, save, share. Uses the browser's file access where there is one, else
  * uploads and downloads.
  *
- * @typedef {import('../main.js').App} App
+ * @typedef {import('../workbench.js').App} App
  */
 import { shareAddress } from './address.js';
 import { encode } from './codec.js';
@@ -19,7 +19,7 @@ const pickers = () => /** @type {Window & Pickers} */ (window);
 const TYPES = [{ description: 'Linkage', accept: { 'application/json': ['.json'] } }];
 
 /** @param {App} app */
-export function createDocuments({ store, planner, defaults, say, open }) {
+export function createDocuments({ store, planner, say, open }) {
   /** @type {HTMLInputElement} */
   const chooser = byId('file');
   chooser.addEventListener('change', () => {
@@ -92,6 +92,8 @@ export function createDocuments({ store, planner, defaults, say, open }) {
     }
   }
 
+  const fresh = async () => open((await planner.defaults()).document);
+
   async function share() {
     try {
       const text = JSON.stringify(JSON.parse(await planner.normalise(JSON.stringify(store.document))));
@@ -117,7 +119,7 @@ export function createDocuments({ store, planner, defaults, say, open }) {
     field.select();
   }
 
-  return { fresh: () => open(defaults.document), pick, save, share, take };
+  return { fresh, pick, save, share, take };
 }
 
 /** @param {unknown} error */

@@ -5,12 +5,13 @@
  * @typedef {{path: string, value: unknown}} Override
  */
 import { parsePath, valueAt, withValueAt } from '../path.js';
+import { Refusal } from '../refusal.js';
 
 /** A comma or semicolon that another `path:` follows; one in a text does not part. */
 const BETWEEN = /[;,](?=\s*[A-Za-z_][\w.[\]]*:)/;
 
 /** An override that cannot be applied; the message is a sentence for a person. */
-export class BadOverride extends Error {}
+export class BadOverride extends Refusal {}
 
 /**
  * @param {string[]} sets the values of every `set` of the address

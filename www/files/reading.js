@@ -1,12 +1,13 @@
 /**
  * The text of a file that a person hands in, or why it is none.
  */
+import { Refusal } from '../refusal.js';
 
 /** Bytes of the largest file that is looked at; no document needs a quarter of it. */
 const MAX_BYTES = 4_000_000;
 
 /** The file is not read; the message is a sentence for a person. */
-export class RefusedFile extends Error {}
+export class RefusedFile extends Refusal {}
 
 /** @param {Blob & {name?: string}} file @returns {Promise<string>} */
 export async function readText(file) {

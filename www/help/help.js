@@ -1,14 +1,12 @@
 /**
  * The Help menu: the first minute, the keys, what the numbers mean, the lessons, the pages beside the applet.
- *
- * @typedef {import('../main.js').App} App
  */
-import { byId } from '../dom.js';
+import { byId, targetOf } from '../dom.js';
 import { menuButton } from '../view/menu.js';
 import { askedLesson, lessons, openLesson } from './lessons.js';
 import { startTour, wasSeen } from './tour.js';
 
-/** @param {App} app */
+/** @param {import('../workbench.js').AppWithPanels} app */
 export function createHelp(app) {
   const reference = () => import('./reference.js');
   const showKeys = () => reference().then(({ showKeys: show }) => show());
@@ -19,7 +17,7 @@ export function createHelp(app) {
 
   byId('menus').append(
     menuButton('Help', () => [
-      { label: 'First minute', hint: 'A short tour of the page', act: () => startTour({ focus: true }) },
+      { label: 'First minute', hint: 'A short tour of the page', act: () => startTour(app, { focus: true }) },
       { label: 'Keys', hint: 'Everything from the keyboard: ?', act: showKeys },
       { label: 'What the numbers mean', hint: 'Each with its equation', act: showNumbers },
       'line',
@@ -31,18 +29,14 @@ export function createHelp(app) {
     ]),
   );
   document.addEventListener('keydown', (event) => {
-    const typing = /** @type {Element | null} */ (event.target)?.closest('input:not([type=range]), select, textarea');
+    const typing = targetOf(event)?.closest('input:not([type=range]), select, textarea');
     if (event.key !== '?' || event.ctrlKey || event.metaKey || typing || document.querySelector('dialog[open]')) return;
     event.preventDefault();
     showKeys();
   });
 
-  // After the first motion: the lesson of the address, or the first minute of a first visit.
-  const leave = app.store.subscribe('result', () => {
-    if (!app.store.result.motion) return;
-    leave();
-    const lesson = askedLesson();
-    if (lesson !== null) openLesson(app, lesson);
-    else if (!wasSeen()) startTour({ focus: false });
-  });
+  // The lesson of the address, or the first minute of a first visit.
+  const lesson = askedLesson();
+  if (lesson !== null) openLesson(app, lesson);
+  else if (!wasSeen()) startTour(app, { focus: false });
 }

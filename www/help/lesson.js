@@ -1,21 +1,21 @@
 /**
  * A lesson beside the linkage: its text, its buttons that act on the page, and numbers that follow the motion.
  *
- * @typedef {import('../main.js').App} App
+ * @typedef {import('../workbench.js').AppWithPanels} App
  * @typedef {{id: string, title: string, text: string, document: string}} Lesson
  */
-import { byId, element, setText } from '../dom.js';
+import { element, setText } from '../dom.js';
 import { setValue } from '../edits.js';
 import { angle, length } from '../format.js';
 import { parsePath, valueAt } from '../path.js';
-import { samples } from '../samples.js';
+import { sampleOf, sampleText } from '../samples.js';
 import { convertLengths } from '../units.js';
 import { statusName, statusWords, worstFrame } from '../view/words.js';
 
 /** @param {App} app @param {Lesson} lesson */
 export function showLesson(app, lesson) {
-  const { store, player, tabs, say } = app;
-  const panel = byId('lesson');
+  const { store, player, tabs, say, find } = app;
+  const panel = find('lesson');
   const body = element('article', { class: 'lesson' });
   // Our own text, from a file beside this one.
   body.innerHTML = lesson.text;
@@ -30,7 +30,7 @@ export function showLesson(app, lesson) {
     ),
     body,
   );
-  byId('tab-lesson').hidden = false;
+  find('tab-lesson').hidden = false;
   tabs.choosePanel(panel);
 
   async function copyLink() {
@@ -42,26 +42,23 @@ export function showLesson(app, lesson) {
 
   function close() {
     leave.forEach((end) => end());
-    byId('tab-lesson').hidden = true;
+    find('tab-lesson').hidden = true;
     panel.replaceChildren();
-    tabs.choosePanel(byId('mechanism'));
-    byId('tab-mechanism').focus();
+    tabs.choosePanel(find('mechanism'));
+    find('tab-mechanism').focus();
   }
 
-  /** What a button does, by its attributes. @type {Record<string, (data: DOMStringMap) => void>} */
+  /** What a button does, by its attributes. @type {Record<string, (data: DOMStringMap) => void | Promise<unknown>>} */
   const acts = {
     restart: () => app.open(lesson.document),
-    sample: ({ sample }) => {
-      const found = samples.find(({ file }) => file === sample);
-      if (found) app.open(found.text);
-    },
+    sample: async ({ sample }) => app.open(await sampleText(sampleOf(sample ?? ''))),
     play: () => player.play(),
     worst: () => {
       player.pause();
       if (store.result.motion) player.frame = worstFrame(store.result.motion.metric);
     },
     panel: ({ panel: id }) => {
-      const target = byId(id ?? '');
+      const target = find(id ?? '');
       // The lesson gives way only where the other panel cannot stand beside it.
       if (!target.offsetParent) tabs.choosePanel(target);
       target.scrollIntoView({ block: 'nearest' });

@@ -16,7 +16,7 @@ let open = null;
 
 /**
  * Opens a lesson with its linkage.
- * @param {import('../main.js').App} app
+ * @param {import('../workbench.js').AppWithPanels} app
  * @param {string} id
  */
 export async function openLesson(app, id) {

@@ -39,8 +39,11 @@ function keepSeen() {
 /** @type {(() => void) | null} */
 let leave = null;
 
-/** @param {{focus: boolean}} how whether the first note takes the focus: not when it comes unasked */
-export function startTour({ focus }) {
+/**
+ * @param {Pick<import('../workbench.js').App, 'root'>} app
+ * @param {{focus: boolean}} how whether the first note takes the focus: not when it comes unasked
+ */
+export function startTour({ root }, { focus }) {
   leave?.();
   let at = 0;
   const text = element('p', { id: 'tour-text' });
@@ -58,7 +61,7 @@ export function startTour({ focus }) {
   let marked = null;
 
   const target = () => {
-    const all = /** @type {HTMLElement[]} */ ([...document.querySelectorAll(NOTES[at].at)]);
+    const all = /** @type {HTMLElement[]} */ ([...root.querySelectorAll(NOTES[at].at), ...document.querySelectorAll(NOTES[at].at)]);
     return all.find((candidate) => candidate.getClientRects().length > 0) ?? null;
   };
 
@@ -95,7 +98,7 @@ export function startTour({ focus }) {
     const within = note.contains(document.activeElement);
     leave?.();
     keepSeen();
-    if (within) document.getElementById('canvas')?.focus();
+    if (within) root.getElementById('canvas')?.focus();
   }
 
   const key = (/** @type {KeyboardEvent} */ event) => {

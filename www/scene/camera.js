@@ -30,8 +30,8 @@ const SLOPE = Math.tan(15 * MathUtils.DEG2RAD);
 /** Straight above and below, the view still needs to know what is up. */
 const UPRIGHT = 1e-4;
 
-/** @param {HTMLCanvasElement} canvas @param {() => void} changed */
-export function createCamera(canvas, changed) {
+/** @param {HTMLCanvasElement} canvas @param {() => void} changed @param {() => void} turned by a person's hand */
+export function createCamera(canvas, changed, turned) {
   const perspective = new PerspectiveCamera(30, 1, 0.01, 1000);
   const parallel = new OrthographicCamera();
   for (const camera of [perspective, parallel]) camera.up.set(0, 0, 1);
@@ -48,6 +48,7 @@ export function createCamera(canvas, changed) {
     changed();
   });
   controls.addEventListener('start', () => {
+    turned();
     move = null;
   });
 
@@ -127,6 +128,7 @@ export function createCamera(canvas, changed) {
     else if (event.key === '+' || event.key === '=') go({ reach: now.reach * ZOOM }, false);
     else if (event.key === '-') go({ reach: now.reach / ZOOM }, false);
     else return;
+    turned();
     event.preventDefault();
   });
 
@@ -161,9 +163,9 @@ export function createCamera(canvas, changed) {
     fitTo(centre, radius) {
       go(around(centre, radius));
     },
-    /** @param {keyof typeof STANDARD_VIEWS} name */
-    turnTo(name) {
-      go(STANDARD_VIEWS[name]);
+    /** @param {keyof typeof STANDARD_VIEWS} name @param {boolean} [smooth] */
+    turnTo(name, smooth) {
+      go(STANDARD_VIEWS[name], smooth);
     },
     /** @param {boolean} flat whether parallel lines stay parallel */
     setParallel(flat) {

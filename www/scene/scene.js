@@ -20,17 +20,18 @@ import { readPalette } from './palette.js';
 import { createPicker } from './pick.js';
 
 /**
- * @param {{canvas: HTMLCanvasElement, labels: HTMLElement}} place
+ * @param {{canvas: HTMLCanvasElement, labels: HTMLElement, signal?: AbortSignal, turned?: () => void}} place where it is, until when, and who is told when a
+ *   hand turns it
  * @param {() => void} changed
  * @returns null where the browser has no WebGL 2
  */
-export function createScene({ canvas, labels: layer }, changed) {
+export function createScene({ canvas, labels: layer, signal, turned = () => {} }, changed) {
   const context = canvas.getContext('webgl2', { antialias: true, alpha: true });
   if (!context) return null;
   const renderer = new WebGLRenderer({ canvas, context });
   renderer.shadowMap.enabled = true;
   const root = new Scene();
-  const view = createCamera(canvas, changed);
+  const view = createCamera(canvas, changed, turned);
   const labels = createLabels(layer);
   const materials = createMaterials();
   const light = createLight(isSoftware(context), changed);
@@ -52,8 +53,8 @@ export function createScene({ canvas, labels: layer }, changed) {
     changed();
   }
   paint();
-  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', paint);
-  addEventListener('themechange', paint);
+  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', paint, { signal });
+  addEventListener('themechange', paint, { signal });
 
   let width = 1;
   let height = 1;
@@ -99,12 +100,32 @@ export function createScene({ canvas, labels: layer }, changed) {
     paths.show(what);
   }
 
+  // A browser has few contexts: one that is out of sight is given back, and asked for again.
+  const lending = context.getExtension('WEBGL_lose_context');
+  let released = false;
+  signal?.addEventListener('abort', () => {
+    released = true;
+    renderer.dispose();
+    lending?.loseContext();
+  });
+
   /** @type {Set<(event: PointerEvent) => boolean>} */
   const claimants = new Set();
   /** @type {Set<() => void>} */
   const drawn = new Set();
   return {
     canvas,
+    /** Whether its context is given back at its own wish. */
+    get released() {
+      return released;
+    },
+    /** @param {boolean} next */
+    set released(next) {
+      if (next === released || !lending) return;
+      released = next;
+      if (next) lending.loseContext();
+      else lending.restoreContext();
+    },
     /** Where other bodies, such as handles, are added. */
     root,
     changed,
@@ -204,6 +225,7 @@ export function createScene({ canvas, labels: layer }, changed) {
 
     /** @param {import('./frame.js').Shown} what the columns and the frame in them that are drawn */
     draw(what) {
+      if (released) return;
       view.step();
       pose(what);
       for (const { place, text, at } of marks) if (text) highlight.anchorOf(place, at);

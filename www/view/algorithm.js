@@ -6,18 +6,22 @@
  * @typedef {import('../types.js').Posture} Posture
  * @typedef {import('./algorithm-words.js').Method} Method
  */
-import '../style/algorithm.css';
 import { element, setText } from '../dom.js';
 import { scientific } from '../format.js';
+import { wear } from '../look.js';
 import { Superseded } from '../planner.js';
 import { iterateInWords, kept, leastMetric } from './algorithm-words.js';
 import { createConvergence } from './convergence.js';
 import { createMatrixPicture } from './matrix-picture.js';
+import { plotLook } from './plot.js';
 import { postureOf } from './posture-of.js';
 import { createSteps } from './steps.js';
+import look from '../style/algorithm.css?inline';
 
-/** @param {Pick<import('../main.js').App, 'store' | 'planner' | 'player'>} app @param {HTMLElement} panel */
-export function createAlgorithm({ store, planner, player }, panel) {
+/** @param {Pick<import('../workbench.js').App, 'root' | 'store' | 'planner' | 'player'>} app @param {HTMLElement} panel */
+export function createAlgorithm({ root, store, planner, player }, panel) {
+  wear(root, plotLook);
+  wear(root, look);
   /** @type {Trace | null} */
   let trace = null;
   /** What the trace was made for. @type {{document: unknown, frame: number}} */

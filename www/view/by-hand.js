@@ -2,11 +2,11 @@
  * What moves things by hand in the 3D view is loaded when a hand may come: a pointer over the view, the focus in it,
  * or something chosen that can be moved.
  */
-import { byId } from '../dom.js';
 
-/** @param {import('../main.js').App} app */
+/** @param {import('../workbench.js').App} app */
 export function createByHand(app) {
-  const canvas = byId('canvas');
+  if (!app.scene) return;
+  const canvas = app.find('canvas');
   let loading = false;
   async function load() {
     if (loading) return;
@@ -23,7 +23,7 @@ export function createByHand(app) {
   canvas.addEventListener('pointerenter', load);
   canvas.addEventListener('focus', load);
   // A key frame is chosen by its name from the first click on, which may come before what moves it.
-  byId('labels').addEventListener('click', ({ target }) => {
+  app.find('labels').addEventListener('click', ({ target }) => {
     const place = target instanceof HTMLElement ? target.dataset.place : '';
     if (place?.startsWith('motion.key_frames')) app.store.setView({ selected: place });
   });

@@ -16,7 +16,7 @@
 import { entry, setValue } from '../edits.js';
 import { short } from '../format.js';
 import { valueAt } from '../path.js';
-import { element } from '../dom.js';
+import { element, focusBeside } from '../dom.js';
 
 /** @param {Store} store */
 export function createCells(store) {
@@ -48,7 +48,7 @@ export function createCells(store) {
 
     const value = () => valueAt(store.document, spec.path);
     const write = spec.write ?? ((document, next) => setValue(document, spec.path, next));
-    const editing = () => document.activeElement === field;
+    const editing = () => focusBeside(field) === field;
     /** @param {string} text */
     const read = (text) => {
       if (spec.text) return text;

@@ -7,8 +7,10 @@
  */
 import { element, setText } from '../dom.js';
 import { short } from '../format.js';
+import { wear } from '../look.js';
 import { createCard } from './chart-card.js';
 import { chartsOf, GROUPS } from './chart-list.js';
+import { plotLook } from './plot.js';
 
 /** Least heights of a plot in pixels: where there is room for two rows, and where there is hardly any. */
 const ROOMY = 110;
@@ -16,8 +18,12 @@ const LEAST = 88;
 /** Height of the gap between rows and of the closed tables, in pixels. */
 const BETWEEN = 32;
 
-/** @param {Pick<import('../main.js').App, 'store' | 'player'>} app @param {HTMLElement} panel */
-export function createCharts({ store, player }, panel) {
+/** Panels of charts on this page, each with a cursor of its own. */
+let made = 0;
+
+/** @param {Pick<import('../workbench.js').App, 'root' | 'store' | 'player'>} app @param {HTMLElement} panel */
+export function createCharts({ root, store, player }, panel) {
+  wear(root, plotLook);
   /** @type {Map<string, Entry>} */
   const entries = new Map();
   /** Series that are hidden, as chart/name; kept while charts come and go. @type {Set<string>} */
@@ -47,6 +53,7 @@ export function createCharts({ store, player }, panel) {
 
   const shared = {
     hidden,
+    sync: `charts ${++made}`,
     /** @param {number | null} frame */
     onHover(frame) {
       if (frame === hovered) return;

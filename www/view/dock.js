@@ -3,24 +3,22 @@
  *
  * @typedef {ReturnType<typeof import('./tabs.js').createTabs>} Tabs
  */
-import { byId } from '../dom.js';
 
 /** Where the browser remembers the dock. */
 const KEY = 'synthetica.dock';
 /** Below this height of the window, in pixels, the view needs the room itself. */
 const LOW_WINDOW = 700;
-const PHONE = '(max-width: 759px)';
 /** Pixels. */
 const LEAST = 90;
 const STEP = 24;
 /** What stays of the view's height, in pixels. */
 const VIEW = 160;
 
-/** @param {Tabs} tabs of the tables @param {Tabs} dockTabs */
-export function createDock(tabs, dockTabs) {
-  const dock = byId('dock');
-  const handle = byId('dock-handle');
-  const toggle = byId('dock-toggle');
+/** @param {Pick<import('../workbench.js').AppWithPanels, 'find' | 'narrow' | 'tabs'>} app @param {Tabs} dockTabs */
+export function createDock({ find, narrow, tabs }, dockTabs) {
+  const dock = find('dock');
+  const handle = find('dock-handle');
+  const toggle = find('dock-toggle');
   const view = /** @type {HTMLElement} */ (dock.parentElement?.querySelector('.view'));
   const state = { height: Math.round(Math.min(340, Math.max(190, 0.27 * innerHeight))), open: innerHeight >= LOW_WINDOW, ...recall() };
 
@@ -50,7 +48,7 @@ export function createDock(tabs, dockTabs) {
   }
 
   toggle.addEventListener('click', () => set({ open: !state.open }));
-  byId('dock-tabs').addEventListener('click', (event) => {
+  find('dock-tabs').addEventListener('click', (event) => {
     if (/** @type {Element} */ (event.target).closest('[role=tab]')) set({ open: true });
   });
   handle.addEventListener('keydown', (event) => {
@@ -69,18 +67,21 @@ export function createDock(tabs, dockTabs) {
     if (handle.hasPointerCapture(event.pointerId)) resize(grip - event.clientY);
   });
 
-  const phone = matchMedia(PHONE);
+  /** @type {boolean | undefined} */
+  let phone;
   /** Moves the tabs with their panels. */
   function arrange() {
-    const [row, panels] = phone.matches ? [byId('tabs'), byId('tables')] : [byId('dock-tabs'), dock];
+    if (phone === narrow()) return;
+    phone = narrow();
+    const [row, panels] = phone ? [find('tabs'), find('tables')] : [find('dock-tabs'), dock];
     for (const name of ['charts', 'algorithm']) {
-      row.append(byId(`tab-${name}`));
-      panels.append(byId(name));
+      row.append(find(`tab-${name}`));
+      panels.append(find(name));
     }
     tabs.settle();
     dockTabs.settle();
   }
-  phone.addEventListener('change', arrange);
+  new ResizeObserver(arrange).observe(find('bench'));
   arrange();
   show();
 }

@@ -1,7 +1,7 @@
 /**
  * Documents by drag and drop onto the page, and by pasting their text.
  */
-import { byId } from '../dom.js';
+import { byId, targetOf } from '../dom.js';
 
 /**
  * @param {{take: (file: File) => void}} documents
@@ -28,8 +28,7 @@ export function createDrop(documents, open) {
     if (file) documents.take(file);
   });
   addEventListener('paste', (event) => {
-    const { target } = event;
-    if (target instanceof Element && target.closest('input, textarea, [contenteditable]')) return;
+    if (targetOf(event)?.closest('input, textarea, [contenteditable]')) return;
     const text = event.clipboardData?.getData('text/plain') ?? '';
     if (/^\s*\{/.test(text)) open(text);
   });

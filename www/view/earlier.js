@@ -4,7 +4,7 @@
 import { element } from '../dom.js';
 import { openDialog } from './dialog.js';
 
-/** @param {import('../main.js').App} app @param {import('../files/keeper.js').Earlier[]} list newest first */
+/** @param {import('../workbench.js').App} app @param {import('../files/keeper.js').Earlier[]} list newest first */
 export function openEarlier({ open }, list) {
   const entries = list.map(({ when, title, document }) => {
     const choose = async () => {

@@ -1,9 +1,7 @@
 /**
  * The frame number, which becomes a field when it is clicked: a frame can be typed.
- *
- * @typedef {import('../store.js').Store} Store
  */
-import { byId, setText } from '../dom.js';
+import { focusBeside, setText } from '../dom.js';
 
 /** The index of a typed frame, or why it is none. @param {string} text @param {number} frames @returns {number | string} */
 export function readFrame(text, frames) {
@@ -14,12 +12,12 @@ export function readFrame(text, frames) {
   return typed === '' ? `Type ${accepted}.` : `There is no frame ${typed}: type ${accepted}.`;
 }
 
-/** @param {Store} store @param {(frame: number) => void} goTo */
-export function createFrameField(store, goTo) {
-  const number = byId('frame-number');
+/** @param {Pick<import('../workbench.js').App, 'find' | 'store'>} app @param {(frame: number) => void} goTo */
+export function createFrameField({ find, store }, goTo) {
+  const number = find('frame-number');
   /** @type {HTMLInputElement} */
-  const field = byId('frame-field');
-  const refusal = byId('frame-refusal');
+  const field = find('frame-field');
+  const refusal = find('frame-refusal');
   const frames = () => store.result.motion?.frames ?? 1;
 
   /** @param {string} text */
@@ -32,7 +30,7 @@ export function createFrameField(store, goTo) {
 
   function close() {
     if (field.hidden) return;
-    const focused = document.activeElement === field;
+    const focused = focusBeside(field) === field;
     number.hidden = false;
     field.hidden = true;
     refuse('');

@@ -1,7 +1,7 @@
 /**
  * The examples, each with its picture. Arrow keys go through them, Enter opens one.
  */
-import { samples } from '../samples.js';
+import { sampleText, samples } from '../samples.js';
 import { plural } from '../format.js';
 import { element } from '../dom.js';
 import { openDialog } from './dialog.js';
@@ -9,11 +9,12 @@ import { openDialog } from './dialog.js';
 /** Made by scripts/thumbnails.mjs. @type {Record<string, string>} */
 const pictures = import.meta.glob('../thumbnails/*.webp', { query: '?url&no-inline', import: 'default', eager: true });
 
-/** @param {import('../main.js').App} app */
+/** @param {import('../workbench.js').App} app */
 export function openGallery({ store, open }) {
-  const cards = samples.map(({ file, title, line, mobility, text }) => {
+  const cards = samples.map((sample) => {
+    const { file, title, line, mobility } = sample;
     const choose = async () => {
-      if (await open(text, file)) dialog.close();
+      if (await open(await sampleText(sample), file)) dialog.close();
     };
     const picture = element('img', { src: pictures[`../thumbnails/${file.replace('.json', '.webp')}`], alt: '', loading: 'lazy', width: 240, height: 160 });
     return element(

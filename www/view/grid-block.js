@@ -3,7 +3,7 @@
  * chooses one, to be copied in whole numbers or cleared. Each is one step of undo.
  */
 import { blockText, parseBlock } from '../block.js';
-import { element, setText } from '../dom.js';
+import { element, focusBeside, setText } from '../dom.js';
 import { plural } from '../format.js';
 import { valueAt } from '../path.js';
 import { gridAt } from './grid.js';
@@ -96,7 +96,7 @@ export function gridBlock(root, store, cells, say) {
 
   root.addEventListener('pointerdown', (event) => {
     const to = cellOf(event.target);
-    const from = cellOf(document.activeElement);
+    const from = cellOf(focusBeside(root));
     if (!event.shiftKey || !to || !from || from.closest('table') !== to.closest('table')) return choose(null);
     event.preventDefault();
     choose(from, to);

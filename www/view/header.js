@@ -1,7 +1,7 @@
 /**
  * The header: what is done with documents, the document's name, its description in full, the colour scheme.
  *
- * @typedef {import('../main.js').App} App
+ * @typedef {import('../workbench.js').App} App
  */
 import { setValue } from '../edits.js';
 import { byId, setText } from '../dom.js';

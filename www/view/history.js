@@ -1,5 +1,5 @@
 /**
- * Undo and redo, by button and by key.
+ * Undo and redo: the header's buttons, and the keys of the animation's place.
  *
  * @typedef {import('../store.js').Store} Store
  */
@@ -14,20 +14,26 @@ export function createHistory(store) {
   undo.addEventListener('click', () => store.undo());
   redo.addEventListener('click', () => store.redo());
 
-  // In a cell too: the document is the text that is edited, so the browser's own undo of the field must not run.
-  document.addEventListener('keydown', (event) => {
-    if (!(event.ctrlKey || event.metaKey) || event.altKey) return;
-    const key = event.key.toLowerCase();
-    if (key !== 'z' && key !== 'y') return;
-    event.preventDefault();
-    if (key === 'y' || event.shiftKey) store.redo();
-    else store.undo();
-  });
-
   const show = () => {
     undo.disabled = !store.canUndo;
     redo.disabled = !store.canRedo;
   };
   store.subscribe('document', show);
   show();
+}
+
+/**
+ * In a cell too: the document is the text that is edited, so the browser's own undo of the field must not run.
+ * @param {Pick<import('../workbench.js').App, 'store' | 'keys' | 'signal'>} app
+ */
+export function createHistoryKeys({ store, keys, signal }) {
+  const press = (/** @type {KeyboardEvent} */ event) => {
+    if (!(event.ctrlKey || event.metaKey) || event.altKey) return;
+    const key = event.key.toLowerCase();
+    if (key !== 'z' && key !== 'y') return;
+    event.preventDefault();
+    if (key === 'y' || event.shiftKey) store.redo();
+    else store.undo();
+  };
+  keys.addEventListener('keydown', /** @type {EventListener} */ (press), { signal });
 }

@@ -17,3 +17,26 @@ export function whenSeen(panel, what, load) {
   });
   observer.observe(panel);
 }
+
+/** How far out of the window something counts as seen, in pixels: it is ready when it scrolls in. */
+const MARGIN = 120;
+
+/**
+ * Tells whether an element is in view, at once and whenever that changes.
+ * @param {HTMLElement} element @param {AbortSignal} signal ends it @param {(seen: boolean) => void} tell
+ */
+export function whileSeen(element, signal, tell) {
+  const { top, bottom, height } = element.getBoundingClientRect();
+  // Without waiting for the first picture, which the observer would.
+  let seen = height > 0 && bottom > -MARGIN && top < innerHeight + MARGIN;
+  tell(seen);
+  const observer = new IntersectionObserver(
+    (entries) => {
+      const now = entries[entries.length - 1].isIntersecting;
+      if (now !== seen) tell((seen = now));
+    },
+    { rootMargin: `${MARGIN}px` },
+  );
+  observer.observe(element);
+  signal.addEventListener('abort', () => observer.disconnect());
+}

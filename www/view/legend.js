@@ -5,7 +5,7 @@ import { length } from '../format.js';
 import { element } from '../dom.js';
 import { gapClass, gapFrames } from '../scene/gap-lines.js';
 
-/** @param {HTMLElement} list @param {Pick<import('../main.js').App, 'store' | 'scene'>} app */
+/** @param {HTMLElement} list @param {Pick<import('../workbench.js').App, 'store' | 'scene'>} app */
 export function createLegend(list, { store, scene }) {
   let written = '';
 
@@ -32,4 +32,5 @@ export function createLegend(list, { store, scene }) {
 
   store.subscribe('result', show);
   store.subscribe('view', show);
+  show();
 }

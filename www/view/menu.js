@@ -4,7 +4,7 @@
  * @typedef {{label: string, hint?: string, key?: string, checked?: boolean, disabled?: boolean, act: () => void} | 'line'} MenuItem
  *   `key` does the same without the menu; an item that is `checked` or not is a switch
  */
-import { element } from '../dom.js';
+import { element, focusBeside } from '../dom.js';
 
 let made = 0;
 
@@ -48,7 +48,7 @@ export function menuButton(label, items) {
   menu.addEventListener('toggle', (event) => {
     const shown = /** @type {ToggleEvent} */ (event).newState === 'open';
     button.setAttribute('aria-expanded', String(shown));
-    if (!shown && menu.contains(document.activeElement)) button.focus();
+    if (!shown && menu.contains(focusBeside(menu))) button.focus();
   });
   // The light dismissal of the popover comes first: what was open when the pointer went down is to be closed.
   let wasOpen = false;
@@ -66,7 +66,7 @@ export function menuButton(label, items) {
   });
   menu.addEventListener('keydown', (event) => {
     const all = entries();
-    const at = all.indexOf(/** @type {HTMLButtonElement} */ (document.activeElement));
+    const at = all.indexOf(/** @type {HTMLButtonElement} */ (focusBeside(menu)));
     const letter = event.key.length === 1 ? event.key.toLowerCase() : '';
     const steps = { ArrowDown: at + 1, ArrowUp: at - 1, Home: 0, End: -1 };
     let next = steps[/** @type {keyof typeof steps} */ (event.key)];

@@ -22,9 +22,11 @@
  * @property {(index: number) => void} [onScrub] the point that was clicked or dragged to
  */
 import uPlot from 'uplot';
-import 'uplot/dist/uPlot.min.css';
 import { element } from '../dom.js';
 import { short } from '../format.js';
+
+/** What a tree with plots in it wears. */
+export { default as plotLook } from 'uplot/dist/uPlot.min.css?inline';
 
 const FONT = '11px system-ui, sans-serif';
 const LINE_WIDTH = 1.6;

@@ -2,19 +2,19 @@
  * Pointing at things in the 3D view: hover tells what a thing is, a click or a tap selects it, and what is selected or
  * pointed at elsewhere is told here. With the keyboard, [ and ] go through the things and Enter selects.
  */
-import { byId, element, setText } from '../dom.js';
+import { element, setText } from '../dom.js';
 import { nameOf, thingsOf } from '../scene/names.js';
 
 /** How far a pointer may move in a click, in pixels: a hand on a touch screen is less steady. */
 const STEADY = { mouse: 4, touch: 10 };
 
-/** @param {Pick<import('../main.js').App, 'store' | 'player' | 'scene'>} app */
-export function createPointing({ store, player, scene }) {
+/** @param {Pick<import('../workbench.js').App, 'find' | 'store' | 'player' | 'scene'>} app */
+export function createPointing({ find, store, player, scene }) {
   if (!scene) return;
   const { canvas } = scene;
   const tip = element('p', { id: 'tip', 'aria-hidden': 'true', hidden: true });
   canvas.after(tip);
-  const live = byId('view-live');
+  const live = find('view-live');
 
   /** The pointer over the canvas, as it last moved. @type {PointerEvent | null} */
   let pointer = null;

@@ -8,7 +8,7 @@ import { plain, shownFrame } from '../shown-frame.js';
 
 /**
  * The buttons, for where a posture is told of.
- * @param {Pick<import('../main.js').App, 'store'>} app
+ * @param {Pick<import('../workbench.js').App, 'store'>} app
  */
 export function postureActions({ store }) {
   /** The reached pose as the last key frame. */

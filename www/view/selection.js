@@ -7,18 +7,15 @@ import { covers } from '../path.js';
 /** The things that can be selected: chains, joints, base and gripper frames, key frames. */
 const THING = /^(?:chains\[\d+\](?:\.joints\[\d+\]|\.base|\.gripper)?|motion\.key_frames\[\d+\])/;
 
-/** On a phone the page itself scrolls, and must stay at the view that was tapped. */
-const PHONE = '(max-width: 759px)';
-
 /** The thing that a place of the document belongs to, '' if it is none. @param {string} path */
 const thingOf = (path) => THING.exec(path)?.[0] ?? '';
 
 /**
  * @param {HTMLElement} root holds the panels
  * @param {HTMLElement[]} panels with tables
- * @param {Pick<import('../main.js').App, 'store' | 'tabs'>} app
+ * @param {Pick<import('../workbench.js').AppWithPanels, 'store' | 'tabs' | 'narrow'>} app
  */
-export function createSelection(root, panels, { store, tabs }) {
+export function createSelection(root, panels, { store, tabs, narrow }) {
   /** What was selected by the tables themselves: it is in sight already. */
   let own = '';
   let brought = '';
@@ -57,7 +54,8 @@ export function createSelection(root, panels, { store, tabs }) {
     const panel = panels.find((candidate) => candidate.contains(part));
     // A lesson or the sliders of the joints do not give way to a click in the view.
     if (panel && panels.some((candidate) => candidate.classList.contains('shown'))) tabs.choosePanel(panel);
-    if (!matchMedia(PHONE).matches) part.scrollIntoView({ block: 'nearest' });
+    // On a phone the page itself scrolls, and must stay at the view that was tapped.
+    if (!narrow()) part.scrollIntoView({ block: 'nearest' });
   }
 
   function show() {

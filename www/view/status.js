@@ -1,34 +1,23 @@
 /**
  * The info panel: the frame at the playhead in words and numbers, the motion as a whole, mobility, chains, warnings.
- *
- * @typedef {import('../store.js').Store} Store
- * @typedef {import('../player.js').Player} Player
  */
 import { angle, length, plural, scientific, short } from '../format.js';
-import { byId, element, setText } from '../dom.js';
+import { element, setText } from '../dom.js';
 import { shownEnd } from '../shown.js';
-import { parts, sentence } from './fault-note.js';
-import { PULLED, countStatuses, frameSentence, mobilitySentence, singularSentence, statusWords, worstFrame } from './words.js';
+import { sentence } from './fault-note.js';
+import { PULLED, countStatuses, mobilitySentence, singularSentence, statusWords, worstFrame } from './words.js';
 
-/** Pause before the live region speaks, in milliseconds: while the motion plays it would never stop. */
-const SPEAK_AFTER = 600;
-
-/**
- * @param {Store} store
- * @param {Player} player
- * @param {() => void} goToFault
- */
-export function createStatus(store, player, goToFault) {
+/** @param {Pick<import('../workbench.js').App, 'find' | 'store' | 'player'>} app */
+export function createStatus({ find, store, player }) {
   const numbers = {
-    translation: byId('gap-translation'),
-    rotation: byId('gap-rotation'),
-    metric: byId('metric'),
-    closure: byId('closure'),
-    sigma: byId('sigma'),
-    gradient: byId('gradient'),
-    iterations: byId('iterations'),
+    translation: find('gap-translation'),
+    rotation: find('gap-rotation'),
+    metric: find('metric'),
+    closure: find('closure'),
+    sigma: find('sigma'),
+    gradient: find('gradient'),
+    iterations: find('iterations'),
   };
-  byId('go-to-fault').addEventListener('click', goToFault);
 
   function showFrame() {
     const end = shownEnd(store);
@@ -36,11 +25,11 @@ export function createStatus(store, player, goToFault) {
     const { posture } = store.view;
     const name = posture?.note && end.status === 'stalled' ? 'iterate' : posture?.value !== undefined ? 'driven' : end.status;
     const { sign, word, meaning } = statusWords(name);
-    setText(byId('frame-title'), posture ? 'This posture' : 'This frame');
-    byId('frame-status').dataset.status = name;
-    setText(byId('frame-sign'), sign);
-    setText(byId('frame-word'), word);
-    setText(byId('frame-meaning'), (posture && !posture.note && PULLED[name]) || meaning);
+    setText(find('frame-title'), posture ? 'This posture' : 'This frame');
+    find('frame-status').dataset.status = name;
+    setText(find('frame-sign'), sign);
+    setText(find('frame-word'), word);
+    setText(find('frame-meaning'), (posture && !posture.note && PULLED[name]) || meaning);
     setText(numbers.translation, length(end.translation_gap, store.result.document?.length_unit));
     setText(numbers.rotation, angle(end.rotation_gap));
     setText(numbers.metric, scientific(end.metric));
@@ -60,24 +49,20 @@ export function createStatus(store, player, goToFault) {
   }
 
   function showMotion() {
-    const { motion, document, fault, trouble } = store.result;
-    byId('fault-banner').hidden = !fault;
-    setText(byId('fault-text'), fault ? `${parts(fault).what}${motion ? ' The last good motion is still shown.' : ''}` : '');
-    byId('trouble').hidden = !trouble;
-    setText(byId('trouble'), trouble);
+    const { motion, document } = store.result;
     if (!motion) return;
     const { report } = motion;
     const worst = worstFrame(motion.metric);
-    byId('motion-summary').replaceChildren(
+    find('motion-summary').replaceChildren(
       `${plural(motion.frames, 'frame')}: ${countStatuses(motion)}. Largest gap `,
       jump(`${length(motion.translation_gap[worst], document?.length_unit)}, ${angle(motion.rotation_gap[worst])}`, worst),
       '.',
     );
-    setText(byId('mobility-count'), short(report.mobility_count));
-    setText(byId('mobility-difference'), unknownsLessEquations(report.chains));
-    setText(byId('mobility-rank'), String(report.mobility_rank));
+    setText(find('mobility-count'), short(report.mobility_count));
+    setText(find('mobility-difference'), unknownsLessEquations(report.chains));
+    setText(find('mobility-rank'), String(report.mobility_rank));
     showMobility();
-    byId('chain-rows').replaceChildren(
+    find('chain-rows').replaceChildren(
       ...report.chains.map((chain) =>
         element(
           'tr',
@@ -87,8 +72,8 @@ export function createStatus(store, player, goToFault) {
         ),
       ),
     );
-    byId('warnings').hidden = report.warnings.length === 0;
-    byId('warning-list').replaceChildren(
+    find('warnings').hidden = report.warnings.length === 0;
+    find('warning-list').replaceChildren(
       ...report.warnings.map((warning) =>
         element(
           'li',
@@ -100,36 +85,23 @@ export function createStatus(store, player, goToFault) {
     );
   }
 
-  /** @type {ReturnType<typeof setTimeout> | undefined} */
-  let speech;
-  function speak() {
-    clearTimeout(speech);
-    speech = setTimeout(() => {
-      const { motion, fault, trouble } = store.result;
-      if (store.view.playing && !fault && !trouble) return;
-      setText(byId('live'), fault ? sentence(fault.message) : trouble || (motion ? frameSentence(store) : ''));
-    }, SPEAK_AFTER);
-  }
-
   /** The mobility in words, with what is peculiar to the shown posture. */
   function showMobility() {
     const { motion } = store.result;
     if (!motion) return;
     const { mobility_count: count, mobility_rank: rank } = motion.report;
     const here = singularSentence(store.insight?.mobility_rank ?? rank, rank);
-    setText(byId('mobility-sentence'), `${mobilitySentence(count, rank)}${here && ` ${here}`}`);
+    setText(find('mobility-sentence'), `${mobilitySentence(count, rank)}${here && ` ${here}`}`);
   }
 
   store.subscribe('insight', showMobility);
-  store.subscribe('view', () => {
-    showFrame();
-    speak();
-  });
-  store.subscribe('result', () => {
+  const show = () => {
     showMotion();
     showFrame();
-    speak();
-  });
+  };
+  store.subscribe('view', showFrame);
+  store.subscribe('result', show);
+  show();
 }
 
 /**

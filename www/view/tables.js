@@ -3,6 +3,7 @@
  *
  * @typedef {import('../store.js').Store} Store
  */
+import { focusBeside } from '../dom.js';
 import { createArrange } from './arrange.js';
 import { createCells } from './cells.js';
 import { createChainTables } from './chain-tables.js';
@@ -41,13 +42,14 @@ export function createTables({ root, mechanism, motion }, store, defaults, { mar
     const next = shapeOf(store.document);
     if (next === shape) return cells.refresh();
     shape = next;
-    const focused = document.activeElement instanceof HTMLElement ? document.activeElement.dataset.path : undefined;
+    const inHand = () => /** @type {HTMLElement | null} */ (focusBeside(root))?.dataset.path;
+    const focused = inHand();
     cells.clear();
     chains.rebuild();
     keys.rebuild();
     chains.showNow();
     showFault();
-    if (focused && !(document.activeElement instanceof HTMLElement && document.activeElement.dataset.path)) cells.find(focused)?.focus();
+    if (focused && !inHand()) cells.find(focused)?.focus();
   }
 
   gridBlock(root, store, cells, say);

@@ -6,7 +6,8 @@
 export function createTabs(list) {
   /** The dock's tabs come and go with the width of the window. */
   const all = () => /** @type {HTMLElement[]} */ ([...list.querySelectorAll('[role=tab]')]);
-  const panel = (/** @type {HTMLElement} */ tab) => document.getElementById(tab.getAttribute('aria-controls') ?? '');
+  const root = /** @type {Document | ShadowRoot} */ (list.getRootNode());
+  const panel = (/** @type {HTMLElement} */ tab) => root.getElementById(tab.getAttribute('aria-controls') ?? '');
 
   /** @param {HTMLElement} chosen */
   function choose(chosen) {
@@ -36,8 +37,8 @@ export function createTabs(list) {
   return {
     /** After tabs have come or gone: exactly one is chosen. */
     settle() {
-      const chosen = all().filter((tab) => tab.getAttribute('aria-selected') === 'true');
-      const first = chosen[0] ?? all()[0];
+      const offered = all().filter((tab) => !tab.hidden);
+      const first = offered.find((tab) => tab.getAttribute('aria-selected') === 'true') ?? offered[0];
       if (first) choose(first);
     },
     /** @param {Element} shown a panel */

@@ -5,7 +5,7 @@
  * @typedef {import('../teaching.js').Variable} Variable
  * @typedef {{variable: Variable, slider: HTMLInputElement, field: HTMLInputElement, note: HTMLElement}} Row
  */
-import { element, setText } from '../dom.js';
+import { element, focusBeside, setText } from '../dom.js';
 import { entry } from '../edits.js';
 import { ANGLE_DECIMALS, lengthUnit, short } from '../format.js';
 import { groupAt, shown } from '../shown.js';
@@ -15,7 +15,7 @@ import { postureActions } from './posture-actions.js';
 /** Steps of a slider over its range: finer than a screen's pixels. */
 const STEPS = 2000;
 
-/** @param {import('../main.js').App} app @param {HTMLElement} panel */
+/** @param {import('../workbench.js').App} app @param {HTMLElement} panel */
 export function createTeach(app, panel) {
   const { store, player } = app;
   /** @type {Row[]} */
@@ -138,7 +138,7 @@ export function createTeach(app, panel) {
       slider.setAttribute('aria-valuetext', `${words} ${unitOf(variable)}`);
       if (field.dataset.shown === words) continue;
       field.dataset.shown = words;
-      if (document.activeElement !== field || field.getAttribute('aria-invalid') === null) field.value = editable(words);
+      if (focusBeside(field) !== field || field.getAttribute('aria-invalid') === null) field.value = editable(words);
     }
     actions.classList.toggle('away', !store.view.posture);
     if (!store.view.posture) for (const row of rows) if (!row.field.hasAttribute('aria-invalid')) say(row, '');

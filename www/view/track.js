@@ -1,11 +1,9 @@
 /**
  * The track of the animation bar: strip, key frames, playhead and slider as one control, by pointer, touch and keyboard.
  * The slider itself is not drawn; it has the focus, the keys and the words.
- *
- * @typedef {import('../store.js').Store} Store
  */
 import { angle, length, short } from '../format.js';
-import { byId, element, setText } from '../dom.js';
+import { element, setText } from '../dom.js';
 import { keyFrameFrames } from '../playhead.js';
 import { drawStrip } from './strip.js';
 import { countStatuses, frameSentence, statusName, statusWords } from './words.js';
@@ -14,17 +12,17 @@ const PAGE = 10;
 /** Least share of the track beside a key frame in which its name is written. */
 const ROOM = 0.12;
 
-/** @param {Store} store @param {(frame: number) => void} goTo */
-export function createTrack(store, goTo) {
-  const track = byId('track');
-  const lane = byId('lane');
-  const ticks = byId('ticks');
-  const playhead = byId('strip-playhead');
-  const tip = byId('strip-tip');
+/** @param {Pick<import('../workbench.js').App, 'find' | 'store'>} app @param {(frame: number) => void} goTo */
+export function createTrack({ find, store }, goTo) {
+  const track = find('track');
+  const lane = find('lane');
+  const ticks = find('ticks');
+  const playhead = find('strip-playhead');
+  const tip = find('strip-tip');
   /** @type {HTMLInputElement} */
-  const scrub = byId('scrub');
+  const scrub = find('scrub');
   /** @type {SVGSVGElement} */
-  const strip = byId('strip');
+  const strip = find('strip');
   /** Of each key frame. @type {number[]} */
   let keys = [];
 
@@ -136,7 +134,7 @@ export function createTrack(store, goTo) {
   }
 
   store.subscribe('view', show);
-  store.subscribe('result', () => {
+  function take() {
     const { motion } = store.result;
     if (!motion) return;
     if (scrub.max !== String(motion.frames - 1)) scrub.max = String(motion.frames - 1);
@@ -144,5 +142,7 @@ export function createTrack(store, goTo) {
     strip.setAttribute('aria-label', `Gap at every frame, at most ${short(Math.sqrt(2 * Math.max(...motion.metric)))}: ${countStatuses(motion)}`);
     showTicks();
     show();
-  });
+  }
+  store.subscribe('result', take);
+  take();
 }

@@ -1,10 +1,7 @@
 /**
  * The animation bar: play and pause, step, what happens at the end, speed, frame number and time, and the track.
- *
- * @typedef {import('../store.js').Store} Store
- * @typedef {import('../player.js').Player} Player
  */
-import { byId, setText } from '../dom.js';
+import { setText, targetOf } from '../dom.js';
 import { isTimed } from '../playhead.js';
 import { createFrameField } from './frame-field.js';
 import { createTrack } from './track.js';
@@ -13,13 +10,14 @@ import { createTrack } from './track.js';
 const TAKES_KEYS = 'input:not([type=range]), select, button, summary, textarea, [role=tab]';
 const TAKES_TEXT = 'input:not([type=range], [type=checkbox]), select, textarea';
 
-/** @param {Store} store @param {Player} player */
-export function createTransport(store, player) {
-  const play = byId('play');
+/** @param {Pick<import('../workbench.js').App, 'find' | 'store' | 'player' | 'keys' | 'signal'>} app */
+export function createTransport(app) {
+  const { find, store, player, keys, signal } = app;
+  const play = find('play');
   /** @type {HTMLSelectElement} */
-  const loop = byId('loop');
+  const loop = find('loop');
   /** @type {HTMLSelectElement} */
-  const speed = byId('speed');
+  const speed = find('speed');
 
   const toggle = () => (player.paused ? player.play() : player.pause());
   /** @param {number} frame */
@@ -29,14 +27,14 @@ export function createTransport(store, player) {
   };
   const step = (/** @type {number} */ frames) => goTo(player.frame + frames);
 
-  createTrack(store, goTo);
-  createFrameField(store, goTo);
+  createTrack(app, goTo);
+  createFrameField(app, goTo);
   play.addEventListener('click', toggle);
-  byId('step-back').addEventListener('click', () => step(-1));
-  byId('step-forward').addEventListener('click', () => step(1));
-  byId('to-start').addEventListener('click', () => step(-Infinity));
-  byId('to-end').addEventListener('click', () => step(Infinity));
-  byId('back-to-motion').addEventListener('click', () => {
+  find('step-back').addEventListener('click', () => step(-1));
+  find('step-forward').addEventListener('click', () => step(1));
+  find('to-start').addEventListener('click', () => step(-Infinity));
+  find('to-end').addEventListener('click', () => step(Infinity));
+  find('back-to-motion').addEventListener('click', () => {
     step(0);
     play.focus();
   });
@@ -47,8 +45,8 @@ export function createTransport(store, player) {
     player.playbackRate = Number(speed.value);
   });
 
-  document.addEventListener('keydown', (event) => {
-    const target = /** @type {Element | null} */ (event.target);
+  const press = (/** @type {KeyboardEvent} */ event) => {
+    const target = targetOf(event);
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     if (event.key === ' ' && !target?.closest(TAKES_KEYS)) {
       event.preventDefault();
@@ -57,7 +55,8 @@ export function createTransport(store, player) {
     // Only beside the animation: single letters everywhere would be in the way of people who speak to their browser.
     const steps = { ',': -1, '.': 1 }[event.key];
     if (steps && target?.closest('.transport, #charts') && !target.closest(TAKES_TEXT)) step(steps);
-  });
+  };
+  keys.addEventListener('keydown', /** @type {EventListener} */ (press), { signal });
 
   function show() {
     const { motion, document } = store.result;
@@ -66,14 +65,21 @@ export function createTransport(store, player) {
     play.setAttribute('aria-label', playing ? 'Pause' : 'Play');
     play.classList.toggle('playing', playing);
     loop.value = store.view.loop;
-    speed.value = String(store.view.speed);
-    byId('by-hand').hidden = posture === null;
-    setText(byId('by-hand-text'), posture?.note ?? 'Moved by hand.');
+    showSpeed();
+    find('by-hand').hidden = posture === null;
+    setText(find('by-hand-text'), posture?.note ?? 'Moved by hand.');
     const timed = isTimed(document);
-    setText(byId('frame-number'), `${frame + 1} / ${motion.frames}`);
-    setText(byId('frame-time'), `t = ${motion.time[frame].toFixed(timed ? 2 : 3)}${timed ? ' s' : ''}`);
-    byId('frame-time').title = timed ? 'Time' : 'From 0 to 1: the key frames name no times';
+    setText(find('frame-number'), `${frame + 1} / ${motion.frames}`);
+    setText(find('frame-time'), `t = ${motion.time[frame].toFixed(timed ? 2 : 3)}${timed ? ' s' : ''}`);
+    find('frame-time').title = timed ? 'Time' : 'From 0 to 1: the key frames name no times';
+  }
+  /** A speed that is none of those offered is offered too. */
+  function showSpeed() {
+    const value = String(store.view.speed);
+    if (![...speed.options].some((option) => option.value === value)) speed.add(new Option(`${value}×`, value));
+    speed.value = value;
   }
   store.subscribe('view', show);
   store.subscribe('result', show);
+  show();
 }

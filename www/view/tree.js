@@ -4,7 +4,7 @@
  *
  * @typedef {{path: string, name: string, more?: string, children?: Item[]}} Item
  */
-import { element } from '../dom.js';
+import { element, focusBeside } from '../dom.js';
 import { JOINT_TYPES, chainType } from '../joint-types.js';
 
 /** @param {import('../types.js').MechanismDocument} document @returns {Item[]} */
@@ -35,14 +35,14 @@ function itemsOf({ chains, motion }) {
 
 /**
  * @param {HTMLDetailsElement} place
- * @param {Pick<import('../main.js').App, 'store'>} app
+ * @param {Pick<import('../workbench.js').App, 'store' | 'narrow'>} app
  * @param {(path: string) => void} enter goes to a thing's table
  */
-export function createTree(place, { store }, enter) {
+export function createTree(place, { store, narrow }, enter) {
   const tree = element('ul', { role: 'tree', 'aria-label': 'Objects', class: 'tree' });
   place.append(tree);
   // Where there is room for it beside the tables.
-  place.open = matchMedia('(min-width: 1100px) and (min-height: 780px)').matches;
+  place.open = !narrow() && matchMedia('(min-width: 1100px) and (min-height: 780px)').matches;
   /** @type {Set<string>} */
   const open = new Set();
   let shape = '';
@@ -145,7 +145,7 @@ export function createTree(place, { store }, enter) {
     const next = JSON.stringify(items);
     if (next === shape) return;
     shape = next;
-    const focused = tree.contains(document.activeElement);
+    const focused = tree.contains(focusBeside(tree));
     tree.replaceChildren(...flat(items));
     setStop(nodeOf(stop) ? stop : items[0].path);
     if (focused) nodeOf(stop)?.focus();

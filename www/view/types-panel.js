@@ -11,10 +11,10 @@ import { JOINT_TYPES } from '../joint-types.js';
 import { assemblyName, grouped, typeSentence } from '../types-of.js';
 import { menuButton } from './menu.js';
 
-/** @param {import('../main.js').App} app @param {HTMLElement} panel */
+/** @param {import('../workbench.js').App} app @param {HTMLElement} panel */
 export async function createTypes(app, panel) {
-  const { store, planner, defaults, say } = app;
-  const tables = await planner.enumeration();
+  const { store, planner, say } = app;
+  const [tables, defaults] = await Promise.all([planner.enumeration(), planner.defaults()]);
 
   /** @param {string} type such as RPS */
   const jointsOf = (type) => Array.from(type, (letter) => defaults.joints[/** @type {JointType} */ (letter)]);

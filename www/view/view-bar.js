@@ -3,7 +3,7 @@
  *
  * @typedef {import('../scene/standard-views.js').StandardView} StandardView
  */
-import { byId, element, setText } from '../dom.js';
+import { element, setText } from '../dom.js';
 import { ghostFrames, ghostStep } from '../scene/ghosts.js';
 import { menuButton } from './menu.js';
 
@@ -28,15 +28,16 @@ const PARTS = [
   ['ground', 'Ground'],
 ];
 
-/** @param {Pick<import('../main.js').App, 'store' | 'scene' | 'say'>} app */
-export function createViewBar({ store, scene, say }) {
+/** @param {Pick<import('../workbench.js').App, 'find' | 'store' | 'scene' | 'say'>} app */
+export function createViewBar({ find, store, scene, say }) {
   if (!scene) return;
   const { canvas } = scene;
-  const live = byId('view-live');
+  const live = find('view-live');
 
   /** @param {StandardView} view @param {string} name */
   const turnTo = (view, name) => {
-    scene.turnTo(view);
+    store.setView({ side: '' });
+    store.setView({ side: view });
     live.textContent = `${name} view.`;
   };
   const toggle = () => store.setView({ projection: store.view.projection === 'perspective' ? 'orthographic' : 'perspective' });
@@ -68,7 +69,7 @@ export function createViewBar({ store, scene, say }) {
   });
   const projection = element('button', { click: toggle, 'aria-keyshortcuts': 'P' });
   const fit = element('button', { id: 'fit', title: 'Show the whole linkage (Home)', 'aria-keyshortcuts': 'Home', click: () => scene.fit() }, 'Fit view');
-  const bar = byId('view-bar');
+  const bar = find('view-bar');
   bar.append(views, parts, projection, fit);
 
   let projected = '';

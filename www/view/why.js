@@ -2,14 +2,14 @@
  * "Why not closer" in the info panel: the certificate, the chains that hold the workpiece back, what is left of the
  * gap, and the freedoms at what is shown.
  */
-import { byId, element, setText } from '../dom.js';
+import { element, focusBeside, setText } from '../dom.js';
 import { shown, groupAt } from '../shown.js';
 import { atLimits, certificate, chainName, freedomInWords, mostHolding, percentages, twistInWords, wrenchInWords } from './why-words.js';
 import { statusName } from './words.js';
 
-/** @param {Pick<import('../main.js').App, 'store'>} app */
-export function createWhy({ store }) {
-  const root = byId('why');
+/** @param {Pick<import('../workbench.js').App, 'find' | 'store'>} app */
+export function createWhy({ find, store }) {
+  const root = find('why');
   const sentence = element('p', { class: 'why-sentence' });
   const limits = element('ul', { class: 'why-limits' });
   const bars = element('ul', { class: 'shares', 'aria-label': 'Share of each chain in holding the workpiece back' });
@@ -74,7 +74,7 @@ export function createWhy({ store }) {
       const metricLength = Number(document.planner?.metric_length) || 1;
       const shares = percentages(insight.chains.map(({ share }) => share));
       setText(sentence, mostHolding(insight, document) || 'No chain holds it back here: the linkage could still come nearer.');
-      const focused = items.findIndex((item) => item.contains(root.ownerDocument.activeElement));
+      const focused = items.findIndex((item) => item.contains(focusBeside(root)));
       items = insight.chains.map(({ wrench }, i) => bar(i, chainName(document, i), shares[i], `withstands ${wrenchInWords(wrench, metricLength)}`));
       bars.replaceChildren(...items);
       if (focused >= 0) items[focused]?.querySelector('button')?.focus();

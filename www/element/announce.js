@@ -1,0 +1,78 @@
+/**
+ * The events of <synthetica-linkage>, and its attributes kept in step with what a person chooses.
+ *
+ * @typedef {import('./element.js').LinkageError} LinkageError
+ */
+import { MEANINGS, WRITINGS, write } from './attributes.js';
+
+/** How long after the last edit it counts as finished, in milliseconds. */
+const SETTLED = 300;
+
+/**
+ * @param {import('./words.js').LinkageWords} element
+ * @param {object} inside
+ * @param {() => boolean} inside.isEdit whether the document changes by an edit, not by opening another
+ * @param {() => boolean} inside.isFirst whether the next motion is the first of its document
+ * @param {() => void} inside.begin the first motion is there
+ * @param {(error: LinkageError | null) => void} inside.fail
+ */
+export function announce(element, { isEdit, isFirst, begin, fail }) {
+  const { store, player } = element.linkage;
+  const tell = (/** @type {string} */ name, /** @type {unknown} */ detail = null) => element.dispatchEvent(new CustomEvent(name, { detail }));
+  let edited = false;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let settling;
+  let { view, result } = store;
+
+  store.subscribe('document', () => {
+    if (!isEdit()) return;
+    edited = true;
+    tell('input');
+  });
+
+  store.subscribe('result', () => {
+    const { motion, fault, trouble } = store.result;
+    const wrong = fault !== result.fault || trouble !== result.trouble;
+    const planned = motion !== null && motion !== result.motion;
+    ({ result } = store);
+    if (wrong) {
+      const error = fault ? { message: fault.message, where: fault.where, code: fault.code } : trouble ? { message: trouble, where: '', code: 'failure' } : null;
+      fail(error);
+      if (error) tell('error', error);
+    }
+    if (planned && isFirst()) {
+      begin();
+      tell('ready');
+    }
+    clearTimeout(settling);
+    if (!edited) return;
+    settling = setTimeout(() => {
+      edited = false;
+      tell('change');
+    }, SETTLED);
+  });
+
+  store.subscribe('view', () => {
+    const { frame, playing } = view;
+    ({ view } = store);
+    if (view.frame !== frame) tell('framechange', { frame: view.frame, time: player.currentTime });
+    if (view.playing !== playing) tell(view.playing ? 'play' : 'pause');
+    // The frame only while it rests: an attribute that changes with every picture helps nobody.
+    const { loop, speed, side } = view;
+    keep('loop', loop, WRITINGS.loop(loop));
+    keep('speed', speed, WRITINGS.speed(speed));
+    keep('view', side, WRITINGS.view(side));
+    if (!view.playing && result.motion && !isFirst()) keep('frame', view.frame, WRITINGS.frame(view.frame));
+  });
+
+  /** Writes an attribute that means something else. @param {'loop' | 'speed' | 'view' | 'frame'} name @param {unknown} state @param {string | null} text */
+  function keep(name, state, text) {
+    let meaning;
+    try {
+      meaning = MEANINGS[name](element.getAttribute(name));
+    } catch {
+      // It has been refused, and stands there for its author to see until another choice takes its place.
+    }
+    if (meaning !== state) write(element, name, text);
+  }
+}

@@ -1,0 +1,278 @@
+/**
+ * The element <synthetica-linkage>: a linkage with its motion, in the words of the media elements. What is seen of it is
+ * made by workbench.js when it first comes into view.
+ *
+ * @typedef {import('../types.js').MechanismDocument} MechanismDocument
+ * @typedef {import('../types.js').Motion} Motion
+ * @typedef {import('../workbench.js').AppWithPanels} AppWithPanels
+ * @typedef {{message: string, where: string, code: string}} LinkageError `where` is the place in the document, such as
+ *   `chains[1].joints[0]`; empty where the document is not at fault
+ */
+import { textOf } from '../document-text.js';
+import { isEmpty } from '../linkage.js';
+import { wear } from '../look.js';
+import { reason } from '../opening.js';
+import { DocumentFault } from '../planner.js';
+import { Refusal } from '../refusal.js';
+import { sampleOf, sampleText } from '../samples.js';
+import markup from '../stage.html?raw';
+import look from '../style/linkage.css?inline';
+import { whileSeen } from '../view/lazy.js';
+import { createWorkbench } from '../workbench.js';
+import { announce } from './announce.js';
+import { MEANINGS } from './attributes.js';
+import { LinkageWords } from './words.js';
+
+/** How long an element may be without a document before it says so, in milliseconds: a script may be about to give it one. */
+const PATIENCE = 1000;
+
+/** What a page may have set before the element was defined. */
+const PROPERTIES = ['document', 'src', 'type', 'controls', 'autoplay', 'loop', 'frame', 'speed', 'view', 'theme', 'readonly', 'panels', 'currentTime'];
+
+export class SyntheticaLinkage extends LinkageWords {
+  static observedAttributes = ['src', 'type', 'loop', 'frame', 'speed', 'view', 'theme', 'readonly', 'panels', 'keys'];
+
+  #root = this.attachShadow({ mode: 'open' });
+  /** Ends what is seen. @type {AbortController | null} */
+  #life = null;
+  /** What is seen. @type {ReturnType<typeof withResolvers>} */
+  #bench = withResolvers();
+  #benchBegun = false;
+  /** Counts loads: an answer to an older one is late. */
+  #loads = 0;
+  /** A document is being opened that is no edit. */
+  #opening = false;
+  /** The next motion is the first of its document. */
+  #fresh = true;
+  /** @type {LinkageError | null} */
+  #error = null;
+
+  constructor() {
+    super();
+    this.linkage.player.seen = false;
+    announce(this, {
+      isEdit: () => !this.#opening,
+      isFirst: () => this.#fresh,
+      begin: () => this.#begin(),
+      fail: (error) => {
+        this.#error = error;
+      },
+    });
+  }
+
+  /** What is seen of it, once it is. @returns {Promise<AppWithPanels>} */
+  get workbench() {
+    return this.#bench.promise;
+  }
+
+  connectedCallback() {
+    for (const name of PROPERTIES) this.#takeOver(name);
+    // Taken out and put in again at once, as by a move: it goes on as it is.
+    if (!this.#life) this.#build();
+    if (isEmpty(this.linkage.store)) this.#load();
+  }
+
+  disconnectedCallback() {
+    queueMicrotask(() => {
+      if (this.isConnected) return;
+      this.pause();
+      this.#dismantle();
+    });
+  }
+
+  /** @param {string} name @param {string | null} old @param {string | null} text */
+  attributeChangedCallback(name, old, text) {
+    if (old === text) return;
+    const { player, store } = this.linkage;
+    try {
+      if (name === 'loop') player.loop = MEANINGS.loop(text);
+      if (name === 'speed') player.playbackRate = MEANINGS.speed(text);
+      if (name === 'frame') player.frame = MEANINGS.frame(text);
+      if (name === 'view') store.setView({ side: MEANINGS.view(text) });
+      if (name === 'theme' && MEANINGS.theme(text) !== null) dispatchEvent(new Event('themechange'));
+      if (name === 'panels') MEANINGS.panels(text);
+      if (name === 'readonly') store.readonly = text !== null;
+    } catch (error) {
+      return this.#complain(error);
+    }
+    if ((name === 'src' || name === 'type') && text !== null && this.isConnected) this.#load();
+    if (['panels', 'readonly', 'keys'].includes(name) && this.#life) this.#rebuild();
+  }
+
+  // --- what it shows ---
+
+  /** The document as it is now, with every default; null before there is one. Give it an object or its text. */
+  get document() {
+    const { store } = this.linkage;
+    return isEmpty(store) ? null : structuredClone(store.document);
+  }
+
+  /** @param {MechanismDocument | string | null} next */
+  set document(next) {
+    if (next === null) return;
+    const load = ++this.#loads;
+    this.#open(typeof next === 'string' ? next : JSON.stringify(next), '', load).catch((error) => this.#complain(error));
+  }
+
+  /** The planned motion, as columns; null before there is one. @returns {Motion | null} */
+  get trajectory() {
+    return this.linkage.store.result.motion;
+  }
+
+  /** What is wrong with the document, or what went wrong with it. */
+  get error() {
+    return this.#error;
+  }
+
+  /** The planned motion as a table, degrees and the document's length unit. @returns {Promise<string>} */
+  async toCSV() {
+    return this.linkage.planner.exportMotion(textOf(this.#planned()), 'csv');
+  }
+
+  /**
+   * A picture of the view as it is now.
+   * @param {{type?: 'png' | 'svg', width?: number, height?: number, scale?: number}} [wish] in CSS pixels, as large as the
+   *   view unless told; `scale` pixels to one of those
+   * @returns {Promise<Blob>}
+   */
+  async toImage(wish = {}) {
+    this.#planned();
+    this.#show();
+    const { imageOf } = await import('../export/image.js');
+    return imageOf(await this.workbench, wish);
+  }
+
+  // --- opening ---
+
+  /** What the attributes or the content ask for. */
+  async #load() {
+    const load = ++this.#loads;
+    try {
+      const found = await this.#find();
+      if (load !== this.#loads) return;
+      if (found) await this.#open(found.text, found.title, load);
+      else if (document.readyState === 'loading') document.addEventListener('DOMContentLoaded', () => load === this.#loads && this.#load(), { once: true });
+      else setTimeout(() => load === this.#loads && isEmpty(this.linkage.store) && this.#complain(new Refusal('No linkage is given. Accepted: a document by src, by a script of type application/json inside, by the property document; or a sample by type.')), PATIENCE);
+    } catch (error) {
+      if (load === this.#loads) this.#complain(error);
+    }
+  }
+
+  /** @returns {Promise<{text: string, title: string} | null>} */
+  async #find() {
+    const { src, type } = this;
+    if (src) return { text: await fetched(src, this.baseURI), title: src.replace(/^.*\//, '') };
+    const inside = this.querySelector(':scope > script[type="application/json"]');
+    if (inside) return { text: inside.textContent ?? '', title: '' };
+    if (!type) return null;
+    const sample = sampleOf(type);
+    return { text: await sampleText(sample), title: sample.file };
+  }
+
+  /** @param {string} text @param {string} title @param {number} load */
+  async #open(text, title, load) {
+    const { store, whole } = this.linkage;
+    try {
+      const document = await whole(text);
+      if (load !== this.#loads) return;
+      this.#fresh = this.#opening = true;
+      store.restore({ document, past: [], future: [] }, { title, handle: null, saved: document });
+      this.#opening = false;
+    } catch (error) {
+      if (!(error instanceof DocumentFault)) throw error;
+      if (load === this.#loads) store.setResult({ fault: error.fault, trouble: '' });
+    }
+  }
+
+  /** The document that the motion belongs to. */
+  #planned() {
+    const { document } = this.linkage.store.result;
+    if (!document) throw new Refusal('There is no motion yet: wait for the event “ready”.');
+    return document;
+  }
+
+  // --- telling ---
+
+  /** @param {unknown} error */
+  #complain(error) {
+    this.linkage.store.setResult({ trouble: reason(error) });
+  }
+
+  /** The first motion of a document. */
+  #begin() {
+    const frame = this.getAttribute('frame');
+    if (frame !== null) this.attributeChangedCallback('frame', null, frame);
+    if (this.autoplay && !matchMedia('(prefers-reduced-motion: reduce)').matches) this.play();
+  }
+
+  /** A property that was set before the element was defined hides the class's own. @param {string} name */
+  #takeOver(name) {
+    if (!Object.hasOwn(this, name)) return;
+    const self = /** @type {Record<string, any>} */ (this);
+    const value = self[name];
+    delete self[name];
+    self[name] = value;
+  }
+
+  // --- what is seen ---
+
+  #build() {
+    this.#life = new AbortController();
+    const { signal } = this.#life;
+    wear(this.#root, look);
+    this.#root.innerHTML = markup;
+    whileSeen(this, signal, async (seen) => {
+      this.linkage.player.seen = seen;
+      if (seen) this.#show();
+      if (!this.#benchBegun) return;
+      const { scene } = await this.workbench;
+      if (scene && !signal.aborted) scene.released = !seen;
+    });
+  }
+
+  #show() {
+    if (this.#benchBegun || !this.#life) return;
+    this.#benchBegun = true;
+    const { resolve, reject } = this.#bench;
+    createWorkbench(this.linkage, {
+      root: this.#root,
+      keys: MEANINGS.keys(this.getAttribute('keys')) === 'page' ? document : this,
+      panels: MEANINGS.panels(this.getAttribute('panels')),
+      signal: this.#life.signal,
+    }).then(resolve, reject);
+  }
+
+  #dismantle() {
+    this.#life?.abort();
+    this.#life = null;
+    this.linkage.player.seen = false;
+    this.linkage.player.draw = () => {};
+    this.#root.replaceChildren();
+    if (this.#benchBegun) this.#bench = withResolvers();
+    this.#benchBegun = false;
+  }
+
+  #rebuild() {
+    this.#dismantle();
+    this.#build();
+  }
+}
+
+function withResolvers() {
+  /** @type {{promise: Promise<AppWithPanels>, resolve: (app: AppWithPanels) => void, reject: (error: unknown) => void}} */
+  const all = /** @type {any} */ ({});
+  all.promise = new Promise((resolve, reject) => Object.assign(all, { resolve, reject }));
+  // Who does not ask for it need not hear that it failed.
+  all.promise.catch(() => {});
+  return all;
+}
+
+/** @param {string} src @param {string} base @returns {Promise<string>} */
+async function fetched(src, base) {
+  const accepted = 'Accepted: the address of a document, which is JSON text.';
+  const answer = await fetch(new URL(src, base)).catch((error) => {
+    throw new Refusal(`“${src}” could not be loaded (${error.message}). ${accepted}`);
+  });
+  if (!answer.ok) throw new Refusal(`“${src}” could not be loaded (${answer.status} ${answer.statusText}). ${accepted}`);
+  return answer.text();
+}

@@ -1,0 +1,71 @@
+/**
+ * The panels around the 3D view: tables, joints, types, info, charts, algorithm. What is seen later is loaded later.
+ *
+ * @typedef {import('./workbench.js').App} App
+ * @typedef {import('./workbench.js').AppWithPanels} AppWithPanels
+ */
+import markup from './panels.html?raw';
+import { keyFrameFrames } from './playhead.js';
+import { createDock } from './view/dock.js';
+import { whenSeen } from './view/lazy.js';
+import { createSelection } from './view/selection.js';
+import { createStatus } from './view/status.js';
+import { createTables } from './view/tables.js';
+import { createTabs } from './view/tabs.js';
+import { createTree } from './view/tree.js';
+import { createWhy } from './view/why.js';
+
+/**
+ * @param {App} bare
+ * @param {import('./view/banners.js').Banners} banners
+ * @returns {Promise<AppWithPanels>}
+ */
+export async function createPanels(bare, banners) {
+  const { find, store, player, planner, say, findStart } = bare;
+  const defaults = await planner.defaults();
+  const template = document.createElement('template');
+  template.innerHTML = markup;
+  find('frame').append(template.content);
+  find('stage').append(find('dock'));
+  leaveOut(bare);
+
+  const tabs = createTabs(find('tabs'));
+  const app = { ...bare, tabs };
+  tabs.settle();
+  createDock(app, createTabs(find('dock-tabs')));
+  app.explain();
+  const goToKey = (/** @type {number} */ key) => {
+    const { motion, document } = store.result;
+    player.pause();
+    if (motion && document) player.frame = keyFrameFrames(document, motion.time)[key];
+  };
+  const places = { root: find('tables'), mechanism: find('mechanism'), motion: find('motion') };
+  const tables = createTables(places, store, defaults, { markFault: tabs.mark, findStart, goToKey, say });
+  const selection = createSelection(places.root, [places.mechanism, places.motion], app);
+  createTree(/** @type {HTMLDetailsElement} */ (find('objects')), app, selection.enter);
+  createStatus(app);
+  createWhy(app);
+  banners.goToFault(() => tables.focusFault((panel) => tabs.choosePanel(panel)));
+  whenSeen(find('algorithm'), 'The algorithm', async () => (await import('./view/algorithm.js')).createAlgorithm(app, find('algorithm')));
+  whenSeen(find('charts'), 'The charts', async () => (await import('./view/charts.js')).createCharts(app, find('charts')));
+  whenSeen(find('types'), 'The types', async () => (await import('./view/types-panel.js')).createTypes(app, find('types')));
+  whenSeen(find('teach'), 'The joints', async () => (await import('./view/teach.js')).createTeach(app, find('teach')));
+  return app;
+}
+
+/** Beside the tables, one at a time. @type {import('./workbench.js').Panel[]} */
+const TABLES = ['mechanism', 'motion', 'teach', 'types'];
+/** @type {import('./workbench.js').Panel[]} */
+const DOCK = ['charts', 'algorithm'];
+
+/** Panels that are not asked for have no tab, and leave their room to the view. @param {Pick<App, 'find' | 'panels'>} app */
+function leaveOut({ find, panels }) {
+  for (const name of /** @type {import('./workbench.js').Panel[]} */ ([...TABLES, ...DOCK, 'info'])) find(`tab-${name}`).hidden = !panels.includes(name);
+  const any = (/** @type {import('./workbench.js').Panel[]} */ names) => names.some((name) => panels.includes(name));
+  const frame = find('frame');
+  frame.classList.add('with-panels');
+  frame.classList.toggle('with-tables', any(TABLES));
+  frame.classList.toggle('with-info', panels.includes('info'));
+  frame.classList.toggle('with-dock', any(DOCK));
+  find('objects').hidden = !any(['mechanism', 'motion']);
+}
