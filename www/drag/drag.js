@@ -57,7 +57,7 @@ function connect(app, scene) {
   /** @param {string} place @returns {Target | null} */
   function targetOf(place) {
     if (place === 'workpiece') return workpiece;
-    const key = KEY_FRAME.exec(place);
+    const key = store.readonly ? null : KEY_FRAME.exec(place);
     return key && Number(key[1]) < store.document.motion.key_frames.length ? keyFrameTarget(app, Number(key[1]), size) : null;
   }
 

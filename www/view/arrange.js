@@ -21,7 +21,7 @@ export function createArrange(root, store) {
   function canMove(path, step) {
     const [, list, , index] = THING.exec(path) ?? [];
     const to = Number(index) + step;
-    return list !== undefined && to >= 0 && to < valueAt(store.document, list).length;
+    return !store.readonly && list !== undefined && to >= 0 && to < valueAt(store.document, list).length;
   }
 
   /** @param {string} path @param {number} step */

@@ -35,6 +35,7 @@ export function createCells(store) {
       'data-path': spec.path,
       'aria-label': spec.label,
       class: spec.text ? 'cell text' : 'cell',
+      readonly: store.readonly,
     });
     /** Names the stay in the cell: what is typed in one stay is undone in one step. */
     let visit = '';
@@ -127,7 +128,7 @@ export function createCells(store) {
   function select({ path, label, options, write }) {
     const field = element(
       'select',
-      { 'data-path': path, 'aria-label': label, class: 'cell' },
+      { 'data-path': path, 'aria-label': label, class: 'cell', disabled: store.readonly },
       ...options.map(([value, text]) => element('option', { value }, text)),
     );
     const show = () => {

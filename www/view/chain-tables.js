@@ -213,7 +213,7 @@ export function createChainTables(panel, store, cells, defaults, arrange, findSt
       },
       element('summary', {}, 'Start values and limits'),
       startTable(chain),
-      element('button', { class: 'quiet', title: 'Let the planner look for start values that close the loops, in every chain', click: findStart }, 'find a start'),
+      element('button', { class: 'quiet edits', title: 'Let the planner look for start values that close the loops, in every chain', click: findStart }, 'find a start'),
     );
     return element(
       'section',

@@ -46,6 +46,7 @@ export function gridBlock(root, store, cells, say) {
     store.edit((document) => texts.reduce((next, [field, text]) => cells.written(next, field.dataset.path ?? '', text), document));
 
   root.addEventListener('paste', (event) => {
+    if (store.readonly) return;
     const field = cellOf(event.target);
     const at = field && gridAt(field);
     const text = event.clipboardData?.getData('text/plain') ?? '';

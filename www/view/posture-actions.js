@@ -30,6 +30,7 @@ export function postureActions({ store }) {
     store.edit((document) => takeStarts(document, document.chains.map((chain, index) => ({ ...chain, start: starts[index] }))));
   }
 
+  if (store.readonly) return [];
   return [
     element('button', { class: 'link', title: 'The pose reached here becomes the last key frame', click: addKey }, 'Add key frame here'),
     element('button', { class: 'link', title: 'Plan the motion from these joint values', click: useAsStart }, 'Use as start'),

@@ -38,6 +38,7 @@ export async function createTypes(app, panel) {
     button.classList.add('chip');
     button.dataset.type = type;
     button.title = words;
+    button.disabled = store.readonly;
     return button;
   }
 
