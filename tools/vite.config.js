@@ -64,7 +64,19 @@ export default defineConfig({
   base: './',
   cacheDir: at('node_modules/.vite'),
   server: { fs: { allow: [at('../www'), at('node_modules')] } },
-  build: { target: 'es2022', outDir: at('../www/dist'), emptyOutDir: true },
+  build: {
+    target: 'es2022',
+    // The first with light-dark(), which otherwise is replaced by something that knows of no scheme but its own sheet's.
+    cssTarget: ['chrome123', 'firefox120', 'safari17.5'],
+    outDir: at('../www/dist'),
+    emptyOutDir: true,
+    rolldownOptions: {
+      input: { index: at('../www/index.html'), element: at('../www/element/embed.js') },
+      preserveEntrySignatures: 'exports-only',
+      // What other pages name in a script tag keeps its name.
+      output: { entryFileNames: ({ name }) => (name === 'element' ? 'element.js' : 'assets/[name]-[hash].js') },
+    },
+  },
   worker: { format: 'es' },
   plugins: [pages(), bundle(), serviceWorker()],
 });

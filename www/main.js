@@ -1,7 +1,7 @@
 /**
  * Composition of the applet: a linkage element with all its panels, and around it what is done with documents.
  */
-import './element/embed.js';
+import './element/define.js';
 import { byId } from './dom.js';
 import { createExport } from './export/menu.js';
 import { createAutosave } from './files/autosave.js';

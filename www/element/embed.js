@@ -1,6 +1,7 @@
 /**
- * Defines <synthetica-linkage>, and nothing else.
+ * What other pages load: one script with a stable name that defines <synthetica-linkage>. The pieces that it imports have
+ * names of their own, which change with their content.
  */
-import { SyntheticaLinkage } from './element.js';
+import './define.js';
 
-if (!customElements.get('synthetica-linkage')) customElements.define('synthetica-linkage', SyntheticaLinkage);
+export { SyntheticaLinkage } from './element.js';

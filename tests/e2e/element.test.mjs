@@ -1,0 +1,303 @@
+// The custom element in pages of other people: what it is given, what it tells, and that many live side by side.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { after, before, test } from 'node:test';
+import { openBrowser } from './browser.mjs';
+
+const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+
+const sample = (name) => readFileSync(new URL(`../../www/mechanisms/${name}.json`, import.meta.url), 'utf8');
+
+let browser;
+before(async () => {
+  browser = await openBrowser();
+});
+after(() => browser.close());
+
+/** A page of somebody else's, on the same server, with this in its body. */
+async function course(body, { head = '', script = true, ...options } = {}) {
+  const { page, problems } = await browser.blankPage(options);
+  const html = `<!doctype html><html lang="en"><head><meta charset="utf-8"><title>A course</title>${head}
+    ${script ? '<script type="module" src="./element.js"></script>' : ''}</head><body><main><h1>A course</h1>${body}</main></body></html>`;
+  await page.route(`${browser.address}course.html`, (route) => route.fulfill({ contentType: 'text/html', body: html }));
+  for (const name of ['3rps', '2tpr', 'bennett']) {
+    await page.route(`${browser.address}${name}.json`, (route) => route.fulfill({ contentType: 'application/json', body: sample(name) }));
+  }
+  await page.goto(`${browser.address}course.html`);
+  return { page, problems };
+}
+
+const planned = (page, selector = 'synthetica-linkage') =>
+  page.waitForFunction((one) => [...document.querySelectorAll(one)].every((element) => element.trajectory !== null && element.trajectory !== undefined), selector);
+
+test('takes its document from an address, from its content, from a property and by type: the same motion', async () => {
+  const { page, problems } = await course(`
+    <synthetica-linkage id="src" src="2tpr.json"></synthetica-linkage>
+    <synthetica-linkage id="inside"><script type="application/json">${sample('2tpr')}</script></synthetica-linkage>
+    <synthetica-linkage id="property"></synthetica-linkage>
+    <synthetica-linkage id="type" type="2TPR"></synthetica-linkage>`);
+  await page.evaluate((text) => {
+    document.querySelector('#property').document = JSON.parse(text);
+  }, sample('2tpr'));
+  await planned(page);
+  const joints = await page.evaluate(() => [...document.querySelectorAll('synthetica-linkage')].map(({ trajectory }) => [...trajectory.joints].join()));
+  assert.equal(joints.length, 4);
+  assert.ok(joints[0].length > 1000);
+  for (const one of joints) assert.equal(one, joints[0]);
+  assert.equal(await page.evaluate(() => document.querySelector('#src').document.chains.length), 2);
+  assert.deepEqual(problems, []);
+});
+
+test('a property that was set before the element was defined holds', async () => {
+  const { page } = await course('<synthetica-linkage controls></synthetica-linkage>', { script: false });
+  await page.evaluate((text) => {
+    Object.assign(document.querySelector('synthetica-linkage'), { document: text, loop: 'bounce' });
+  }, sample('bennett'));
+  await page.addScriptTag({ type: 'module', url: './element.js' });
+  await planned(page);
+  assert.equal(await page.getAttribute('synthetica-linkage', 'loop'), 'bounce');
+});
+
+test('attributes and properties go both ways, and follow what the reader does', async () => {
+  const { page } = await course('<synthetica-linkage src="2tpr.json" controls loop="bounce" speed="0.5" frame="10" view="top"></synthetica-linkage>');
+  await planned(page);
+  const state = () =>
+    page.evaluate(() => {
+      const { loop, speed, frame, view, controls, src } = document.querySelector('synthetica-linkage');
+      return { loop, speed, frame, view, controls, src };
+    });
+  assert.deepEqual(await state(), { loop: 'bounce', speed: 0.5, frame: 10, view: 'top', controls: true, src: '2tpr.json' });
+  await page.evaluate(() => Object.assign(document.querySelector('synthetica-linkage'), { loop: 'loop', speed: 3, frame: 20, view: 'front', controls: false, theme: 'dark', panels: 'info' }));
+  const attributes = (...names) => page.evaluate((all) => all.map((name) => document.querySelector('synthetica-linkage').getAttribute(name)), names);
+  assert.deepEqual(await attributes('loop', 'speed', 'frame', 'view', 'controls', 'theme', 'panels'), ['', '3', '20', 'front', null, 'dark', 'info']);
+  await page.evaluate(() => Object.assign(document.querySelector('synthetica-linkage'), { controls: true, panels: '' }));
+  await page.locator('#loop').selectOption('once');
+  await page.locator('#speed').selectOption('2');
+  await page.locator('#scrub').fill('7');
+  assert.deepEqual(await attributes('loop', 'speed', 'frame'), [null, '2', '7']);
+  await page.getByRole('button', { name: 'Views' }).click();
+  await page.getByRole('menuitem', { name: 'Left' }).click();
+  assert.deepEqual(await attributes('view'), ['left']);
+  await page.locator('#canvas').focus();
+  await page.keyboard.press('ArrowLeft');
+  assert.deepEqual(await attributes('view'), [null], 'turned by hand it is no standard view');
+});
+
+test('speaks the media element’s words, and tells what happens', async () => {
+  const { page } = await course(
+    `<script>addEventListener('DOMContentLoaded', () => {
+      window.told = [];
+      for (const name of ['ready', 'play', 'pause', 'framechange', 'input', 'change', 'error'])
+        document.querySelector('synthetica-linkage').addEventListener(name, (event) => told.push([name, event.detail?.frame]));
+    })</script><synthetica-linkage src="2tpr.json" controls panels="mechanism"></synthetica-linkage>`,
+  );
+  await planned(page);
+  const told = () => page.evaluate(() => window.told.splice(0).map(([name]) => name));
+  assert.deepEqual(await told(), ['ready']);
+  const one = (act) => page.evaluate(act);
+  assert.equal(await one(() => document.querySelector('synthetica-linkage').paused), true);
+  assert.ok((await one(() => document.querySelector('synthetica-linkage').duration)) > 0);
+  await one(() => document.querySelector('synthetica-linkage').play());
+  await page.waitForFunction(() => document.querySelector('synthetica-linkage').frame > 2);
+  await one(() => document.querySelector('synthetica-linkage').pause());
+  const played = await told();
+  assert.deepEqual([played[0], played.at(-1)], ['play', 'pause']);
+  assert.ok(played.includes('framechange'));
+  await one(() => {
+    const element = document.querySelector('synthetica-linkage');
+    element.currentTime = element.duration / 2;
+  });
+  assert.equal(await one(() => document.querySelector('synthetica-linkage').frame), 64);
+  await told();
+  const cell = page.locator('[data-path="chains[0].base.x"]');
+  await cell.fill('0.1');
+  await cell.blur();
+  await page.waitForFunction(() => window.told.some(([name]) => name === 'change'));
+  assert.deepEqual((await told()).filter((name) => name !== 'framechange'), ['input', 'change']);
+  assert.equal(await one(() => document.querySelector('synthetica-linkage').document.chains[0].base.x), 0.1);
+});
+
+test('gives the motion as a table and the view as a picture', async () => {
+  const { page } = await course('<synthetica-linkage src="2tpr.json"></synthetica-linkage>');
+  await planned(page);
+  const made = await page.evaluate(async () => {
+    const element = document.querySelector('synthetica-linkage');
+    const [csv, png, svg] = await Promise.all([element.toCSV(), element.toImage({ width: 320, height: 200, scale: 1 }), element.toImage({ type: 'svg' })]);
+    const bitmap = await createImageBitmap(png);
+    return { lines: csv.trim().split('\n').length, type: png.type, size: [bitmap.width, bitmap.height], svg: (await svg.text()).slice(0, 4) };
+  });
+  assert.deepEqual(made, { lines: 130, type: 'image/png', size: [320, 200], svg: '<svg' });
+});
+
+test('ten on a page share one worker and one planner, and all move', async () => {
+  const { page, problems } = await course('<synthetica-linkage src="bennett.json" autoplay loop style="width: 180px; height: 90px; float: left"></synthetica-linkage>'.repeat(10), {
+    reducedMotion: 'no-preference',
+  });
+  const wasm = new Set();
+  page.on('request', (request) => request.url().endsWith('.wasm') && wasm.add(request));
+  await planned(page);
+  assert.equal(page.workers().length, 1);
+  await page.waitForFunction(() => [...document.querySelectorAll('synthetica-linkage')].every(({ frame }) => frame > 0));
+  assert.ok(wasm.size <= 1, 'one planner is loaded');
+  assert.deepEqual(problems, []);
+});
+
+const contexts = (page) =>
+  page.evaluate(() => {
+    const alive = [...document.querySelectorAll('synthetica-linkage')].map(({ shadowRoot }) => {
+      const canvas = shadowRoot.querySelector('canvas');
+      return canvas?.dataset.draws !== undefined && !canvas.getContext('webgl2').isContextLost();
+    });
+    return alive;
+  });
+
+test('out of sight nothing is drawn and the graphics context is given back; it comes again in sight', async () => {
+  // More than a browser keeps contexts for: it would complain and take the oldest.
+  const { page, problems } = await course('<synthetica-linkage src="bennett.json" autoplay loop style="height: 300px; margin-bottom: 500px"></synthetica-linkage>'.repeat(20), {
+    reducedMotion: 'no-preference',
+  });
+  await planned(page);
+  await page.waitForFunction(() => document.querySelector('synthetica-linkage').frame > 0);
+  assert.equal((await contexts(page)).filter(Boolean).length, 1, 'only what is seen has one');
+  assert.equal(await page.evaluate(() => document.querySelectorAll('synthetica-linkage')[5].frame), 0, 'what is not seen rests');
+  for (let index = 0; index < 20; index++) {
+    await page.evaluate((at) => document.querySelectorAll('synthetica-linkage')[at].scrollIntoView(), index);
+    await page.waitForFunction((at) => document.querySelectorAll('synthetica-linkage')[at].frame > 0, index);
+  }
+  await page.waitForFunction(() => document.querySelector('synthetica-linkage').shadowRoot.querySelector('canvas').getContext('webgl2').isContextLost());
+  assert.equal((await contexts(page)).filter(Boolean).length, 1);
+  const rested = await page.evaluate(() => document.querySelector('synthetica-linkage').shadowRoot.querySelector('canvas').dataset.draws);
+  await page.evaluate(() => scrollTo(0, 0));
+  await page.waitForFunction((old) => document.querySelector('synthetica-linkage').shadowRoot.querySelector('canvas').dataset.draws > Number(old) + 2, rested);
+  assert.equal((await contexts(page))[0], true);
+  const picture = await page.locator('synthetica-linkage').first().screenshot();
+  assert.ok(new Set(picture).size > 100, 'there is a picture');
+  assert.deepEqual(problems, []);
+});
+
+test('taken out and put back it goes on where it was; moved within the page too', async () => {
+  const { page, problems } = await course('<div id="here"><synthetica-linkage src="2tpr.json" controls panels="mechanism"></synthetica-linkage></div><div id="there"></div>');
+  await planned(page);
+  await page.locator('[data-path="chains[0].base.x"]').fill('0.1');
+  await page.locator('#scrub').fill('40');
+  await page.evaluate(() => {
+    window.element = document.querySelector('synthetica-linkage');
+    element.remove();
+  });
+  await page.waitForFunction(() => element.shadowRoot.childElementCount === 0);
+  await page.evaluate(() => document.querySelector('#there').append(element));
+  await page.waitForFunction(() => element.shadowRoot.querySelector('canvas')?.dataset.draws > 0);
+  assert.equal(await page.locator('#scrub').inputValue(), '40');
+  assert.equal(await page.locator('[data-path="chains[0].base.x"]').inputValue(), '0.1');
+  const canvas = await page.evaluateHandle(() => element.shadowRoot.querySelector('canvas'));
+  await page.evaluate(() => document.querySelector('#here').append(element));
+  assert.ok(await page.evaluate((old) => element.shadowRoot.querySelector('canvas') === old, canvas), 'a move keeps what is seen');
+  await page.locator('#scrub').fill('41');
+  assert.equal(await page.evaluate(() => element.frame), 41);
+  await page.keyboard.press('Control+z');
+  assert.equal(await page.locator('[data-path="chains[0].base.x"]').inputValue(), '0', 'undo remembers');
+  assert.deepEqual(problems, []);
+});
+
+test('two never clash: keys, edits, selection, ids', async () => {
+  const { page } = await course('<synthetica-linkage src="2tpr.json" controls panels="mechanism motion info" style="height: 400px"></synthetica-linkage>'.repeat(2));
+  await planned(page);
+  const [one, two] = [page.locator('synthetica-linkage').nth(0), page.locator('synthetica-linkage').nth(1)];
+  await two.locator('#scrub').focus();
+  await page.keyboard.press('ArrowRight');
+  await page.keyboard.press(' ');
+  const states = () => page.evaluate(() => [...document.querySelectorAll('synthetica-linkage')].map(({ frame, paused, document: { chains } }) => [frame > 0, paused, chains[0].base.x]));
+  assert.deepEqual(await states(), [[false, true, 0], [true, false, 0]]);
+  await two.evaluate((element) => element.pause());
+  await two.getByRole('tab', { name: 'Motion' }).click();
+  await two.locator('[data-path="motion.key_frames[0].name"]').focus();
+  assert.equal(await one.locator('.chosen').count(), 0);
+  assert.ok((await two.locator('.chosen').count()) > 0);
+  assert.equal(await one.getByRole('tab', { name: 'Mechanism' }).getAttribute('aria-selected'), 'true');
+  await one.locator('[data-path="chains[0].base.x"]').fill('0.2');
+  await page.keyboard.press('Enter');
+  await two.locator('#canvas').focus();
+  await page.keyboard.press('Control+z');
+  assert.equal((await states())[0][2], 0.2, 'the other’s undo leaves it alone');
+});
+
+test('what is wrong is said in the element and told: address, type, document, attribute, nothing', async () => {
+  const { page } = await course(`
+    <synthetica-linkage id="gone" src="no-such.json"></synthetica-linkage>
+    <synthetica-linkage id="type" type="9XYZ"></synthetica-linkage>
+    <synthetica-linkage id="fault"><script type="application/json">{"version": 1, "chains": [], "motion": {"key_frames": []}}</script></synthetica-linkage>
+    <synthetica-linkage id="speed" src="2tpr.json" speed="fast"></synthetica-linkage>
+    <synthetica-linkage id="nothing"></synthetica-linkage>
+    <synthetica-linkage id="good" src="2tpr.json"></synthetica-linkage>`);
+  await planned(page, '#good');
+  await page.waitForFunction(() => ['gone', 'type', 'fault', 'speed', 'nothing'].every((id) => document.getElementById(id).error));
+  const errors = await page.evaluate(() => Object.fromEntries(['gone', 'type', 'fault', 'nothing', 'good'].map((id) => [id, document.getElementById(id).error])));
+  assert.match(errors.gone.message, /“no-such\.json” could not be loaded.*Accepted/);
+  assert.match(errors.type.message, /no sample “9XYZ”.*3rps\.json/);
+  assert.equal(errors.fault.where, 'chains');
+  assert.match(errors.nothing.message, /No linkage is given.*src/);
+  assert.equal(errors.good, null);
+  for (const [id, words] of [['gone', 'could not be loaded'], ['fault', 'chains']]) {
+    await page.locator(`#${id}`).scrollIntoViewIfNeeded();
+    await page.locator(`#${id} .banner`).filter({ hasText: words }).waitFor();
+  }
+});
+
+test('its content is there to be read where no script runs', async () => {
+  const { page } = await course('<synthetica-linkage src="2tpr.json"><p>Two chains of three joints each.</p></synthetica-linkage>', { javaScriptEnabled: false });
+  assert.ok(await page.getByText('Two chains of three joints each.').isVisible());
+});
+
+test('readonly: nothing can be edited, everything can be looked at', async () => {
+  const { page } = await course('<synthetica-linkage src="2tpr.json" controls readonly panels="mechanism motion teach types info" style="height: 560px"></synthetica-linkage>');
+  await planned(page);
+  const field = page.locator('[data-path="chains[0].base.x"]');
+  assert.equal(await field.getAttribute('readonly'), '');
+  assert.ok(await page.locator('[data-path="chains[0].joints[0].type"]').isDisabled());
+  assert.equal(await page.getByRole('button', { name: /^Actions of/ }).count(), 0);
+  assert.equal(await page.getByRole('button', { name: '+ chain' }).count(), 0);
+  await page.locator('#scrub').fill('30');
+  await page.getByRole('tab', { name: 'Teach' }).click();
+  await page.locator('.teach-row input[type=range]').first().press('ArrowRight');
+  await page.locator('#frame-word').filter({ hasText: 'Driven' }).waitFor();
+  await page.evaluate(() => document.querySelector('synthetica-linkage').removeAttribute('readonly'));
+  await page.locator('[data-path="chains[0].base.x"]').fill('0.1');
+  assert.equal(await page.evaluate(() => document.querySelector('synthetica-linkage').document.chains[0].base.x), 0.1);
+});
+
+test('theme and colours: the page’s own scheme, a chosen one, and custom properties', async () => {
+  const { page } = await course(
+    `<synthetica-linkage id="own" src="2tpr.json" controls></synthetica-linkage>
+     <synthetica-linkage id="dark" src="2tpr.json" controls theme="dark"></synthetica-linkage>
+     <synthetica-linkage id="auto" src="2tpr.json" controls theme="auto"></synthetica-linkage>`,
+    { head: '<style>#own { --accent: rgb(1, 2, 3); } #own::part(controls) { border-top-width: 7px; }</style>', colorScheme: 'dark' },
+  );
+  await planned(page);
+  const look = (id) =>
+    page.evaluate((one) => {
+      const element = document.getElementById(one);
+      const controls = getComputedStyle(element.shadowRoot.querySelector('.transport'));
+      const play = element.shadowRoot.querySelector('#play');
+      return { background: controls.backgroundColor, border: controls.borderTopWidth, play: getComputedStyle(play).backgroundColor };
+    }, id);
+  const [own, dark, auto] = await Promise.all(['own', 'dark', 'auto'].map(look));
+  assert.deepEqual([own.play, own.border], ['rgb(1, 2, 3)', '7px']);
+  assert.notEqual(own.background, dark.background, 'the page is light');
+  assert.equal(auto.background, dark.background, 'the system is dark');
+});
+
+test('axe finds nothing in a page with elements, with and without panels', async () => {
+  for (const colorScheme of ['light', 'dark']) {
+    const { page } = await course(
+      `<synthetica-linkage src="2tpr.json" controls theme="auto"></synthetica-linkage>
+       <synthetica-linkage src="3rps.json" controls theme="auto" panels="mechanism info charts" style="height: 500px"></synthetica-linkage>`,
+      { colorScheme, head: '<meta name="color-scheme" content="light dark">' },
+    );
+    await planned(page);
+    await page.waitForFunction(() => [...document.querySelectorAll('synthetica-linkage')].at(-1).shadowRoot.querySelector('#closure')?.textContent !== '–');
+    await page.evaluate(axe);
+    const { violations } = await page.evaluate(() => window.axe.run());
+    assert.deepEqual(violations.map(({ id, nodes }) => [id, nodes.map(({ html }) => html)]), [], colorScheme);
+  }
+});
