@@ -1,10 +1,13 @@
 // How Vite serves and builds the page in www/.
 import { createHash } from 'node:crypto';
 import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
-import { join, relative } from 'node:path';
+import { dirname, join, relative } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build, defineConfig } from 'vite';
 import { pages } from './pages.js';
+
+/** The first with light-dark(), which otherwise is replaced by something that knows of no scheme but its own sheet's. */
+const CSS_TARGET = ['chrome123', 'firefox120', 'safari17.5'];
 
 const at = (path) => fileURLToPath(new URL(path, import.meta.url));
 
@@ -14,6 +17,34 @@ const filesIn = (folder) =>
     .filter((entry) => entry.isFile())
     .map((entry) => relative(folder, join(entry.parentPath, entry.name)).replaceAll('\\', '/'))
     .sort();
+
+/**
+ * A script with all that it imports at once: what is loaded together in any case is one file, not twenty.
+ * @param {string} entry
+ */
+function importedAtOnce(entry) {
+  const found = new Set();
+  const visit = (file) => {
+    if (found.has(file)) return;
+    found.add(file);
+    const text = readFileSync(file, 'utf8');
+    for (const [, name] of text.matchAll(/^(?:import|export)\b[^'"]*?(?:from )?'(\.[^'"]+\.js)'/gm)) visit(join(dirname(file), name));
+  };
+  visit(entry);
+  return found;
+}
+
+/** `file.html?raw`: the blanks between its lines are for its writer. */
+const tightMarkup = () => ({
+  name: 'tight-markup',
+  enforce: 'pre',
+  load(id) {
+    const [file, query] = id.split('?');
+    if (query !== 'raw' || !file.endsWith('.html')) return null;
+    this.addWatchFile(file);
+    return `export default ${JSON.stringify(readFileSync(file, 'utf8').replace(/\s*\n\s*/g, ' '))};`;
+  },
+});
 
 /** Writes www/service-worker.js into the build, with the list of its files. */
 const serviceWorker = () => ({
@@ -45,6 +76,7 @@ const bundle = () => ({
       logLevel: 'error',
       build: {
         target: 'es2022',
+        cssTarget: CSS_TARGET,
         write: false,
         modulePreload: false,
         rolldownOptions: { input: entry, output: { format: 'es', codeSplitting: false } },
@@ -58,6 +90,9 @@ const bundle = () => ({
   },
 });
 
+const linkage = importedAtOnce(at('../www/element/define.js'));
+const panels = importedAtOnce(at('../www/panels.js'));
+
 export default defineConfig({
   root: at('../www'),
   // Relative addresses: the built page works in any folder of any server.
@@ -66,17 +101,19 @@ export default defineConfig({
   server: { fs: { allow: [at('../www'), at('node_modules')] } },
   build: {
     target: 'es2022',
-    // The first with light-dark(), which otherwise is replaced by something that knows of no scheme but its own sheet's.
-    cssTarget: ['chrome123', 'firefox120', 'safari17.5'],
+    cssTarget: CSS_TARGET,
     outDir: at('../www/dist'),
     emptyOutDir: true,
     rolldownOptions: {
       input: { index: at('../www/index.html'), element: at('../www/element/embed.js') },
       preserveEntrySignatures: 'exports-only',
       // What other pages name in a script tag keeps its name.
-      output: { entryFileNames: ({ name }) => (name === 'element' ? 'element.js' : 'assets/[name]-[hash].js') },
+      output: {
+        entryFileNames: ({ name }) => (name === 'element' ? 'element.js' : 'assets/[name]-[hash].js'),
+        codeSplitting: { groups: [{ name: 'linkage', test: (id) => linkage.has(id) }, { name: 'panels', test: (id) => panels.has(id) }] },
+      },
     },
   },
   worker: { format: 'es' },
-  plugins: [pages(), bundle(), serviceWorker()],
+  plugins: [pages(), bundle(), tightMarkup(), serviceWorker()],
 });

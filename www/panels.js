@@ -23,6 +23,7 @@ import { createWhy } from './view/why.js';
 export async function createPanels(bare, banners) {
   const { find, store, player, planner, say, findStart } = bare;
   const defaults = await planner.defaults();
+  if (bare.signal.aborted) return /** @type {AppWithPanels} */ (bare);
   const template = document.createElement('template');
   template.innerHTML = markup;
   find('frame').append(template.content);

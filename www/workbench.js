@@ -45,7 +45,8 @@ export async function createWorkbench(linkage, place) {
   const find = finder(root);
   const store = heldBy(linkage.store, signal);
   linkage.tell = createNotices(find('notices'));
-  const narrow = () => find('bench').clientWidth < PHONE;
+  const bench = find('bench');
+  const narrow = () => bench.clientWidth < PHONE;
   let explained = false;
   const explain = () => {
     if (!explained) createInsight(app);

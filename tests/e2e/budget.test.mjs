@@ -22,7 +22,7 @@ test('the page with all that its first view needs is within its budget', async (
     await page.waitForFunction(() => (page$('#closure')?.textContent ?? '–') !== '–');
     await page.waitForLoadState('networkidle');
     const all = await Promise.all([...sizes].map(async ([url, size]) => [new URL(url).pathname, await size]));
-    assert.ok(all.some(([path]) => path.endsWith('.wasm')) && all.some(([path]) => path.includes('three')), 'planner and 3D view are counted');
+    assert.ok(all.some(([path]) => path.endsWith('.wasm')) && all.some(([path]) => path.includes('linkage')), 'planner and 3D view are counted');
     // Pieces that are kept out of the first view are not in it.
     assert.ok(!all.some(([path]) => /html-|gallery|algorithm/.test(path)), 'what is seen later is loaded later');
     const total = all.reduce((sum, [, size]) => sum + size, 0);

@@ -24,6 +24,7 @@ async function course(body, { head = '', script = true, ...options } = {}) {
   for (const name of ['3rps', '2tpr', 'bennett']) {
     await page.route(`${browser.address}${name}.json`, (route) => route.fulfill({ contentType: 'application/json', body: sample(name) }));
   }
+  await page.route(`${browser.address}no-such.json`, (route) => route.fulfill({ status: 404, body: '' }));
   await page.goto(`${browser.address}course.html`);
   return { page, problems };
 }
@@ -196,7 +197,7 @@ test('taken out and put back it goes on where it was; moved within the page too'
   await page.locator('#scrub').fill('41');
   assert.equal(await page.evaluate(() => element.frame), 41);
   await page.keyboard.press('Control+z');
-  assert.equal(await page.locator('[data-path="chains[0].base.x"]').inputValue(), '0', 'undo remembers');
+  assert.equal(await page.locator('[data-path="chains[0].base.x"]').inputValue(), '-1', 'undo remembers');
   assert.deepEqual(problems, []);
 });
 
@@ -208,7 +209,7 @@ test('two never clash: keys, edits, selection, ids', async () => {
   await page.keyboard.press('ArrowRight');
   await page.keyboard.press(' ');
   const states = () => page.evaluate(() => [...document.querySelectorAll('synthetica-linkage')].map(({ frame, paused, document: { chains } }) => [frame > 0, paused, chains[0].base.x]));
-  assert.deepEqual(await states(), [[false, true, 0], [true, false, 0]]);
+  assert.deepEqual(await states(), [[false, true, -1], [true, false, -1]]);
   await two.evaluate((element) => element.pause());
   await two.getByRole('tab', { name: 'Motion' }).click();
   await two.locator('[data-path="motion.key_frames[0].name"]').focus();
@@ -260,7 +261,7 @@ test('readonly: nothing can be edited, everything can be looked at', async () =>
   await page.locator('#scrub').fill('30');
   await page.getByRole('tab', { name: 'Teach' }).click();
   await page.locator('.teach-row input[type=range]').first().press('ArrowRight');
-  await page.locator('#frame-word').filter({ hasText: 'Driven' }).waitFor();
+  await page.locator('#frame-word').filter({ hasText: 'Driven' }).waitFor({ state: 'attached' });
   await page.evaluate(() => document.querySelector('synthetica-linkage').removeAttribute('readonly'));
   await page.locator('[data-path="chains[0].base.x"]').fill('0.1');
   assert.equal(await page.evaluate(() => document.querySelector('synthetica-linkage').document.chains[0].base.x), 0.1);

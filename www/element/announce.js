@@ -53,16 +53,16 @@ export function announce(element, { isEdit, isFirst, begin, fail }) {
   });
 
   store.subscribe('view', () => {
-    const { frame, playing } = view;
+    const before = view;
     ({ view } = store);
-    if (view.frame !== frame) tell('framechange', { frame: view.frame, time: player.currentTime });
-    if (view.playing !== playing) tell(view.playing ? 'play' : 'pause');
-    // The frame only while it rests: an attribute that changes with every picture helps nobody.
-    const { loop, speed, side } = view;
-    keep('loop', loop, WRITINGS.loop(loop));
-    keep('speed', speed, WRITINGS.speed(speed));
-    keep('view', side, WRITINGS.view(side));
-    if (!view.playing && result.motion && !isFirst()) keep('frame', view.frame, WRITINGS.frame(view.frame));
+    const { frame, playing, loop, speed, side } = view;
+    if (frame !== before.frame) tell('framechange', { frame, time: player.currentTime });
+    if (playing !== before.playing) tell(playing ? 'play' : 'pause');
+    if (loop !== before.loop) keep('loop', loop, WRITINGS.loop(loop));
+    if (speed !== before.speed) keep('speed', speed, WRITINGS.speed(speed));
+    if (side !== before.side) keep('view', side, WRITINGS.view(side));
+    // Only while it rests: an attribute that changes with every picture helps nobody.
+    if (!playing && !isFirst()) keep('frame', frame, WRITINGS.frame(frame));
   });
 
   /** Writes an attribute that means something else. @param {'loop' | 'speed' | 'view' | 'frame'} name @param {unknown} state @param {string | null} text */

@@ -26,6 +26,8 @@ import { LinkageWords } from './words.js';
 /** How long an element may be without a document before it says so, in milliseconds: a script may be about to give it one. */
 const PATIENCE = 1000;
 
+const NOTHING_GIVEN = 'No linkage is given. Accepted: a document by src, by a script of type application/json inside, or by the property document; or a sample by type.';
+
 /** What a page may have set before the element was defined. */
 const PROPERTIES = ['document', 'src', 'type', 'controls', 'autoplay', 'loop', 'frame', 'speed', 'view', 'theme', 'readonly', 'panels', 'currentTime'];
 
@@ -46,6 +48,8 @@ export class SyntheticaLinkage extends LinkageWords {
   #fresh = true;
   /** @type {LinkageError | null} */
   #error = null;
+  /** Attributes that cannot be used, each with the reason. @type {Map<string, LinkageError>} */
+  #refused = new Map();
 
   constructor() {
     super();
@@ -69,7 +73,7 @@ export class SyntheticaLinkage extends LinkageWords {
     for (const name of PROPERTIES) this.#takeOver(name);
     // Taken out and put in again at once, as by a move: it goes on as it is.
     if (!this.#life) this.#build();
-    if (isEmpty(this.linkage.store)) this.#load();
+    if (isEmpty(this.linkage.store) && !this.#loads) this.#load();
   }
 
   disconnectedCallback() {
@@ -92,8 +96,9 @@ export class SyntheticaLinkage extends LinkageWords {
       if (name === 'theme' && MEANINGS.theme(text) !== null) dispatchEvent(new Event('themechange'));
       if (name === 'panels') MEANINGS.panels(text);
       if (name === 'readonly') store.readonly = text !== null;
+      this.#refused.delete(name);
     } catch (error) {
-      return this.#complain(error);
+      return this.#refuse(name, error);
     }
     if ((name === 'src' || name === 'type') && text !== null && this.isConnected) this.#load();
     if (['panels', 'readonly', 'keys'].includes(name) && this.#life) this.#rebuild();
@@ -121,7 +126,7 @@ export class SyntheticaLinkage extends LinkageWords {
 
   /** What is wrong with the document, or what went wrong with it. */
   get error() {
-    return this.#error;
+    return this.#error ?? [...this.#refused.values()][0] ?? null;
   }
 
   /** The planned motion as a table, degrees and the document's length unit. @returns {Promise<string>} */
@@ -152,7 +157,7 @@ export class SyntheticaLinkage extends LinkageWords {
       if (load !== this.#loads) return;
       if (found) await this.#open(found.text, found.title, load);
       else if (document.readyState === 'loading') document.addEventListener('DOMContentLoaded', () => load === this.#loads && this.#load(), { once: true });
-      else setTimeout(() => load === this.#loads && isEmpty(this.linkage.store) && this.#complain(new Refusal('No linkage is given. Accepted: a document by src, by a script of type application/json inside, by the property document; or a sample by type.')), PATIENCE);
+      else setTimeout(() => load === this.#loads && isEmpty(this.linkage.store) && this.#complain(new Refusal(NOTHING_GIVEN)), PATIENCE);
     } catch (error) {
       if (load === this.#loads) this.#complain(error);
     }
@@ -193,6 +198,14 @@ export class SyntheticaLinkage extends LinkageWords {
 
   // --- telling ---
 
+  /** An attribute that cannot be used changes nothing, and says so. @param {string} name @param {unknown} error */
+  #refuse(name, error) {
+    const refused = { message: reason(error), where: '', code: 'attribute' };
+    this.#refused.set(name, refused);
+    this.dispatchEvent(new CustomEvent('error', { detail: refused }));
+    this.workbench.then(({ say }) => say(refused.message, { stays: true }));
+  }
+
   /** @param {unknown} error */
   #complain(error) {
     this.linkage.store.setResult({ trouble: reason(error) });
@@ -200,8 +213,8 @@ export class SyntheticaLinkage extends LinkageWords {
 
   /** The first motion of a document. */
   #begin() {
-    const frame = this.getAttribute('frame');
-    if (frame !== null) this.attributeChangedCallback('frame', null, frame);
+    this.#fresh = false;
+    this.attributeChangedCallback('frame', null, this.getAttribute('frame'));
     if (this.autoplay && !matchMedia('(prefers-reduced-motion: reduce)').matches) this.play();
   }
 
@@ -221,6 +234,8 @@ export class SyntheticaLinkage extends LinkageWords {
     const { signal } = this.#life;
     wear(this.#root, look);
     this.#root.innerHTML = markup;
+    // A field's own event would leave the tree; the element tells of edits in its place.
+    this.#root.firstElementChild?.addEventListener('input', (event) => event.stopPropagation());
     whileSeen(this, signal, async (seen) => {
       this.linkage.player.seen = seen;
       if (seen) this.#show();

@@ -3,6 +3,7 @@
  *
  * @typedef {import('../workbench.js').App} App
  */
+import '../style/export.css';
 import { element, setText } from '../dom.js';
 import { fileName, saveFile } from '../files/save.js';
 import { frameAt } from '../playhead.js';

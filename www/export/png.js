@@ -1,6 +1,7 @@
 /**
  * The view as a PNG: the dialog that asks for size and background, and the file.
  */
+import '../style/export.css';
 import { element } from '../dom.js';
 import { fileName, saveFile } from '../files/save.js';
 import { openDialog } from '../view/dialog.js';

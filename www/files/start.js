@@ -6,8 +6,6 @@
  * @typedef {import('./keeper.js').Work} Work
  */
 import { readAddress, plainAddress } from './address.js';
-import { decode } from './codec.js';
-import { applyOverrides, parseOverrides } from './overrides.js';
 import { saveFile } from './save.js';
 import { reason } from '../opening.js';
 import { sampleOf, sampleText, samples } from '../samples.js';
@@ -32,6 +30,7 @@ export function start({ store, player, say, whole, show }, keeper) {
     let title = found.file;
     if (payload !== null) {
       try {
+        const { decode } = await import('./codec.js');
         document = await whole(await decode(payload));
         title = '';
       } catch (error) {
@@ -39,7 +38,10 @@ export function start({ store, player, say, whole, show }, keeper) {
       }
     }
     try {
-      if (sets.length) document = await whole(JSON.stringify(applyOverrides(document, parseOverrides(sets))));
+      if (sets.length) {
+        const { applyOverrides, parseOverrides } = await import('./overrides.js');
+        document = await whole(JSON.stringify(applyOverrides(document, parseOverrides(sets))));
+      }
     } catch (error) {
       problems.push(`The changes in the address (set=…) were left out. ${reason(error)}`);
     }

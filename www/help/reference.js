@@ -5,6 +5,7 @@ import { element } from '../dom.js';
 import { KEYS } from '../keys.js';
 import { openDialog } from '../view/dialog.js';
 import numbers from './numbers.html?raw';
+import '../style/reference.css';
 
 export function showKeys() {
   const places = [...new Set(KEYS.map(({ where }) => where))];

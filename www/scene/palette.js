@@ -10,10 +10,19 @@ const NAMES = /** @type {const} */ ([
 
 /** @typedef {Record<typeof NAMES[number], Color>} Palette */
 
-/** @param {Element} element @returns {Palette} */
+/**
+ * As they are beside an element: a colour may depend on the scheme there, so that only a used one tells what it is.
+ * @param {Element} element @returns {Palette}
+ */
 export function readPalette(element) {
-  const style = getComputedStyle(element);
-  return /** @type {Palette} */ (
-    Object.fromEntries(NAMES.map((name) => [name, new Color(style.getPropertyValue(`--scene-${name}`).trim() || '#888')]))
-  );
+  const probe = document.createElement('i');
+  probe.hidden = true;
+  element.after(probe);
+  const style = getComputedStyle(probe);
+  const colours = NAMES.map((name) => {
+    probe.style.color = `var(--scene-${name}, #888)`;
+    return [name, new Color(style.color)];
+  });
+  probe.remove();
+  return /** @type {Palette} */ (Object.fromEntries(colours));
 }

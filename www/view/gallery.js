@@ -5,6 +5,7 @@ import { sampleText, samples } from '../samples.js';
 import { plural } from '../format.js';
 import { element } from '../dom.js';
 import { openDialog } from './dialog.js';
+import '../style/gallery.css';
 
 /** Made by scripts/thumbnails.mjs. @type {Record<string, string>} */
 const pictures = import.meta.glob('../thumbnails/*.webp', { query: '?url&no-inline', import: 'default', eager: true });
