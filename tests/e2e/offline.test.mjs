@@ -5,7 +5,7 @@ import { chromium } from 'playwright-core';
 import { preview } from 'vite';
 import { LAUNCH } from './browser.mjs';
 
-const opened = (page) => page.locator('#closure').filter({ hasText: /\d/ }).waitFor();
+const opened = (page) => page.locator('#closure').filter({ hasText: /\d/ }).waitFor({ state: 'attached' });
 
 test('works offline after the first load, every lazily loaded part included', async () => {
   const server = await preview({ configFile: 'tools/vite.config.js', preview: { port: 0 } });

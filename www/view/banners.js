@@ -15,6 +15,7 @@ const SPEAK_AFTER = 600;
 export function createBanners({ find, store }) {
   const button = find('go-to-fault');
   button.hidden = true;
+  const live = find('live');
 
   function show() {
     const { motion, fault, trouble } = store.result;
@@ -31,7 +32,7 @@ export function createBanners({ find, store }) {
     speech = setTimeout(() => {
       const { motion, fault, trouble } = store.result;
       if (store.view.playing && !fault && !trouble) return;
-      setText(find('live'), fault ? sentence(fault.message) : trouble || (motion ? frameSentence(store) : ''));
+      setText(live, fault ? sentence(fault.message) : trouble || (motion ? frameSentence(store) : ''));
     }, SPEAK_AFTER);
   }
 

@@ -14,8 +14,8 @@ const STEP = 24;
 /** What stays of the view's height, in pixels. */
 const VIEW = 160;
 
-/** @param {Pick<import('../workbench.js').AppWithPanels, 'find' | 'narrow' | 'tabs'>} app @param {Tabs} dockTabs */
-export function createDock({ find, narrow, tabs }, dockTabs) {
+/** @param {Pick<import('../workbench.js').AppWithPanels, 'find' | 'narrow' | 'tabs' | 'signal'>} app @param {Tabs} dockTabs */
+export function createDock({ find, narrow, tabs, signal }, dockTabs) {
   const dock = find('dock');
   const handle = find('dock-handle');
   const toggle = find('dock-toggle');
@@ -71,7 +71,7 @@ export function createDock({ find, narrow, tabs }, dockTabs) {
   let phone;
   /** Moves the tabs with their panels. */
   function arrange() {
-    if (phone === narrow()) return;
+    if (signal.aborted || phone === narrow()) return;
     phone = narrow();
     const [row, panels] = phone ? [find('tabs'), find('tables')] : [find('dock-tabs'), dock];
     for (const name of ['charts', 'algorithm']) {
