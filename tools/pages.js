@@ -76,7 +76,7 @@ export function pages() {
   return {
     name: 'pages',
     enforce: 'pre',
-    config: () => ({ build: { rolldownOptions: { input: ['index', ...PAGES.map(({ name }) => name)].map((name) => join(www, `${name}.html`)) } } }),
+    config: () => ({ build: { rolldownOptions: { input: Object.fromEntries(PAGES.map(({ name }) => [name, join(www, `${name}.html`)])) } } }),
     resolveId: (id) => (pageOf(id) ? id : null),
     load: (id) => (pageOf(id) ? html(pageOf(id)) : null),
     generateBundle() {

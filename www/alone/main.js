@@ -1,7 +1,7 @@
 /**
  * A page that plays one solved motion by itself: no planner, no network, one file (see export/html.js).
  */
-import '../style/base.css';
+import '../style/whole-page.css';
 import '../style/colours.css';
 import '../style/view.css';
 import './alone.css';
