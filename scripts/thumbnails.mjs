@@ -21,6 +21,8 @@ mkdirSync(folder, { recursive: true });
 const server = await preview({ configFile: 'tools/vite.config.js', preview: { port: 0 } });
 const browser = await chromium.launch(LAUNCH);
 const context = await browser.newContext({ viewport: { width: 1600, height: 1000 }, colorScheme: 'light', reducedMotion: 'reduce' });
+// Without the first minute, which marks what it speaks of.
+await context.addInitScript(() => localStorage.setItem('synthetica.first-minute', 'in a picture'));
 for (const { file } of samples) {
   const page = await context.newPage();
   await page.goto(`${server.resolvedUrls.local[0]}?sample=${file}`);

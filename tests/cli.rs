@@ -390,43 +390,72 @@ fn the_end_of_a_pipe_is_the_end_quietly() {
     }
 }
 
-/// Every line under "Examples:" runs, in a folder with the samples.
-#[test]
-fn the_examples_of_the_help_run() {
-    let folder = folder("examples");
+const COMMANDS: [&str; 6] = [
+    "plan",
+    "check",
+    "export",
+    "enumerate",
+    "schema",
+    "completions",
+];
+
+/// Runs lines of a shell, in a new folder with the samples.
+fn run_in_shell(folder_name: &str, lines: &[&str]) {
+    let folder = folder(folder_name);
     for name in samples() {
         fs::copy(format!("{SAMPLES}/{name}"), folder.join(name)).expect("a copy");
     }
     let built = PathBuf::from(env!("CARGO_BIN_EXE_synthetica"));
     let built = built.parent().expect("a folder").display().to_string();
     let path = format!("{built}:{}", std::env::var("PATH").unwrap_or_default());
-    let mut helps = vec![vec!["--help"]];
-    for command in [
-        "plan",
-        "check",
-        "export",
-        "enumerate",
-        "schema",
-        "completions",
-    ] {
-        helps.push(vec![command, "--help"]);
+    for line in lines {
+        let mut bash = Command::new("bash");
+        bash.args(["-c", &format!("set -eo pipefail; {line}")]);
+        bash.current_dir(&folder)
+            .env("PATH", &path)
+            .stdin(Stdio::null());
+        let (_, err, code) = said(bash.output().expect("bash"));
+        assert_eq!(code, 0, "{line}: {err}");
     }
+}
+
+/// Every line under "Examples:" runs.
+#[test]
+fn the_examples_of_the_help_run() {
+    let mut helps = vec![vec!["--help"]];
+    helps.extend(COMMANDS.map(|command| vec![command, "--help"]));
     for help in helps {
         let text = printed(&help);
         let (_, examples) = text.split_once("\nExamples:\n").expect("examples");
         let examples = examples.lines().take_while(|line| line.starts_with("  "));
         let examples: Vec<&str> = examples.map(str::trim).collect();
         assert!(!examples.is_empty(), "{help:?}");
-        for example in examples {
-            let mut bash = Command::new("bash");
-            bash.args(["-c", &format!("set -eo pipefail; {example}")]);
-            bash.current_dir(&folder)
-                .env("PATH", &path)
-                .stdin(Stdio::null());
-            let (_, err, code) = said(bash.output().expect("bash"));
-            assert_eq!(code, 0, "{example}: {err}");
+        run_in_shell("examples", &examples);
+    }
+}
+
+/// The site's page on the command names every command and option, and its examples run.
+#[test]
+fn the_reference_of_the_site_is_whole() {
+    let page = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/www/pages/reference/50-command-line.md"
+    );
+    let page = fs::read_to_string(page).expect("the page");
+    for command in COMMANDS {
+        assert!(page.contains(&format!("| `{command}")), "{command}");
+        let help = printed(&[command, "--help"]);
+        let (help, _) = help.split_once("\nExamples:\n").expect("examples");
+        for option in help.split_whitespace().filter(|w| w.starts_with("--")) {
+            assert!(
+                option == "--help" || page.contains(option),
+                "{command} {option}"
+            );
         }
     }
+    let (_, examples) = page.split_once("```sh\n").expect("a block");
+    let (examples, _) = examples.split_once("```").expect("its end");
+    run_in_shell("reference", &examples.lines().collect::<Vec<_>>());
 }
 
 #[test]
