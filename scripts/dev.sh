@@ -125,7 +125,7 @@ build_wasm() {
   wasm-pack build --mode no-install --release --target web --out-dir "$into" . -- --locked "$@"
   # npm's binaryen, not wasm-pack's choice (see Cargo.toml), with what the compiler was let use. -Oz is no smaller
   # after gzip, and slower.
-  wasm-opt -O2 --enable-simd --enable-bulk-memory --enable-bulk-memory-opt --enable-nontrapping-float-to-int \
+  wasm-opt -O2 --converge --enable-simd --enable-bulk-memory --enable-bulk-memory-opt --enable-nontrapping-float-to-int \
     --enable-reference-types --enable-sign-ext --enable-mutable-globals --enable-multivalue \
     "$into/synthetica_bg.wasm" -o "$into/optimised.wasm"
   mv "$into/optimised.wasm" "$into/synthetica_bg.wasm"

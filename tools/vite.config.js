@@ -46,6 +46,12 @@ const tightMarkup = () => ({
   },
 });
 
+/** The 3D library's shaders are texts, which no minifier shortens: without their margins, remarks and empty lines. */
+const tightShaders = () => ({
+  name: 'tight-shaders',
+  transform: (code, id) => (id.endsWith('/three.module.js') ? code.replace(/^[ \t]+/gm, '').replace(/^\/\/.*$/gm, '').replace(/\n{2,}/g, '\n') : null),
+});
+
 /** Writes www/service-worker.js into the build, with the list of its files. */
 const serviceWorker = () => ({
   name: 'service-worker',
@@ -115,5 +121,5 @@ export default defineConfig({
     },
   },
   worker: { format: 'es' },
-  plugins: [pages(), bundle(), tightMarkup(), serviceWorker()],
+  plugins: [pages(), bundle(), tightMarkup(), tightShaders(), serviceWorker()],
 });
