@@ -144,9 +144,9 @@ test('the reference has every field of a document, and the whole document in it 
   }
   const document = await page.locator('code.language-json').first().textContent();
   const applet = await open('./');
-  await applet.page.waitForFunction(() => (page$('#closure')?.textContent ?? '–') !== '–');
+  await applet.page.locator('#closure').filter({ hasText: /\d/ }).waitFor({ state: 'attached' });
   await applet.page.locator('#file').setInputFiles({ name: 'whole.json', mimeType: 'application/json', buffer: Buffer.from(document) });
-  await applet.page.waitForFunction(() => page$$('#chain-rows tr').length === 1);
+  await applet.page.waitForFunction(() => window.document.querySelector('synthetica-linkage').shadowRoot.querySelectorAll('#chain-rows tr').length === 1);
   await applet.page.locator('#frame-word', { hasText: 'Reached' }).waitFor();
   assert.deepEqual(applet.problems, []);
 });
