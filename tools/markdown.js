@@ -21,6 +21,8 @@ function formula(source, display) {
 }
 
 const md = new MarkdownIt({ html: true, typographer: true, quotes: '“”‘’' }).use(tex, { render: formula });
+// Quotes and nothing else: (R) is a joint here.
+md.disable('replacements');
 const { rules } = md.renderer;
 const code = rules.fence;
 

@@ -8,10 +8,10 @@ const www = fileURLToPath(new URL('../www/', import.meta.url));
 const schemaFile = fileURLToPath(new URL('../src/document.schema.json', import.meta.url));
 const read = (file) => readFileSync(file, 'utf8');
 
-/** In the order of the navigation; the text of NAME.html is www/pages/NAME.md, its sections those of www/pages/NAME/. */
+/** In the order of the navigation, some with a script for what is alive in them; the text of NAME.html is www/pages/NAME.md, its sections those of www/pages/NAME/. */
 const PAGES = [
   { name: 'gallery', title: 'Gallery', description: 'Spatial linkages to open, change and animate in the browser.' },
-  { name: 'course', title: 'Course', description: 'Mobility, and how close a linkage can come: a lecture with live linkages.' },
+  { name: 'course', title: 'Course', description: 'Mobility, and how close a linkage can come: a lecture with live linkages.', script: './element/embed.js' },
   { name: 'method', title: 'Method', description: 'How the closest reachable motion of a spatial linkage is found and certified, with the derivation.' },
   { name: 'reference', title: 'Reference', description: 'Document format, JavaScript package and command of Synthetica.' },
 ].filter(({ name }) => existsSync(join(www, 'pages', `${name}.md`)));
@@ -46,7 +46,7 @@ function html(page) {
     <title>${page.title} – Synthetica</title>
     <link rel="icon" href="./icon.svg" type="image/svg+xml" />
     <link rel="stylesheet" href="./style/pages.css" />
-    <script src="/theme-first.js"></script>
+    <script src="/theme-first.js"></script>${page.script ? `\n    <script type="module" src="${page.script}"></script>` : ''}
   </head>
   <body class="page-${page.name}">
     <a class="skip" href="#content">To the text</a>

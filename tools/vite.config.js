@@ -109,6 +109,8 @@ export default defineConfig({
     target: 'es2022',
     cssTarget: CSS_TARGET,
     outDir: at('../www/dist'),
+    // Browsers that know the page's CSS know this too.
+    modulePreload: { polyfill: false },
     emptyOutDir: true,
     rolldownOptions: {
       input: { index: at('../www/index.html'), element: at('../www/element/embed.js') },

@@ -82,7 +82,7 @@ test('every number of the info panel is explained', async () => {
 
 test('the pages of the site open beside the applet', async () => {
   const { page } = await browser.openPage();
-  for (const [item, heading] of [['Gallery', 'Gallery'], ['Method', 'The method'], ['Reference', 'Reference']]) {
+  for (const [item, heading] of [['Gallery', 'Gallery'], ['Course', 'Mobility, and how close a linkage can come'], ['Method', 'The method'], ['Reference', 'Reference']]) {
     const opened = page.waitForEvent('popup');
     await fromMenu(page, item);
     await (await opened).getByRole('heading', { name: heading, level: 1 }).waitFor();

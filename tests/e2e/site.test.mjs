@@ -38,7 +38,7 @@ before(async () => {
   // Every page is in the navigation of every other.
   const { page } = await open('method.html');
   pages = await page.locator('header nav a').evaluateAll((links) => links.map((link) => link.getAttribute('href')).filter((href) => href !== './'));
-  assert.ok(['./gallery.html', './method.html', './reference.html'].every((name) => pages.includes(name)), pages.join());
+  assert.ok(['./gallery.html', './course.html', './method.html', './reference.html'].every((name) => pages.includes(name)), pages.join());
 });
 after(async () => {
   await browser.close();
@@ -169,6 +169,32 @@ test('the gallery shows every sample and opens it in the applet', async () => {
   }
   await page.getByRole('link', { name: 'Open 2TPR in the applet' }).click();
   await page.waitForFunction(() => document.querySelector('#document-name')?.textContent === '2TPR');
+});
+
+test('the linkages of the course are alive, and move as its text says', async () => {
+  const { page, problems } = await open('course.html', { viewport: { width: 1000, height: 700 } });
+  const linkages = await page.locator('synthetica-linkage').all();
+  assert.equal(linkages.length, 3);
+  const found = [];
+  for (const linkage of linkages) {
+    await linkage.scrollIntoViewIfNeeded();
+    await linkage.getByRole('button', { name: 'Play' }).waitFor();
+    await page.waitForFunction((element) => element.trajectory !== null, await linkage.elementHandle());
+    found.push(
+      await linkage.evaluate(({ trajectory: { report, translation_gap, rotation_gap } }) => ({
+        count: report.mobility_count,
+        rank: report.mobility_rank,
+        gap: `${Math.max(...translation_gap).toFixed(3)} m and ${((Math.max(...rotation_gap) * 180) / Math.PI).toFixed(1)}°`,
+      })),
+    );
+  }
+  assert.deepEqual(found.map(({ count, rank }) => [count, rank]), [[3, 3], [-2, 1], [2, 2]]);
+  assert.ok((await page.locator('main').innerText()).includes(`up to ${found[0].gap}`), found[0].gap);
+  await linkages[2].getByRole('button', { name: 'Play' }).click();
+  await page.waitForFunction((element) => element.frame > 0, await linkages[2].elementHandle());
+  await linkages[2].getByRole('button', { name: 'Pause' }).click();
+  assert.deepEqual(await violations(page), []);
+  assert.deepEqual(problems, []);
 });
 
 test('the development server has the pages, the schema and the samples', async () => {

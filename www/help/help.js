@@ -24,6 +24,7 @@ export function createHelp(app) {
       ...lessons.map(({ id, title, line }) => ({ label: `Lesson: ${title}`, hint: line, act: () => openLesson(app, id) })),
       'line',
       { label: 'Gallery', hint: 'The examples, described', act: page('./gallery.html') },
+      { label: 'Course', hint: 'A lecture with live linkages', act: page('./course.html') },
       { label: 'Method', hint: 'The derivation, and the paper’s misprints', act: page('./method.html') },
       { label: 'Reference', hint: 'Documents and programs', act: page('./reference.html') },
     ]),
