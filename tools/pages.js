@@ -13,7 +13,7 @@ const PAGES = [
   { name: 'gallery', title: 'Gallery', description: 'Spatial linkages to open, change and animate in the browser.' },
   { name: 'course', title: 'Course', description: 'Mobility, and how close a linkage can come: a lecture with live linkages.', script: './element/embed.js' },
   { name: 'method', title: 'Method', description: 'How the closest reachable motion of a spatial linkage is found and certified, with the derivation.' },
-  { name: 'reference', title: 'Reference', description: 'Document format, JavaScript package and command of Synthetica.' },
+  { name: 'reference', title: 'Reference', description: 'Document format, element, JavaScript package and command of Synthetica.' },
 ].filter(({ name }) => existsSync(join(www, 'pages', `${name}.md`)));
 
 /** What other pages and programs may count on: addresses without a hash. @returns {{[address: string]: string}} address → file */

@@ -160,6 +160,24 @@ test('the reference has every function of the package', async () => {
   for (const name of functions) assert.ok(named.includes(name), name);
 });
 
+test('the reference has every attribute, property, part and event of the element', async () => {
+  const { page } = await open('course.html');
+  const names = await page.evaluate(() => {
+    const { observedAttributes, prototype } = customElements.get('synthetica-linkage');
+    const own = [prototype, Object.getPrototypeOf(prototype)].flatMap((one) => Object.getOwnPropertyNames(one));
+    return [...observedAttributes, ...own.filter((name) => name !== 'constructor' && !name.endsWith('Callback'))];
+  });
+  assert.ok(names.includes('src') && names.includes('currentTime'));
+  const parts = [...read('www/stage.html').matchAll(/part="(\w+)"/g)].map(([, part]) => part);
+  const events = [...read('www/element/announce.js').matchAll(/tell\('(\w+)'/g)].map(([, name]) => name);
+  assert.ok(parts.length && events.length);
+  await page.goto(`${address}reference.html`);
+  const said = new Set((await page.locator('main code').allTextContents()).flatMap((code) => code.match(/[\w-]+/g) ?? []));
+  // For the applet, which is built around the element.
+  const inner = ['workbench', 'linkage'];
+  for (const name of [...names, ...parts, ...events]) assert.ok(inner.includes(name) || said.has(name), name);
+});
+
 test('the gallery shows every sample and opens it in the applet', async () => {
   const { page } = await open('gallery.html');
   assert.equal(await page.locator('.samples li').count(), samples.length);
