@@ -46,7 +46,7 @@ function html(page) {
     <title>${page.title} – Synthetica</title>
     <link rel="icon" href="./icon.svg" type="image/svg+xml" />
     <link rel="stylesheet" href="./style/pages.css" />
-    <script src="/theme-first.js"></script>${page.script ? `\n    <script type="module" src="${page.script}"></script>` : ''}
+    <script src="/first.js"></script>${page.script ? `\n    <script type="module" src="${page.script}"></script>` : ''}
   </head>
   <body class="page-${page.name}">
     <a class="skip" href="#content">To the text</a>

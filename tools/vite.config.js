@@ -113,11 +113,11 @@ export default defineConfig({
     modulePreload: { polyfill: false },
     emptyOutDir: true,
     rolldownOptions: {
-      input: { index: at('../www/index.html'), element: at('../www/element/embed.js') },
+      input: { index: at('../www/index.html'), embed: at('../www/embed.html'), element: at('../www/element/embed.js'), frame: at('../www/frame/host.js') },
       preserveEntrySignatures: 'exports-only',
       // What other pages name in a script tag keeps its name.
       output: {
-        entryFileNames: ({ name }) => (name === 'element' ? 'element.js' : 'assets/[name]-[hash].js'),
+        entryFileNames: ({ name }) => (['element', 'frame'].includes(name) ? '[name].js' : 'assets/[name]-[hash].js'),
         codeSplitting: { groups: [{ name: 'linkage', test: (id) => linkage.has(id) }, { name: 'panels', test: (id) => panels.has(id) }] },
       },
     },

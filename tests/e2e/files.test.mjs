@@ -311,7 +311,9 @@ async function shared(page) {
     navigator.clipboard.writeText = async (text) => void (window.copied = text);
   });
   await page.getByRole('button', { name: 'Share', exact: true }).click();
-  await notice(page, /Link copied: [\d ]+ characters/).waitFor();
+  await page.getByRole('button', { name: 'Copy link' }).click();
+  await page.locator('dialog .said', { hasText: 'Link copied.' }).waitFor();
+  await page.keyboard.press('Escape');
   return page.evaluate(() => window.copied);
 }
 
@@ -344,7 +346,9 @@ test('without a clipboard the link is shown to be copied', async () => {
     navigator.clipboard.writeText = () => Promise.reject(new DOMException('no', 'NotAllowedError'));
   });
   await page.getByRole('button', { name: 'Share', exact: true }).click();
-  const field = page.getByLabel('Link to this document');
+  await page.getByRole('button', { name: 'Copy link' }).click();
+  await page.locator('dialog .said', { hasText: 'Ctrl+C' }).waitFor();
+  const field = page.getByLabel('Link', { exact: true });
   assert.match(await field.inputValue(), /#d=1\./);
   assert.equal(await page.evaluate(() => getSelection().toString()), await field.inputValue());
 });

@@ -106,7 +106,10 @@ export class SyntheticaLinkage extends LinkageWords {
 
   // --- what it shows ---
 
-  /** The document as it is now, with every default; null before there is one. Give it an object or its text. */
+  /**
+   * The document as it is now, with every default; null before there is one. Give it an object or its text, or null: it waits
+   * for one, whatever the attributes ask for.
+   */
   get document() {
     const { store } = this.linkage;
     return isEmpty(store) ? null : structuredClone(store.document);
@@ -114,8 +117,8 @@ export class SyntheticaLinkage extends LinkageWords {
 
   /** @param {MechanismDocument | string | null} next */
   set document(next) {
-    if (next === null) return;
     const load = ++this.#loads;
+    if (next === null) return;
     this.#open(typeof next === 'string' ? next : JSON.stringify(next), '', load).catch((error) => this.#complain(error));
   }
 

@@ -4,13 +4,11 @@
  *
  * @typedef {import('../workbench.js').App} App
  */
-import { shareAddress } from './address.js';
 import { encode } from './codec.js';
 import { readText, RefusedFile } from './reading.js';
 import { fileName, saveFile } from './save.js';
+import { openShare } from './share.js';
 import { DocumentFault } from '../planner.js';
-import { element } from '../dom.js';
-import { openDialog } from '../view/dialog.js';
 import { sentence } from '../view/fault-note.js';
 
 /** What not every browser has, and the page's types do not know. @typedef {{showOpenFilePicker?: (options: object) => Promise<FileSystemFileHandle[]>, showSaveFilePicker?: (options: object) => Promise<FileSystemFileHandle>}} Pickers */
@@ -19,7 +17,9 @@ const pickers = () => /** @type {Window & Pickers} */ (window);
 const TYPES = [{ description: 'Linkage', accept: { 'application/json': ['.json'] } }];
 
 /** @param {App} app @param {HTMLInputElement} chooser */
-export function createActs({ store, planner, say, open }, chooser) {
+export function createActs(app, chooser) {
+  const { store, planner, say, open } = app;
+
   /** Opens a file that was handed in. @param {File} file @param {FileSystemFileHandle | null} [handle] */
   async function take(file, handle = null) {
     try {
@@ -89,26 +89,11 @@ export function createActs({ store, planner, say, open }, chooser) {
   async function share() {
     try {
       const text = JSON.stringify(JSON.parse(await planner.normalise(JSON.stringify(store.document))));
-      const link = shareAddress(location.href, await encode(text));
-      const size = `${link.length.toLocaleString('en').replaceAll(',', ' ')} characters`;
-      try {
-        await navigator.clipboard.writeText(link);
-        say(`Link copied: ${size} that hold the whole document. It is sent nowhere.`);
-      } catch {
-        showLink(link, size);
-      }
+      openShare(app, text, await encode(text));
     } catch (error) {
       if (!(error instanceof DocumentFault)) throw error;
       say(`A link is made of a document without faults. ${sentence(error.fault.message)}`, { stays: true });
     }
-  }
-
-  /** @param {string} link @param {string} size */
-  function showLink(link, size) {
-    const field = element('input', { class: 'cell text', readonly: true, value: link, 'aria-label': 'Link to this document' });
-    openDialog('Share', element('p', {}, `This link holds the whole document (${size}). Copy it:`), field);
-    field.focus();
-    field.select();
   }
 
   return { fresh, pick, save, share, take };

@@ -6,9 +6,8 @@
  * @typedef {import('./keeper.js').Work} Work
  */
 import { readAddress, plainAddress } from './address.js';
+import { answerTo } from './asked.js';
 import { saveFile } from './save.js';
-import { reason } from '../opening.js';
-import { sampleOf, sampleText, samples } from '../samples.js';
 
 /**
  * @param {import('../linkage.js').Linkage} linkage
@@ -16,38 +15,6 @@ import { sampleOf, sampleText, samples } from '../samples.js';
  * @returns {Promise<void>} when a document is shown
  */
 export function start({ store, player, say, whole, show }, keeper) {
-  /** The document that an address asks for, and what was wrong with it. @param {ReturnType<typeof readAddress>} asked */
-  async function answer({ payload, sample, sets }) {
-    /** @type {string[]} */
-    const problems = [];
-    let found = samples[0];
-    try {
-      if (sample !== null) found = sampleOf(sample);
-    } catch (error) {
-      problems.push(reason(error));
-    }
-    let document = await whole(await sampleText(found));
-    let title = found.file;
-    if (payload !== null) {
-      try {
-        const { decode } = await import('./codec.js');
-        document = await whole(await decode(payload));
-        title = '';
-      } catch (error) {
-        problems.push(`This link cannot be opened: a sample is shown in its place. ${reason(error)}`);
-      }
-    }
-    try {
-      if (sets.length) {
-        const { applyOverrides, parseOverrides } = await import('./overrides.js');
-        document = await whole(JSON.stringify(applyOverrides(document, parseOverrides(sets))));
-      }
-    } catch (error) {
-      problems.push(`The changes in the address (set=…) were left out. ${reason(error)}`);
-    }
-    return { document, title, problems };
-  }
-
   /** Shows kept work with its undo steps, behind the present document's. @param {Work} work */
   function takeUp(work) {
     const { history } = store;
@@ -90,7 +57,7 @@ export function start({ store, player, say, whole, show }, keeper) {
     if (unreadable && !broken) keeper.setAside();
     if (unreadable) tellBroken();
     if (!shown) {
-      const { document, title, problems } = await answer(asked);
+      const { document, title, problems } = await answerTo(asked, whole);
       store.restore({ document, past: [], future: [] }, { title, handle: null, saved: document });
       for (const problem of problems) say(problem, { stays: true });
       if (explicit && work) {
@@ -122,7 +89,7 @@ export function start({ store, player, say, whole, show }, keeper) {
     addEventListener('hashchange', async () => {
       const asked = readAddress(location);
       if (asked.payload === null) return;
-      const shared = await answer(asked);
+      const shared = await answerTo(asked, whole);
       if (shared.problems.length) say(shared.problems[0].replace(': a sample is shown in its place', ''), { stays: true });
       else {
         document = shared.document;

@@ -1,0 +1,147 @@
+// The page for frames in somebody else's page: from another origin, in a sandbox, and what both say to each other.
+import assert from 'node:assert/strict';
+import { createServer } from 'node:http';
+import { after, before, test } from 'node:test';
+import { openBrowser } from './browser.mjs';
+
+let browser;
+let server;
+/** The origin of the page around the frame. */
+let around;
+/** What it serves. */
+let html = '';
+before(async () => {
+  browser = await openBrowser();
+  server = createServer((_, response) => response.setHeader('content-type', 'text/html').end(html));
+  await new Promise((listening) => server.listen(0, '127.0.0.1', listening));
+  around = `http://127.0.0.1:${server.address().port}`;
+});
+after(async () => {
+  server.close();
+  await browser.close();
+});
+
+/** A page with a frame in it, whose messages are kept in `heard`. */
+async function pageAround(query, { attributes = '', referrer = '' } = {}) {
+  html = `<!doctype html><html lang="en"><title>Around</title>${referrer}<body><script>
+      window.heard = [];
+      addEventListener('message', ({ data, source }) => heard.push({ ...data, fromFrame: source === document.querySelector('iframe').contentWindow }));
+    </script><iframe src="${browser.address}${query}" width="700" height="420" ${attributes}></iframe></body></html>`;
+  const { page, problems } = await browser.blankPage();
+  await page.goto(around);
+  return { page, problems, frame: page.frameLocator('iframe') };
+}
+
+const heard = (page, type) => page.waitForFunction((wanted) => window.heard.findLast((message) => message.type === wanted), type).then((found) => found.jsonValue());
+const send = (page, message) => page.evaluate((one) => document.querySelector('iframe').contentWindow.postMessage(one, '*'), message);
+
+test('tells its parent that it is ready, its document, its state and its height, in version 1', async () => {
+  const { page } = await pageAround('embed.html?sample=2tpr');
+  assert.deepEqual(await heard(page, 'ready'), { synthetica: 1, type: 'ready', version: 1, fromFrame: true });
+  assert.equal((await heard(page, 'document')).document.name, '2TPR');
+  const { state } = await heard(page, 'state');
+  assert.deepEqual([state.frame, state.frames, state.paused], [0, 129, true]);
+  const { height } = await heard(page, 'height');
+  assert.ok(height > 420 && height < 700, `${height}`);
+});
+
+test('shows what its parent says, and answers what it asks', async () => {
+  const { page, frame } = await pageAround('embed.html?sample=2tpr');
+  const { document } = await heard(page, 'document');
+  await send(page, { synthetica: 1, type: 'state', state: { frame: 40, speed: 2, view: 'top' } });
+  await frame.locator('#frame-number', { hasText: '41 / 129' }).waitFor();
+  await page.waitForFunction(() => window.heard.some(({ type, state }) => type === 'state' && state.frame === 40 && state.speed === 2 && state.view === 'top'));
+  await send(page, { synthetica: 1, type: 'get', what: 'trajectory', id: 7 });
+  const answer = await page.waitForFunction(() => window.heard.find(({ id }) => id === 7));
+  assert.equal(await answer.evaluate(({ type, trajectory }) => type === 'trajectory' && trajectory.closure.length), 129);
+  assert.ok(await answer.evaluate(({ trajectory }) => trajectory.joints instanceof Float64Array));
+  await send(page, { synthetica: 1, type: 'document', document: { ...document, name: 'Sent' } });
+  await page.waitForFunction(() => window.heard.some(({ type, document: shown }) => type === 'document' && shown.name === 'Sent'));
+});
+
+test('refuses in words what it does not know', async () => {
+  const { page } = await pageAround('embed.html?sample=2tpr');
+  await heard(page, 'ready');
+  for (const [message, words] of [
+    [{ synthetica: 2, type: 'get', id: 1 }, /version 1, not 2/],
+    [{ synthetica: 1, type: 'get', what: 'secrets', id: 2 }, /no “secrets”.*document, trajectory, state, height/],
+    [{ synthetica: 1, type: 'dance', id: 3 }, /no message of type “dance”/],
+    [{ synthetica: 1, type: 'state', state: { speed: 'fast' }, id: 4 }, /speed is “fast”/],
+  ]) {
+    await send(page, message);
+    const error = await page.waitForFunction((wanted) => window.heard.find(({ id, type }) => id === wanted && type === 'error'), message.id);
+    assert.match((await error.jsonValue()).error.message, words);
+  }
+  await send(page, { synthetica: 1, type: 'document', document: { version: 1 } });
+  await page.waitForFunction(() => window.heard.some(({ type, error }) => type === 'error' && /chains/.test(error.message)));
+});
+
+test('an origin in the address must be the parent’s: nobody else hears a document or is obeyed', async () => {
+  const { page, frame } = await pageAround('embed.html?sample=2tpr&origin=https://other.example');
+  await frame.locator('#frame-number', { hasText: '1 / 129' }).waitFor();
+  await send(page, { synthetica: 1, type: 'state', state: { frame: 40 } });
+  await send(page, { synthetica: 1, type: 'get', what: 'document', id: 1 });
+  await frame.locator('#scrub').press('ArrowRight');
+  await frame.locator('#frame-number', { hasText: '2 / 129' }).waitFor();
+  assert.deepEqual(await page.evaluate(() => window.heard), []);
+  // A message from a window that is not the parent, of the right origin.
+  const { page: other } = await pageAround('embed.html?sample=2tpr');
+  await heard(other, 'ready');
+  await other.frames()[1].evaluate(() => window.postMessage({ synthetica: 1, type: 'state', state: { frame: 50 } }, '*'));
+  await send(other, { synthetica: 1, type: 'get', what: 'state', id: 2 });
+  const { state } = await (await other.waitForFunction(() => window.heard.find(({ id }) => id === 2))).jsonValue();
+  assert.equal(state.frame, 0);
+});
+
+test('without a known origin it tells only that it is ready and how high it is', async () => {
+  const { page, frame } = await pageAround('embed.html?sample=2tpr', { attributes: 'referrerpolicy="no-referrer"' });
+  await heard(page, 'ready');
+  await send(page, { synthetica: 1, type: 'get', what: 'document', id: 1 });
+  await frame.locator('#scrub').press('ArrowRight');
+  await frame.locator('#frame-number', { hasText: '2 / 129' }).waitFor();
+  assert.deepEqual([...new Set(await page.evaluate(() => window.heard.map(({ type }) => type)))].sort(), ['height', 'ready']);
+});
+
+test('works in a sandbox: no storage, no origin, no worker of its own', async () => {
+  const { page, problems, frame } = await pageAround('?embed&sample=bennett&panels=info', { attributes: 'sandbox="allow-scripts"' });
+  await heard(page, 'ready');
+  await frame.locator('#play').click();
+  await page.waitForFunction(() => window.heard.some(({ type, state }) => type === 'state' && state.frame > 2));
+  assert.deepEqual(problems.filter((text) => !text.startsWith('asks for')), []);
+});
+
+test('the helper for the page around: fits the height, gets, sets, hears', async () => {
+  const { page } = await pageAround('embed.html?sample=2tpr');
+  const result = await page.evaluate(async (address) => {
+    const { linkageFrame } = await import(`${address}frame.js`);
+    const iframe = document.querySelector('iframe');
+    const frame = linkageFrame(iframe, { fit: true });
+    await new Promise((resolve) => frame.on('ready', resolve));
+    const moved = new Promise((resolve) => frame.on('state', (state) => state.frame === 12 && resolve(state)));
+    frame.setState({ frame: 12 });
+    await moved;
+    const refused = await frame.get('nothing').catch((error) => error.message);
+    return { frames: (await frame.get('trajectory')).frames, height: iframe.style.height, refused };
+  }, browser.address);
+  assert.equal(result.frames, 129);
+  assert.match(result.height, /^\d{3}px$/);
+  assert.match(result.refused, /no “nothing”/);
+});
+
+test('the code of the share dialog works where it is pasted', async () => {
+  const { page: applet } = await browser.openPage();
+  await applet.getByRole('button', { name: 'Share', exact: true }).click();
+  const dialog = applet.getByRole('dialog', { name: 'Share' });
+  await dialog.getByLabel('Info').check();
+  await dialog.getByLabel('Read only').check();
+  const code = await dialog.getByLabel('Frame', { exact: true }).inputValue();
+  const tag = await dialog.getByLabel('Element', { exact: true }).inputValue();
+  html = `<!doctype html><html lang="en"><title>Pasted</title><body>${code}${tag}</body></html>`;
+  const { page } = await browser.blankPage();
+  await page.goto(around);
+  const frame = page.frameLocator('iframe');
+  await frame.locator('#frame-number', { hasText: '1 / 129' }).waitFor();
+  assert.equal(await frame.locator('synthetica-linkage').getAttribute('panels'), 'info');
+  await page.waitForFunction(() => document.querySelector('synthetica-linkage').trajectory?.frames === 129);
+  assert.equal(await page.evaluate(() => document.querySelector('synthetica-linkage').readonly), true);
+});

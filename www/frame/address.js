@@ -1,0 +1,39 @@
+/**
+ * The address of a frame: which attributes its linkage has, and who may talk to it. No DOM.
+ */
+
+/** What stands in the address under the same name as in the element. */
+const NAMES = ['controls', 'autoplay', 'loop', 'speed', 'frame', 'view', 'theme', 'readonly', 'panels'];
+
+/** What is on by standing there; `loop` may also say how. */
+const SWITCHES = ['controls', 'autoplay', 'readonly', 'loop'];
+
+/** In an address also the words for no. */
+const NO = ['0', 'false', 'no', 'off'];
+
+/**
+ * @param {string} search
+ * @returns {[string, string][]} a frame has controls and the reader's scheme unless it says otherwise
+ */
+export function attributesOf(search) {
+  const query = new URLSearchParams(search);
+  const given = NAMES.filter((name) => query.has(name)).map((name) => /** @type {[string, string]} */ ([name, query.get(name) ?? '']));
+  const kept = given.filter(([name, value]) => (SWITCHES.includes(name) ? !NO.includes(value) : value !== ''));
+  const unless = (/** @type {string} */ name, /** @type {string} */ value) => (query.has(name) ? [] : [/** @type {[string, string]} */ ([name, value])]);
+  return [...kept, ...unless('controls', ''), ...unless('theme', 'auto')];
+}
+
+/**
+ * The origin of the page around the frame: as its author wrote it, else as the browser tells it.
+ * @param {string} search @param {string} referrer of the frame's document
+ * @returns {string} an origin; `*` where the author lets any page talk; empty if nothing is known
+ */
+export function parentOrigin(search, referrer) {
+  const written = new URLSearchParams(search).get('origin');
+  if (written === '*') return '*';
+  try {
+    return new URL(written ?? referrer).origin;
+  } catch {
+    return '';
+  }
+}
