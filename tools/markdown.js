@@ -32,10 +32,11 @@ const slug = (text) => text.toLowerCase().replaceAll(/[^a-z0-9]+/g, '-').replace
 md.core.ruler.push('addresses', ({ tokens, env }) => {
   tokens.forEach((token, i) => {
     if (token.type !== 'heading_open') return;
-    env.heading = textOf(tokens[i + 1]);
-    const id = slug(env.heading);
+    const id = slug(textOf(tokens[i + 1]));
+    if (env.ids.has(id)) throw new Error(`Two headings of a page have the address #${id}`);
+    env.ids.add(id);
     token.attrSet('id', id);
-    if (token.tag === 'h2') env.contents.push({ id, html: md.renderer.render(tokens[i + 1].children, md.options, { equations: [] }) });
+    if (['h2', 'h3'].includes(token.tag)) env.contents.push({ id, level: token.tag, html: md.renderer.render(tokens[i + 1].children, md.options, { equations: [] }) });
   });
 });
 
@@ -53,8 +54,8 @@ rules.fence = (tokens, i, options, env, self) => {
   return code(tokens, i, options, env, self);
 };
 
-/** @param {string} source @returns {{body: string, contents: {id: string, html: string}[]}} */
+/** @param {string} source @returns {{body: string, contents: {id: string, level: 'h2' | 'h3', html: string}[]}} */
 export function render(source) {
-  const env = { contents: [], equations: [...source.matchAll(/\\tag\{(\d+)\}/g)].map(([, number]) => number) };
+  const env = { contents: [], ids: new Set(), equations: [...source.matchAll(/\\tag\{(\d+)\}/g)].map(([, number]) => number) };
   return { body: md.render(source, env), contents: env.contents };
 }

@@ -26,7 +26,7 @@ function samples(_, inline, escape) {
 function fields(names, inline, escape) {
   const schema = JSON.parse(read('src/document.schema.json'));
   const partOf = (reference) => reference.replace('#/$defs/', '');
-  const number = (x) => x.toLocaleString('en', { maximumFractionDigits: 9 });
+  const number = (x) => x.toLocaleString('en', { maximumFractionDigits: 9 }).replace('-', '−');
 
   const type = (field) => {
     if (field.$ref) {
@@ -35,9 +35,10 @@ function fields(names, inline, escape) {
       return choice ? choice.map((value) => `<code>"${value}"</code>`).join(' ') : `<a href="#fields-${name}">${name.replace('Entry', '').replace(/(.)([A-Z])/g, '$1 $2').toLowerCase()}</a>`;
     }
     if (field.anyOf) return field.anyOf.map(type).join(' or ');
-    const types = [field.type].flat().map((t) => (t === 'array' ? `list of ${type(field.items)}` : t));
+    const types = [field.type].flat().map((t) => (t === 'array' ? `list of ${listed(field.items)}` : t));
     return types.join(' or ');
   };
+  const listed = (items) => (items.anyOf ? `(${type(items)})` : type(items));
   const bounds = ({ minimum, maximum, minItems, maxItems, maxLength }) =>
     [
       minimum !== undefined && maximum !== undefined && (minimum === maximum ? `${minimum}` : `${number(minimum)} to ${number(maximum)}`),

@@ -34,7 +34,7 @@ function html(page) {
   const { body, contents } = render(sourceOf(page));
   const policy = read(join(www, 'index.html')).match(/<meta\s+http-equiv="Content-Security-Policy"[^>]*>/)[0];
   const link = ({ name, title }) => `<a href="./${name}.html"${name === page.name ? ' aria-current="page"' : ''}>${title}</a>`;
-  const aside = `<nav class="contents" aria-label="On this page"><p aria-hidden="true">On this page</p><ul>${contents.map(({ id, html }) => `<li><a href="#${id}">${html}</a></li>`).join('')}</ul></nav>`;
+  const aside = `<nav class="contents" aria-label="On this page"><p aria-hidden="true">On this page</p><ul>${contents.map(({ id, level, html }) => `<li class="${level}"><a href="#${id}">${html}</a></li>`).join('')}</ul></nav>`;
   return `<!doctype html>
 <html lang="en">
   <head>
@@ -55,7 +55,7 @@ function html(page) {
       <nav aria-label="Site"><a href="./">Applet</a>${PAGES.map(link).join('')}</nav>
     </header>
     <div class="page">
-      ${contents.length > 3 ? aside : ''}
+      ${contents.filter(({ level }) => level === 'h2').length > 3 ? aside : ''}
       <main id="content" tabindex="-1">
 ${body}
       </main>

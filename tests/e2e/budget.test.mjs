@@ -20,6 +20,8 @@ test('the page with all that its first view needs is within its budget', async (
     });
     await page.goto(browser.address);
     await page.waitForFunction(() => (page$('#closure')?.textContent ?? '–') !== '–');
+    // The last to come.
+    await page.locator('.uplot').first().waitFor();
     await page.waitForLoadState('networkidle');
     const all = await Promise.all([...sizes].map(async ([url, size]) => [new URL(url).pathname, await size]));
     assert.ok(all.some(([path]) => path.endsWith('.wasm')) && all.some(([path]) => path.includes('linkage')), 'planner and 3D view are counted');
