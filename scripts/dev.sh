@@ -195,6 +195,8 @@ test_page() {
   shopt -s failglob # a missing suite is an error
   say "page, units"
   node --test --test-reporter=spec tests/page/*.test.mjs
+  say "package, in pages and programs of others"
+  node --test --test-reporter=spec tests/package/*.test.mjs
   say "page, end to end in Chromium"
   node --test --test-reporter=spec tests/e2e/*.test.mjs
 }

@@ -5,9 +5,7 @@ import { dirname, join, relative } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build, defineConfig } from 'vite';
 import { pages } from './pages.js';
-
-/** The first with light-dark(), which otherwise is replaced by something that knows of no scheme but its own sheet's. */
-const CSS_TARGET = ['chrome123', 'firefox120', 'safari17.5'];
+import { TARGETS, tightMarkup, tightShaders } from './tight.js';
 
 const at = (path) => fileURLToPath(new URL(path, import.meta.url));
 
@@ -33,24 +31,6 @@ function importedAtOnce(entry) {
   visit(entry);
   return found;
 }
-
-/** `file.html?raw`: the blanks between its lines are for its writer. */
-const tightMarkup = () => ({
-  name: 'tight-markup',
-  enforce: 'pre',
-  load(id) {
-    const [file, query] = id.split('?');
-    if (query !== 'raw' || !file.endsWith('.html')) return null;
-    this.addWatchFile(file);
-    return `export default ${JSON.stringify(readFileSync(file, 'utf8').replace(/\s*\n\s*/g, ' '))};`;
-  },
-});
-
-/** The 3D library's shaders are texts, which no minifier shortens: without their margins, remarks and empty lines. */
-const tightShaders = () => ({
-  name: 'tight-shaders',
-  transform: (code, id) => (id.endsWith('/three.module.js') ? code.replace(/^[ \t]+/gm, '').replace(/^\/\/.*$/gm, '').replace(/\n{2,}/g, '\n') : null),
-});
 
 /** Writes www/service-worker.js into the build, with the list of its files. */
 const serviceWorker = () => ({
@@ -81,8 +61,7 @@ const bundle = () => ({
       root: at('../www'),
       logLevel: 'error',
       build: {
-        target: 'es2022',
-        cssTarget: CSS_TARGET,
+        ...TARGETS,
         write: false,
         modulePreload: false,
         rolldownOptions: { input: entry, output: { format: 'es', codeSplitting: false } },
@@ -106,8 +85,7 @@ export default defineConfig({
   cacheDir: at('node_modules/.vite'),
   server: { fs: { allow: [at('../www'), at('node_modules')] } },
   build: {
-    target: 'es2022',
-    cssTarget: CSS_TARGET,
+    ...TARGETS,
     outDir: at('../www/dist'),
     // Browsers that know the page's CSS know this too.
     modulePreload: { polyfill: false },

@@ -5,6 +5,7 @@
  * @typedef {import('./planner.calls.js').Answer} Answer
  * @typedef {{post: (question: Question) => void, close: () => void}} Port
  */
+import { startWorker } from './start-worker.js';
 
 /**
  * @param {(answer: Answer) => void} receive
@@ -51,24 +52,6 @@ function openWorker(receive, fail) {
     fail(event.message || 'the planner could not be loaded');
   };
   return { post: (question) => worker.postMessage(question), close: () => worker.terminate() };
-}
-
-/** Bundlers know a worker's file by the expression that makes one; here it only says where the file is. */
-const { address } = (() => {
-  class Worker {
-    /** @param {URL} address @param {{type: 'module'}} _ */
-    constructor(address, _) {
-      this.address = String(address);
-    }
-  }
-  return new Worker(new URL('./planner.worker.js', import.meta.url), { type: 'module' });
-})();
-
-/** A worker must be of the page's own origin: code that comes from another one is imported by a small one that is. */
-function startWorker() {
-  const own = new URL(address).origin === globalThis.origin;
-  const text = `import ${JSON.stringify(address)};`;
-  return new Worker(own ? address : URL.createObjectURL(new Blob([text], { type: 'text/javascript' })), { type: 'module' });
 }
 
 /** Without a worker a plan holds up the page for its milliseconds. @param {(answer: Answer) => void} receive @returns {Port} */

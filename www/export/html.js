@@ -4,6 +4,7 @@
 import { script, style } from '../alone/main.js?bundle';
 import { pack } from '../alone/pack.js';
 import { fileName, saveFile } from '../files/save.js';
+import { inert } from './inert.js';
 
 /** @param {import('../workbench.js').App} app */
 export async function exportHtml({ store, say }) {
@@ -37,9 +38,6 @@ async function page(document, motion) {
 </html>
 `;
 }
-
-/** What would end a script's element, or hide its end, inside of its strings. @param {string} code */
-const inert = (code) => code.replaceAll('\r', '\\r').replace(/<\/(script)/gi, '<\\/$1').replaceAll('<!--', '<\\!--');
 
 /** The policy's source for a text; where the page is not served securely there is no hash function. @param {string} text */
 async function allowed(text) {

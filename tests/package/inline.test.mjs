@@ -1,0 +1,44 @@
+// The inline build: one script, by a tag, as a module or in the page itself, that asks for nothing.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { inlineScript } from '../../tools/package/inline.js';
+import { alive, course, open, openBrowser, serve } from './site.mjs';
+
+let browser, script;
+before(async () => {
+  [browser, script] = await Promise.all([openBrowser(), inlineScript()]);
+});
+after(() => browser.close());
+
+/** @param {string} head @param {Record<string, string>} [headers] */
+async function visit(head, headers) {
+  const site = await serve({ '/course.html': course(head), '/inline.js': script }, headers);
+  after(() => site.close());
+  const { page, problems, requests } = await open(browser, `${site.address}/course.html`);
+  const frames = await alive(page);
+  return { page, frames, problems, requests: requests.map((address) => address.replace(site.address, '')) };
+}
+
+for (const [how, head, asked] of [
+  ['a plain script tag', '<script src="/inline.js"></script>', ['/course.html', '/inline.js']],
+  ['a module', '<script type="module" src="/inline.js"></script>', ['/course.html', '/inline.js']],
+  ['a script in the page', null, ['/course.html']],
+]) {
+  test(`${how} is all it needs; the planner has a worker`, async () => {
+    const { page, frames, problems, requests } = await visit(head ?? `<script>${script}</script>`);
+    assert.equal(frames, 129);
+    assert.deepEqual(requests, asked);
+    assert.equal(page.workers().length, 1);
+    // What the page's own build asks of a second wasm package is in the one.
+    assert.match(await page.evaluate(() => document.querySelector('synthetica-linkage').toCSV()), /^frame,/);
+    assert.deepEqual(problems, []);
+  });
+}
+
+test('where a policy allows scripts and wasm, and nothing else, the page plans by itself', async () => {
+  const { page, frames, problems } = await visit('<script src="/inline.js"></script>', { 'content-security-policy': "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'" });
+  assert.equal(frames, 129);
+  assert.equal(page.workers().length, 0);
+  assert.equal(problems.length, 1, problems.join('\n'));
+  assert.match(problems[0], /worker/i);
+});

@@ -1,0 +1,57 @@
+// Somebody else's site for the tests beside this file: a plain server, a browser, pages that are written in the test.
+import { readFileSync } from 'node:fs';
+import { createServer } from 'node:http';
+import { extname, join } from 'node:path';
+import { chromium } from 'playwright-core';
+import { LAUNCH } from '../e2e/browser.mjs';
+
+const TYPES = { '.html': 'text/html', '.js': 'text/javascript', '.json': 'application/json', '.wasm': 'application/wasm', '.css': 'text/css' };
+
+/**
+ * @param {Record<string, string>} files texts by path, or a folder whose files lie below a path that ends with a slash
+ * @param {Record<string, string>} [headers] of every answer
+ */
+export async function serve(files, headers = {}) {
+  const server = createServer((request, response) => {
+    const { pathname } = new URL(request.url, 'http://site');
+    const folder = Object.keys(files).find((path) => path.endsWith('/') && pathname.startsWith(path));
+    try {
+      const body = files[pathname] ?? readFileSync(join(files[folder], pathname.slice(folder.length)));
+      for (const [name, value] of Object.entries(headers)) response.setHeader(name, value);
+      response.setHeader('content-type', TYPES[extname(pathname)]);
+      response.end(body);
+    } catch {
+      response.statusCode = 404;
+      response.end();
+    }
+  });
+  await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
+  return { address: `http://127.0.0.1:${server.address().port}`, close: () => server.close() };
+}
+
+/** A page of a course. @param {string} head @param {string} [body] */
+export const course = (head, body = '<synthetica-linkage type="3RPS" controls panels="mechanism info"></synthetica-linkage>') =>
+  `<!doctype html><html lang="en"><head><meta charset="utf-8"><title>A course</title>${head}</head><body>${body}</body></html>`;
+
+export const openBrowser = () => chromium.launch(LAUNCH);
+
+/** @param {import('playwright-core').Browser} browser @param {string} address */
+export async function open(browser, address) {
+  const page = await (await browser.newContext({ viewport: { width: 800, height: 600 }, reducedMotion: 'reduce' })).newPage();
+  const problems = [];
+  const requests = [];
+  // Chromium remarks on its own screenshots of a canvas.
+  page.on('console', (message) => ['error', 'warning'].includes(message.type()) && !message.text().includes('GPU stall') && problems.push(message.text()));
+  page.on('pageerror', (error) => problems.push(String(error)));
+  page.on('request', (request) => /^https?:/.test(request.url()) && requests.push(request.url()));
+  await page.goto(address);
+  return { page, problems, requests };
+}
+
+/** Waits until the linkage is planned, drawn and in its panels; gives its motion's number of frames. @param {import('playwright-core').Page} page */
+export async function alive(page) {
+  await page.waitForFunction(() => document.querySelector('synthetica-linkage')?.trajectory);
+  await page.waitForFunction(() => document.querySelector('synthetica-linkage').shadowRoot.querySelector('canvas')?.dataset.draws > 0);
+  await page.locator('[data-path="chains[0].base.x"]').waitFor();
+  return page.evaluate(() => document.querySelector('synthetica-linkage').trajectory.frames);
+}

@@ -1,0 +1,49 @@
+// The inline build: the element as one classic script that loads nothing, neither by a tag nor by itself.
+import { readFileSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+import { gzipSync } from 'node:zlib';
+import { build } from 'vite';
+import { inert } from '../../www/export/inert.js';
+import { TARGETS, tightMarkup, tightShaders } from '../tight.js';
+import { planner } from './planner.js';
+
+const at = (path) => fileURLToPath(new URL(path, import.meta.url));
+
+/** Modules that are there only as text. @param {Record<string, string>} modules */
+const held = (modules) => ({
+  name: 'held',
+  enforce: 'pre',
+  resolveId: (id) => (id in modules ? `\0${id}` : null),
+  load: (id) => modules[id.slice(1)] ?? null,
+});
+
+/** @param {string} entry a file in www/ @param {Record<string, string>} modules */
+async function oneScript(entry, modules) {
+  const { output } = await build({
+    configFile: false,
+    root: at('../../www'),
+    logLevel: 'error',
+    build: {
+      ...TARGETS,
+      write: false,
+      modulePreload: false,
+      rolldownOptions: {
+        input: at(`../../www/${entry}`),
+        preserveEntrySignatures: 'exports-only',
+        output: { format: 'iife', name: 'synthetica', codeSplitting: false },
+      },
+    },
+    plugins: [planner({ wasm: at('held.js'), worker: at('held.js') }), held(modules), tightMarkup(), tightShaders()],
+  });
+  if (output.length !== 1) throw new Error(`${entry} needs other files: ${output.map(({ fileName }) => fileName).join(', ')}`);
+  return output[0].code;
+}
+
+const asModule = (value) => `export default ${JSON.stringify(value)};`;
+
+/** The script's text. It may stand in a page's script tag too. @returns {Promise<string>} */
+export async function inlineScript() {
+  const wasm = gzipSync(readFileSync(at('../../www/pkg/synthetica_bg.wasm')), { level: 9 }).toString('base64');
+  const worker = await oneScript('planner.worker.js', { 'held:wasm': 'export default self.packed;', 'held:worker': asModule('') });
+  return inert(await oneScript('element/embed.js', { 'held:wasm': asModule(wasm), 'held:worker': asModule(worker) }));
+}
