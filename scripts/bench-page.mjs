@@ -17,6 +17,7 @@ import { gzipSync } from 'node:zlib';
 import { setTimeout as pause } from 'node:timers/promises';
 import { chromium } from 'playwright-core';
 import { preview } from 'vite';
+import { lookInside } from '../tests/e2e/browser.mjs';
 
 const BUDGET = 400_000; // bytes after gzip, before and after the linkage moves
 const LOADS = 7;
@@ -75,6 +76,7 @@ async function load(options) {
   /** @type {{file: string, at: number}[]} */
   const asked = [];
   context.on('request', (request) => asked.push({ file: new URL(request.url()).pathname.slice(1) || 'index.html', at: Date.now() }));
+  await page.addInitScript(lookInside);
   await page.addInitScript(watch);
   await page.goto(address);
   return { context, page, asked };

@@ -1,7 +1,7 @@
 // Makes the pictures of the examples, www/thumbnails/*.webp, from the built page: scripts/dev.sh build, then
 // `node scripts/thumbnails.mjs`.
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
-import { LAUNCH } from '../tests/e2e/browser.mjs';
+import { LAUNCH, lookInside } from '../tests/e2e/browser.mjs';
 import { chromium } from 'playwright-core';
 import { preview } from 'vite';
 
@@ -23,6 +23,7 @@ const browser = await chromium.launch(LAUNCH);
 const context = await browser.newContext({ viewport: { width: 1600, height: 1000 }, colorScheme: 'light', reducedMotion: 'reduce' });
 // Without the first minute, which marks what it speaks of.
 await context.addInitScript(() => localStorage.setItem('synthetica.first-minute', 'in a picture'));
+await context.addInitScript(lookInside);
 for (const { file } of samples) {
   const page = await context.newPage();
   await page.goto(`${server.resolvedUrls.local[0]}?sample=${file}`);
