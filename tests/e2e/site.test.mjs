@@ -178,6 +178,24 @@ test('the reference has every attribute, property, part and event of the element
   for (const name of [...names, ...parts, ...events]) assert.ok(inner.includes(name) || said.has(name), name);
 });
 
+test('the reference of frames names all that they say and obey, and its script does what it says', async () => {
+  const { page } = await open('reference.html');
+  const said = new Set((await page.locator('main code').allTextContents()).flatMap((code) => code.match(/[\w-]+/g) ?? []));
+  const protocol = read('www/frame/protocol.js');
+  const lists = [/CHANGEABLE = .*?\[(.*?)\]/, /NAMES = \[(.*?)\]/].map((list) => (protocol + read('www/frame/address.js')).match(list)[1].match(/\w+/g));
+  const told = [...protocol.matchAll(/(?:send|tell)\('(\w+)'/g)].map(([, name]) => name);
+  assert.ok(told.includes('ready') && lists.every(({ length }) => length > 5));
+  for (const name of [...told, ...lists.flat()]) assert.ok(said.has(name), name);
+
+  const codes = await page.locator('#frames ~ pre code').allTextContents();
+  const [frame, script] = [codes.find((code) => code.startsWith('<iframe')), codes.find((code) => code.includes('linkageFrame'))];
+  const around = `<!doctype html><html lang="en"><title>Around</title><body>${frame}<script type="module">${script}</script></body></html>`;
+  await page.route(`${address}around.html`, (route) => route.fulfill({ contentType: 'text/html', body: around }));
+  const last = page.waitForEvent('console', (message) => message.text() === '128 true');
+  await page.goto(`${address}around.html`);
+  await last;
+});
+
 test('the gallery shows every sample and opens it in the applet', async () => {
   const { page } = await open('gallery.html');
   assert.equal(await page.locator('.samples li').count(), samples.length);
