@@ -4,6 +4,7 @@ import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import { dirname, join, relative } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build, defineConfig } from 'vite';
+import { inlineScript } from './package/inline.js';
 import { pages } from './pages.js';
 import { TARGETS, tightMarkup, tightShaders } from './tight.js';
 
@@ -31,6 +32,20 @@ function importedAtOnce(entry) {
   visit(entry);
   return found;
 }
+
+/** inline.js: the element as one script that loads nothing, for frames and for files that hold everything. */
+const inlineElement = () => ({
+  name: 'inline-element',
+  async generateBundle() {
+    this.emitFile({ type: 'asset', fileName: 'inline.js', source: await inlineScript() });
+  },
+  configureServer(server) {
+    server.middlewares.use('/inline.js', async (_, response, next) => {
+      const script = await inlineScript().catch(next);
+      if (script) response.setHeader('content-type', 'text/javascript').end(script);
+    });
+  },
+});
 
 /** Writes www/service-worker.js into the build, with the list of its files. */
 const serviceWorker = () => ({
@@ -101,5 +116,5 @@ export default defineConfig({
     },
   },
   worker: { format: 'es' },
-  plugins: [pages(), bundle(), tightMarkup(), tightShaders(), serviceWorker()],
+  plugins: [pages(), bundle(), tightMarkup(), tightShaders(), inlineElement(), serviceWorker()],
 });

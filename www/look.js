@@ -1,11 +1,11 @@
 /**
- * Style sheets in shadow trees: one sheet for all trees that wear it. A content policy has nothing against it.
+ * Style sheets of trees: one sheet for all that wear it. A content policy has nothing against it.
  */
 
 /** @type {Map<string, CSSStyleSheet>} */
 const sheets = new Map();
 
-/** @param {ShadowRoot} root @param {string} css */
+/** @param {Document | ShadowRoot} root @param {string} css */
 export function wear(root, css) {
   let sheet = sheets.get(css);
   if (!sheet) {

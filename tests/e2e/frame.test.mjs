@@ -1,6 +1,9 @@
 // The page for frames in somebody else's page: from another origin, in a sandbox, and what both say to each other.
 import assert from 'node:assert/strict';
+import { mkdtempSync } from 'node:fs';
 import { createServer } from 'node:http';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { openBrowser } from './browser.mjs';
 
@@ -144,4 +147,25 @@ test('the code of the share dialog works where it is pasted', async () => {
   assert.equal(await frame.locator('synthetica-linkage').getAttribute('panels'), 'info');
   await page.waitForFunction(() => document.querySelector('synthetica-linkage').trajectory?.frames === 129);
   assert.equal(await page.evaluate(() => document.querySelector('synthetica-linkage').readonly), true);
+});
+
+test('the one file of the share dialog works from a disk: plays, and is planned anew when it is edited', async () => {
+  const { page: applet } = await browser.openPage();
+  await applet.getByRole('button', { name: 'Share', exact: true }).click();
+  const dialog = applet.getByRole('dialog', { name: 'Share' });
+  await dialog.getByLabel('Mechanism').check();
+  const download = applet.waitForEvent('download');
+  await dialog.getByRole('button', { name: 'Save the file' }).click();
+  const path = join(mkdtempSync(join(tmpdir(), 'linkage-')), '3rps.html');
+  await (await download).saveAs(path);
+  const { page, problems } = await browser.blankPage();
+  await page.goto(`file://${path}`);
+  const element = page.locator('synthetica-linkage');
+  await page.waitForFunction(() => document.querySelector('synthetica-linkage').trajectory?.frames === 129);
+  await page.locator('[data-path="motion.frames"], [data-path="chains[0].base.x"]').first().fill('0.25');
+  await page.waitForFunction(() => document.querySelector('synthetica-linkage').document.chains[0].base.x === 0.25);
+  await page.locator('#play').click();
+  await page.waitForFunction(() => document.querySelector('synthetica-linkage').frame > 2);
+  assert.equal(await element.evaluate(({ error }) => error), null);
+  assert.deepEqual(problems.filter((text) => !text.startsWith('asks for file:')), []);
 });

@@ -45,5 +45,5 @@ const asModule = (value) => `export default ${JSON.stringify(value)};`;
 export async function inlineScript() {
   const wasm = gzipSync(readFileSync(at('../../www/pkg/synthetica_bg.wasm')), { level: 9 }).toString('base64');
   const worker = await oneScript('planner.worker.js', { 'held:wasm': 'export default self.packed;', 'held:worker': asModule('') });
-  return inert(await oneScript('element/embed.js', { 'held:wasm': asModule(wasm), 'held:worker': asModule(worker) }));
+  return inert(await oneScript('frame/inline.js', { 'held:wasm': asModule(wasm), 'held:worker': asModule(worker) }));
 }

@@ -1,0 +1,48 @@
+/**
+ * The page for frames: nothing but one linkage, told by the address what it is and how it is shown.
+ */
+import '../element/define.js';
+import { readAddress } from '../files/address.js';
+import { answerTo } from '../files/asked.js';
+import { reason } from '../opening.js';
+import { wear } from '../look.js';
+import look from '../style/embed.css?inline';
+import { attributesOf, parentOrigin } from './address.js';
+import { speak } from './protocol.js';
+
+/** Height over width of a view that shows a linkage well. */
+const SHAPE = 0.6;
+
+export function startFrame() {
+  wear(document, look);
+  const element = /** @type {import('../element/element.js').SyntheticaLinkage} */ (document.createElement('synthetica-linkage'));
+  for (const [name, value] of attributesOf(location.search)) element.setAttribute(name, value);
+  element.setAttribute('keys', 'page');
+
+  /** What the frame would fill: with panels on a phone all of it, else a view of a good shape with its controls. */
+  function height() {
+    const { scrollHeight } = document.documentElement;
+    const controls = element.shadowRoot?.querySelector('.transport');
+    const wished = Math.round(innerWidth * SHAPE) + (controls instanceof HTMLElement ? controls.offsetHeight : 0);
+    return scrollHeight > innerHeight ? scrollHeight : wished;
+  }
+
+  if (parent !== window) speak(element, { window, parent, origin: parentOrigin(location.search, document.referrer), height });
+
+  const { linkage } = element;
+  const asked = readAddress(location);
+  const { src } = Object.fromEntries(new URLSearchParams(location.search));
+  if (src) element.src = src;
+  else {
+    // The element waits for its document.
+    element.document = null;
+    answerTo(asked, linkage.whole).then(
+      ({ document: shown, problems }) => {
+        element.document = shown;
+        for (const problem of problems) linkage.say(problem, { stays: true });
+      },
+      (error) => linkage.store.setResult({ trouble: reason(error) }),
+    );
+  }
+  document.body.append(element);
+}
