@@ -136,7 +136,7 @@ build_page() {
   vite build --config tools/vite.config.js
 }
 
-# The formatting, every lint and the documentation of both builds; no warning passes.
+# The formatting, every lint and the documentation of both builds, no warning passes; and the package.
 lint_rust() {
   say "rustfmt"
   cargo fmt --check
@@ -147,6 +147,8 @@ lint_rust() {
     cargo clippy --locked --all-targets --all-features --target "$target" -- -D warnings
     RUSTDOCFLAGS="-D warnings" cargo doc --locked --no-deps --all-features --target "$target"
   done
+  say "crate, as it would be published"
+  cargo publish --dry-run --locked --allow-dirty
 }
 
 # The page's types, which include those of the built package.
