@@ -11,6 +11,7 @@ usage: scripts/dev.sh COMMAND
   test                  every check and every test
   setup                 only install what the others need
   build                 only build: the wasm package (www/pkg) and the page (www/dist)
+  package               build the npm package into dist/, and check what it exports and its types
   lint                  only rustfmt, clippy, rustdoc and tsc
   bench                 benchmarks; native against wasm; the page's bytes, first frame and drags
 
@@ -136,7 +137,15 @@ build_page() {
   vite build --config tools/vite.config.js
 }
 
-# The formatting, every lint and the documentation of both builds, no warning passes; and the package.
+# The npm package: what publint and are-the-types-wrong find is an error. The wasm file has no types.
+build_npm() {
+  say "npm package, into dist"
+  node tools/package/build.js
+  publint --strict dist
+  attw --pack dist --profile esm-only --exclude-entrypoints wasm --no-summary --format ascii
+}
+
+# The formatting, every lint and the documentation of both builds, no warning passes; and the crate's package.
 lint_rust() {
   say "rustfmt"
   cargo fmt --check
@@ -208,7 +217,7 @@ test_page() {
 command=${1:-}
 [ $# -eq 0 ] || shift
 case $command in
-  serve | setup | build | lint | bench | test) ;;
+  serve | setup | build | package | lint | bench | test) ;;
   *) usage >&2; exit 2 ;;
 esac
 
@@ -231,6 +240,10 @@ case $command in
     build_package
     build_page
     check_size
+    ;;
+  package)
+    build_package
+    build_npm
     ;;
   lint)
     lint_rust
@@ -257,6 +270,7 @@ case $command in
     check_size
     lint_page
     build_page
+    build_npm
     test_page
     say "every check and every test passed, in $((SECONDS / 60)) min $((SECONDS % 60)) s"
     ;;

@@ -1,9 +1,10 @@
 // How Vite serves and builds the page in www/.
 import { createHash } from 'node:crypto';
 import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
-import { dirname, join, relative } from 'node:path';
+import { join, relative } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build, defineConfig } from 'vite';
+import { importedAtOnce } from './imported-at-once.js';
 import { inlineScript } from './package/inline.js';
 import { pages } from './pages.js';
 import { TARGETS, tightMarkup, tightShaders } from './tight.js';
@@ -17,31 +18,15 @@ const filesIn = (folder) =>
     .map((entry) => relative(folder, join(entry.parentPath, entry.name)).replaceAll('\\', '/'))
     .sort();
 
-/**
- * A script with all that it imports at once: what is loaded together in any case is one file, not twenty.
- * @param {string} entry
- */
-function importedAtOnce(entry) {
-  const found = new Set();
-  const visit = (file) => {
-    if (found.has(file)) return;
-    found.add(file);
-    const text = readFileSync(file, 'utf8');
-    for (const [, name] of text.matchAll(/^(?:import|export)\b[^'"]*?(?:from )?'(\.[^'"]+\.js)'/gm)) visit(join(dirname(file), name));
-  };
-  visit(entry);
-  return found;
-}
-
 /** inline.js: the element as one script that loads nothing, for frames and for files that hold everything. */
 const inlineElement = () => ({
   name: 'inline-element',
   async generateBundle() {
-    this.emitFile({ type: 'asset', fileName: 'inline.js', source: await inlineScript() });
+    this.emitFile({ type: 'asset', fileName: 'inline.js', source: await inlineScript('frame/inline.js') });
   },
   configureServer(server) {
     server.middlewares.use('/inline.js', async (_, response, next) => {
-      const script = await inlineScript().catch(next);
+      const script = await inlineScript('frame/inline.js').catch(next);
       if (script) response.setHeader('content-type', 'text/javascript').end(script);
     });
   },

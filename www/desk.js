@@ -4,31 +4,18 @@
  *
  * @typedef {import('./planner.calls.js').Answer} Answer
  * @typedef {import('./planner.calls.js').Call} Call
- * @typedef {{asker: object, latest: boolean, call: Call, args: unknown[]}} Request
- *   `latest`: takes the place of the same asker's same call that is still waiting
+ * @typedef {{asker: object, latest: boolean, call: Call, args: unknown[], signal?: AbortSignal}} Request
+ *   `latest`: takes the place of the same asker's same call that is still waiting; `signal` takes the request back
  * @typedef {Request & {id: number, resolve: (value: any) => void, reject: (reason: Error) => void}} Job
  */
+import { DocumentFault, PlannerFailure, Superseded } from './faults.js';
 import { openPort } from './port.js';
 
-/** How long a plan may hold up a newer request before its worker is ended, in milliseconds. */
+/** How long a plan may hold up a newer request of a page before its worker is ended, in milliseconds. */
 const PATIENCE = 4000;
 
-/** The document is at fault, and a person can mend it. */
-export class DocumentFault extends Error {
-  /** @param {import('./types.js').Fault} fault */
-  constructor(fault) {
-    super(fault.message);
-    this.fault = fault;
-  }
-}
-
-/** A newer call of the same kind took this one's place; its answer would have been out of date. */
-export class Superseded extends Error {}
-
-/** The planner itself failed: our mistake, not the document's. */
-export class PlannerFailure extends Error {}
-
 export class Desk {
+  #patience;
   /** @type {import('./port.js').Port | null} */
   #port = null;
   /** @type {Job[]} */
@@ -39,6 +26,11 @@ export class Desk {
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #timer;
 
+  /** @param {number} [patience] in milliseconds */
+  constructor(patience = PATIENCE) {
+    this.#patience = patience;
+  }
+
   /** @param {Request} request @returns {Promise<any>} */
   ask(request) {
     const old = request.latest && this.#waiting.find(({ asker, call }) => asker === request.asker && call === request.call);
@@ -47,14 +39,17 @@ export class Desk {
       old.reject(new Superseded());
     }
     return new Promise((resolve, reject) => {
-      this.#waiting.push({ ...request, id: ++this.#lastId, resolve, reject });
+      const job = { ...request, id: ++this.#lastId, resolve, reject };
+      this.#waiting.push(job);
+      request.signal?.addEventListener('abort', () => this.#takeBack(job), { once: true });
       this.#next();
     });
   }
 
   #next() {
     if (this.#running) {
-      this.#timer ??= setTimeout(() => this.#discard('a plan took too long and was given up'), PATIENCE);
+      // A timer knows no infinity.
+      if (this.#patience < Infinity) this.#timer ??= setTimeout(() => this.#discard(new PlannerFailure('a plan took too long and was given up')), this.#patience);
       return;
     }
     const job = this.#waiting.shift();
@@ -62,7 +57,7 @@ export class Desk {
     this.#running = job;
     this.#port ??= openPort(
       (answer) => this.#receive(answer),
-      (reason) => this.#discard(reason),
+      (reason) => this.#discard(new PlannerFailure(reason)),
     );
     this.#port.post({ id: job.id, call: job.call, args: job.args });
     if (this.#waiting.length) this.#next();
@@ -72,20 +67,27 @@ export class Desk {
   #receive(answer) {
     const job = this.#running;
     if (!job || answer.id !== job.id) return;
-    if (answer.kind === 'failure') return this.#discard(answer.message);
+    if (answer.kind === 'failure') return this.#discard(new PlannerFailure(answer.message));
     this.#settle();
     if (answer.kind === 'fault') job.reject(new DocumentFault(answer.fault));
     else job.resolve(answer.value);
     this.#next();
   }
 
-  /** Ends the worker and fails its job; the next job makes a new one. @param {string} reason */
+  /** @param {Job} job */
+  #takeBack(job) {
+    if (job === this.#running) return this.#discard(job.signal?.reason);
+    this.#waiting = this.#waiting.filter((other) => other !== job);
+    job.reject(job.signal?.reason);
+  }
+
+  /** Ends the worker and fails its job; the next job makes a new one. @param {Error} reason */
   #discard(reason) {
     this.#port?.close();
     this.#port = null;
     const job = this.#running;
     this.#settle();
-    job?.reject(new PlannerFailure(reason));
+    job?.reject(reason);
     this.#next();
   }
 

@@ -10,7 +10,7 @@
  */
 import { desk } from './desk.js';
 
-export { DocumentFault, PlannerFailure, Superseded } from './desk.js';
+export { DocumentFault, PlannerFailure, Superseded } from './faults.js';
 
 export class Planner {
   #desk;
@@ -101,7 +101,7 @@ export class Planner {
     return this.#defaults;
   }
 
-  /** Tables 2 and 3. @returns {Promise<import('./pkg/synthetica.js').Enumeration>} */
+  /** Tables 2 and 3. @returns {Promise<import('./types.js').Enumeration>} */
   enumeration() {
     return this.#ask('enumeration');
   }

@@ -9,6 +9,7 @@
  * @typedef {import('./pkg/synthetica.js').Trace} Trace
  * @typedef {import('./pkg/synthetica.js').Course} Course
  * @typedef {import('./pkg/synthetica.js').Matrix} Matrix
+ * @typedef {import('./pkg/synthetica.js').Enumeration} Enumeration
  *
  * A number as typed: text that is no number stays text, so that Rust can refuse it by name and
  * the person can mend it.

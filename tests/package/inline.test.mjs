@@ -1,12 +1,14 @@
-// The inline build: one script, by a tag, as a module or in the page itself, that asks for nothing.
+// The package's inline build: one script, by a tag, as a module or in the page itself, that asks for nothing.
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
-import { inlineScript } from '../../tools/package/inline.js';
-import { alive, course, open, openBrowser, serve } from './site.mjs';
+import { alive, course, dist, open, openBrowser, serve } from './site.mjs';
 
-let browser, script;
+const script = readFileSync(new URL('inline.js', dist), 'utf8');
+
+let browser;
 before(async () => {
-  [browser, script] = await Promise.all([openBrowser(), inlineScript()]);
+  browser = await openBrowser();
 });
 after(() => browser.close());
 
@@ -22,10 +24,10 @@ async function visit(head, headers) {
 for (const [how, head, asked] of [
   ['a plain script tag', '<script src="/inline.js"></script>', ['/course.html', '/inline.js']],
   ['a module', '<script type="module" src="/inline.js"></script>', ['/course.html', '/inline.js']],
-  ['a script in the page', null, ['/course.html']],
+  ['a script in the page', `<script>${script}</script>`, ['/course.html']],
 ]) {
   test(`${how} is all it needs; the planner has a worker`, async () => {
-    const { page, frames, problems, requests } = await visit(head ?? `<script>${script}</script>`);
+    const { page, frames, problems, requests } = await visit(head);
     assert.equal(frames, 129);
     assert.deepEqual(requests, asked);
     assert.equal(page.workers().length, 1);
@@ -34,6 +36,14 @@ for (const [how, head, asked] of [
     assert.deepEqual(problems, []);
   });
 }
+
+test('as a plain script it leaves the functions of the package', async () => {
+  const { page } = await visit('<script src="/inline.js"></script>');
+  const names = Object.keys(await import(new URL('index.node.js', dist)));
+  assert.deepEqual(await page.evaluate((all) => all.filter((name) => typeof synthetica[name] !== 'function'), [...names, 'SyntheticaLinkage']), []);
+  const document = readFileSync(new URL('samples/2tpr.json', dist), 'utf8');
+  assert.equal(await page.evaluate(async (text) => (await synthetica.plan(text)).frames, document), 129);
+});
 
 test('where a policy allows scripts and wasm, and nothing else, the page plans by itself', async () => {
   const { page, frames, problems } = await visit('<script src="/inline.js"></script>', { 'content-security-policy': "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'" });

@@ -1,14 +1,17 @@
 // Somebody else's site for the tests beside this file: a plain server, a browser, pages that are written in the test.
 import { readFileSync } from 'node:fs';
 import { createServer } from 'node:http';
-import { extname, join } from 'node:path';
+import { extname } from 'node:path';
 import { chromium } from 'playwright-core';
 import { LAUNCH } from '../e2e/browser.mjs';
+
+/** What is published. */
+export const dist = new URL('../../dist/', import.meta.url);
 
 const TYPES = { '.html': 'text/html', '.js': 'text/javascript', '.json': 'application/json', '.wasm': 'application/wasm', '.css': 'text/css' };
 
 /**
- * @param {Record<string, string>} files texts by path, or a folder whose files lie below a path that ends with a slash
+ * @param {Record<string, string | URL>} files texts by path, or a folder whose files lie below a path that ends with a slash
  * @param {Record<string, string>} [headers] of every answer
  */
 export async function serve(files, headers = {}) {
@@ -16,9 +19,10 @@ export async function serve(files, headers = {}) {
     const { pathname } = new URL(request.url, 'http://site');
     const folder = Object.keys(files).find((path) => path.endsWith('/') && pathname.startsWith(path));
     try {
-      const body = files[pathname] ?? readFileSync(join(files[folder], pathname.slice(folder.length)));
+      // Browsers ask for it by themselves.
+      const body = pathname === '/favicon.ico' ? '' : files[pathname] ?? readFileSync(new URL(pathname.slice(folder.length), files[folder]));
       for (const [name, value] of Object.entries(headers)) response.setHeader(name, value);
-      response.setHeader('content-type', TYPES[extname(pathname)]);
+      response.setHeader('content-type', TYPES[extname(pathname)] ?? 'text/plain');
       response.end(body);
     } catch {
       response.statusCode = 404;
@@ -43,7 +47,7 @@ export async function open(browser, address) {
   // Chromium remarks on its own screenshots of a canvas.
   page.on('console', (message) => ['error', 'warning'].includes(message.type()) && !message.text().includes('GPU stall') && problems.push(message.text()));
   page.on('pageerror', (error) => problems.push(String(error)));
-  page.on('request', (request) => /^https?:/.test(request.url()) && requests.push(request.url()));
+  page.on('request', (request) => /^https?:(?!.*favicon)/.test(request.url()) && requests.push(request.url()));
   await page.goto(address);
   return { page, problems, requests };
 }

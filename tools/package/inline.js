@@ -1,4 +1,4 @@
-// The inline build: the element as one classic script that loads nothing, neither by a tag nor by itself.
+// Inline builds: the element as one classic script that loads nothing, neither by a tag nor by itself.
 import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { gzipSync } from 'node:zlib';
@@ -41,9 +41,9 @@ async function oneScript(entry, modules) {
 
 const asModule = (value) => `export default ${JSON.stringify(value)};`;
 
-/** The script's text. It may stand in a page's script tag too. @returns {Promise<string>} */
-export async function inlineScript() {
+/** The script's text, which may stand in a page's script tag too. @param {string} entry a file in www/ @returns {Promise<string>} */
+export async function inlineScript(entry) {
   const wasm = gzipSync(readFileSync(at('../../www/pkg/synthetica_bg.wasm')), { level: 9 }).toString('base64');
   const worker = await oneScript('planner.worker.js', { 'held:wasm': 'export default self.packed;', 'held:worker': asModule('') });
-  return inert(await oneScript('frame/inline.js', { 'held:wasm': asModule(wasm), 'held:worker': asModule(worker) }));
+  return inert(await oneScript(entry, { 'held:wasm': asModule(wasm), 'held:worker': asModule(worker) }));
 }

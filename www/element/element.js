@@ -109,6 +109,7 @@ export class SyntheticaLinkage extends LinkageWords {
   /**
    * The document as it is now, with every default; null before there is one. Give it an object or its text, or null: it waits
    * for one, whatever the attributes ask for.
+   * @returns {MechanismDocument | null}
    */
   get document() {
     const { store } = this.linkage;
@@ -127,7 +128,7 @@ export class SyntheticaLinkage extends LinkageWords {
     return this.linkage.store.result.motion;
   }
 
-  /** What is wrong with the document, or what went wrong with it. */
+  /** What is wrong with the document, or what went wrong with it. @returns {LinkageError | null} */
   get error() {
     return this.#error ?? [...this.#refused.values()][0] ?? null;
   }

@@ -1,0 +1,81 @@
+// The package in Node: planned without a browser, as its README says.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { dist } from './site.mjs';
+import { installed } from './installed.mjs';
+
+const sample = (name) => readFileSync(new URL(`samples/${name}.json`, dist), 'utf8');
+const readme = readFileSync(new URL('README.md', dist), 'utf8');
+const { plan, check, normalise, findStart, pull, drive, explain, trace, matrix, exportMotion, schema, enumeration, chainByIndex, assemblyByIndex, at, DocumentFault } = await import(
+  new URL('index.node.js', dist)
+);
+
+/** Runs a program beside the installed package; gives its lines. @param {string} code */
+const run = (code) => execFileSync('node', ['--input-type=module', '-e', code], { cwd: installed(), encoding: 'utf8' }).trim().split('\n');
+
+test('three lines plan, and the programs of both READMEs run as printed', () => {
+  const given = "import { readFileSync } from 'node:fs';\nconst document = JSON.parse(readFileSync('node_modules/synthetica/samples/3rps.json', 'utf8'));\n";
+  const [three] = run(`${given}import { plan } from 'synthetica';\nconst motion = await plan(document);\nconsole.log(motion.report.mobility_rank)`);
+  assert.equal(three, '3');
+  const programs = (text) => [...text.matchAll(/```js\n([\s\S]*?)```/g)].map(([, code]) => code).filter((code) => !code.includes('synthetica/element'));
+  const [short, long] = programs(readme).map((code) => run(given + code));
+  const [own] = programs(readFileSync(new URL('../../README.md', import.meta.url), 'utf8')).map((code) => run(given + code));
+  for (const [line] of [short, own]) assert.match(line, /^3 129 \d\.\d+e-\d+$/);
+  assert.match(long[0], /^(reached|closest) \w+ 0\.2 \d+$/);
+  assert.equal(long[1], 'unknown-version version true');
+});
+
+test('what the exports name is there', () => {
+  const [line] = run(`
+    const at = (name) => import.meta.resolve('synthetica/' + name);
+    import { readFileSync } from 'node:fs';
+    console.log(['element', 'inline', 'worker', 'types', 'wasm', 'schema', 'samples/3rps.json', 'package.json'].map((name) => readFileSync(new URL(at(name))).length > 0).join());`);
+  assert.equal(line, Array(8).fill('true').join());
+});
+
+test('every question has its answer', async () => {
+  const text = sample('3rps');
+  const motion = await plan(JSON.parse(text));
+  assert.equal(motion.frames, 129);
+  assert.ok(Math.max(...motion.closure) <= 1e-10);
+  const joints = at(motion, 'joints', 64);
+  const goal = at(motion, 'goal', 64);
+  assert.deepEqual([joints.length, goal.length], [15, 7]);
+  assert.ok((await pull(text, [...joints], goal)).closure <= 1e-10);
+  assert.equal((await drive(text, joints, 0, joints[0] + 0.01)).value, joints[0] + 0.01);
+  assert.equal((await explain(text, joints, goal)).freedoms.length, 3);
+  assert.ok((await trace(text, 0)).newton.converged);
+  assert.equal((await matrix(text, joints)).freedoms.length, 3);
+  assert.equal((await normalise(text)).planner.method, 'newton');
+  assert.equal((await findStart(text)).chains[0].start.length, 5);
+  assert.deepEqual((await exportMotion(text, 'csv')).trim().split('\n').length, 130);
+  assert.equal((await schema()).$id, JSON.parse(readFileSync(new URL('document.schema.json', dist), 'utf8')).$id);
+  assert.ok((await enumeration()).classes.length > 10);
+  assert.equal((await assemblyByIndex(3, 0)).length > 0, true);
+  assert.equal(await chainByIndex(1, 1e6), undefined);
+});
+
+test('a fault has its code, its place and a sentence; a document that changes is planned anew', async () => {
+  const document = JSON.parse(sample('2tpr'));
+  const { frames } = await plan(document);
+  document.motion.frames = 12;
+  assert.deepEqual([frames, (await plan(document)).frames], [129, 12]);
+  document.chains[1].joints[0].rows[0].alpha = 'x';
+  const fault = await check(document);
+  assert.ok(fault instanceof DocumentFault && fault instanceof Error);
+  assert.deepEqual([fault.name, fault.where], ['DocumentFault', 'chains[1].joints[0].rows[0].alpha']);
+  await assert.rejects(plan(document), { message: fault.message, code: fault.code });
+  await assert.rejects(plan('{', {}), (error) => error.fault.line === 1);
+  assert.equal(await check(sample('2tpr')), null);
+  await assert.rejects(plan(document, { signal: AbortSignal.abort() }), { name: 'AbortError' });
+});
+
+test('it names no dependency, and holds what it lists', () => {
+  const manifest = JSON.parse(readFileSync(join(installed(), 'node_modules/synthetica/package.json'), 'utf8'));
+  assert.equal(manifest.dependencies, undefined);
+  assert.equal(manifest.version, readFileSync(new URL('../../Cargo.toml', import.meta.url), 'utf8').match(/^version = "(.*)"$/m)[1]);
+  for (const name of ['README.md', 'LICENSE-MIT', 'LICENSE-APACHE', 'part-linkage.js']) readFileSync(join(installed(), 'node_modules/synthetica', name));
+});

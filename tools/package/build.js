@@ -1,0 +1,105 @@
+// Builds the npm package into dist/: the planner for programs, the element, both in one script, types, schema, samples.
+import { execFileSync } from 'node:child_process';
+import { copyFileSync, cpSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { build } from 'vite';
+import { importedAtOnce } from '../imported-at-once.js';
+import { TARGETS, tightMarkup, tightShaders } from '../tight.js';
+import { documentTypes } from './document-types.js';
+import { inlineScript } from './inline.js';
+import { planner } from './planner.js';
+
+const at = (path) => fileURLToPath(new URL(`../../${path}`, import.meta.url));
+const dist = (path) => at(`dist/${path}`);
+const put = (path, text) => writeFileSync(dist(path), text);
+
+/** Files of the package that bundlers must find as they are written: no build touches them. @param {string[]} names */
+const asWritten = (names) => ({
+  name: 'as-written',
+  enforce: 'pre',
+  resolveId: (id) => (names.includes(id.replace('./', '')) ? { id, external: true } : null),
+});
+
+/** Files that are loaded together in any case are one; the planner's are apart, for who wants nothing else. */
+const together = [['planner', 'api.js'], ['linkage', 'element/define.js'], ['panels', 'panels.js']].map(([name, file]) => {
+  const all = importedAtOnce(at(`www/${file}`));
+  return { name, test: (id) => all.has(id) };
+});
+
+/**
+ * @param {Record<string, string>} entry names and files in www/
+ * @param {{wasm: string, worker: string, codeSplitting: unknown}} how with names of files in tools/package/files
+ */
+async function modules(entry, { wasm, worker, codeSplitting }) {
+  await build({
+    configFile: false,
+    root: at('www'),
+    logLevel: 'error',
+    publicDir: false,
+    build: {
+      ...TARGETS,
+      outDir: at('dist'),
+      emptyOutDir: false,
+      lib: { entry: Object.fromEntries(Object.entries(entry).map(([name, file]) => [name, at(`www/${file}`)])), formats: ['es'] },
+      rolldownOptions: { output: { entryFileNames: '[name].js', chunkFileNames: 'part-[name].js', codeSplitting } },
+    },
+    plugins: [asWritten([wasm, worker]), planner({ wasm: `./${wasm}`, worker: `./${worker}` }), tightMarkup(), tightShaders()],
+  });
+  for (const name of [wasm, worker]) copyFileSync(at(`tools/package/files/${name}`), dist(name));
+}
+
+/** Those of the functions come from the code, those of documents from the schema; the element's are written by hand, and checked against it. */
+function types() {
+  const made = mkdtempSync(join(tmpdir(), 'types-'));
+  execFileSync(at('tools/node_modules/.bin/tsc'), ['-p', at('tools/package'), '--outDir', made], { stdio: 'inherit' });
+  copyFileSync(join(made, 'www/api.d.ts'), dist('index.d.ts'));
+  copyFileSync(join(made, 'www/faults.d.ts'), dist('faults.d.ts'));
+  rmSync(made, { recursive: true });
+  for (const name of ['element.d.ts', 'inline.d.ts', 'worker.d.ts']) copyFileSync(at(`tools/package/types/${name}`), dist(name));
+  put('types.d.ts', `${readFileSync(at('src/wasm.d.ts'), 'utf8')}\n${documentTypes(JSON.parse(readFileSync(at('src/document.schema.json'), 'utf8')))}`);
+  put('types.js', '// Only types: see types.d.ts.\nexport {};\n');
+}
+
+const crate = (field) => readFileSync(at('Cargo.toml'), 'utf8').match(new RegExp(`^${field} = (.*)$`, 'm'))[1];
+
+const manifest = {
+  name: 'synthetica',
+  version: JSON.parse(crate('version')),
+  description: JSON.parse(crate('description')),
+  keywords: JSON.parse(crate('keywords')),
+  license: JSON.parse(crate('license')),
+  type: 'module',
+  // Where the element is defined, and what is a program of its own.
+  sideEffects: ['./element.js', './part-linkage.js', './inline.js', './worker.js'],
+  exports: {
+    '.': { types: './index.d.ts', node: './index.node.js', default: './index.js' },
+    './element': { types: './element.d.ts', default: './element.js' },
+    './inline': { types: './inline.d.ts', default: './inline.js' },
+    './worker': { types: './worker.d.ts', default: './worker.js' },
+    './types': { types: './types.d.ts', default: './types.js' },
+    './wasm': './synthetica.wasm',
+    './schema': './document.schema.json',
+    './samples/*': './samples/*',
+    './package.json': './package.json',
+  },
+  files: ['*.js', '*.d.ts', '*.wasm', '*.json', 'samples', 'LICENSE-*'],
+  engines: { node: '>=20.19' },
+};
+
+rmSync(at('dist'), { recursive: true, force: true });
+mkdirSync(dist('samples'), { recursive: true });
+await modules({ index: 'api.js', element: 'element/embed.js', worker: 'planner.worker.js' }, { wasm: 'wasm.js', worker: 'start-worker.js', codeSplitting: { groups: together } });
+await modules({ 'index.node': 'api.js' }, { wasm: 'wasm.node.js', worker: 'start-worker.node.js', codeSplitting: false });
+put('inline.js', await inlineScript('inline.js'));
+types();
+for (const [from, to] of [
+  ['www/pkg/synthetica_bg.wasm', 'synthetica.wasm'],
+  ['src/document.schema.json', 'document.schema.json'],
+  ['tools/package/README.md', 'README.md'],
+  ['LICENSE-APACHE', 'LICENSE-APACHE'],
+  ['LICENSE-MIT', 'LICENSE-MIT'],
+]) copyFileSync(at(from), dist(to));
+cpSync(at('www/mechanisms'), dist('samples'), { recursive: true });
+put('package.json', `${JSON.stringify(manifest, null, 2)}\n`);
