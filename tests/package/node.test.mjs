@@ -36,6 +36,11 @@ test('what the exports name is there', () => {
   assert.equal(line, Array(8).fill('true').join());
 });
 
+test('a server that renders pages may load the element', () => {
+  const lines = run("import { SyntheticaLinkage } from 'synthetica/element'; import 'synthetica/inline'; console.log(typeof SyntheticaLinkage);");
+  assert.deepEqual(lines, ['function']);
+});
+
 test('every question has its answer', async () => {
   const text = sample('3rps');
   const motion = await plan(JSON.parse(text));

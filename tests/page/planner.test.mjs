@@ -103,3 +103,31 @@ test('a plan that hangs gives way to a newer edit, not before one comes', async 
   answer(workers[1], { kind: 'value', value: 2 });
   assert.equal(await next, 2);
 });
+
+test('a program’s desk waits for what takes long, and others wait behind it', async () => {
+  mock.timers.enable({ apis: ['setTimeout'] });
+  const planner = new Planner(new Desk(Infinity));
+  const slow = planner.plan('a');
+  const next = planner.normalise('b');
+  mock.timers.tick(600_000);
+  assert.equal(workers[0].ended, false);
+  answer(workers[0], { kind: 'value', value: 1 });
+  answer(workers[0], { kind: 'value', value: 'c' });
+  assert.deepEqual([await slow, await next], [1, 'c']);
+});
+
+test('a question that is taken back ends: one that waits is not asked, one that is being answered ends its worker', async () => {
+  const desk = new Desk(Infinity);
+  const asked = [new AbortController(), new AbortController()];
+  const answers = [...asked.map(({ signal }) => signal), undefined].map((signal, index) => desk.ask({ asker: desk, latest: false, call: 'plan', args: [index], signal }));
+  const ended = answers.slice(0, 2).map((promise) => assert.rejects(promise, { name: 'AbortError' }));
+  asked[1].abort();
+  await ended[1];
+  assert.equal(workers[0].ended, false);
+  asked[0].abort();
+  await ended[0];
+  assert.equal(workers[0].ended, true);
+  assert.deepEqual(workers[1].requests.map(({ args }) => args), [[2]]);
+  answer(workers[1], { kind: 'value', value: 2 });
+  assert.equal(await answers[2], 2);
+});

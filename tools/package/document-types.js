@@ -10,7 +10,7 @@ function type(schema) {
   // Open to any text, so that a document that is imported as JSON fits; completion still knows the words.
   if (words) return [...words.map((word) => JSON.stringify(word)), '(string & {})'].join(' | ');
   if (Array.isArray(kind)) return kind.map((one) => type({ ...schema, type: one })).join(' | ');
-  if (kind === 'array') return `(${type(items)})[]`;
+  if (kind === 'array') return type(items).includes(' ') ? `(${type(items)})[]` : `${type(items)}[]`;
   return kind === 'integer' ? 'number' : kind;
 }
 

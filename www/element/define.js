@@ -3,4 +3,5 @@
  */
 import { SyntheticaLinkage } from './element.js';
 
-if (!customElements.get('synthetica-linkage')) customElements.define('synthetica-linkage', SyntheticaLinkage);
+const registry = globalThis.customElements;
+if (registry && !registry.get('synthetica-linkage')) registry.define('synthetica-linkage', SyntheticaLinkage);

@@ -4,7 +4,10 @@
 import { createLinkage } from '../linkage.js';
 import { MEANINGS, WRITINGS, write } from './attributes.js';
 
-export class LinkageWords extends HTMLElement {
+/** A server that renders pages may load the class, and has no elements. */
+const Base = globalThis.HTMLElement ?? class {};
+
+export class LinkageWords extends Base {
   /** Its state, its planner and its playhead: for the applet, which is built around this element. */
   linkage = createLinkage();
 
