@@ -1,5 +1,6 @@
 // The package's modules from plain servers, without a bundler.
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 import { alive, course, dist, open, openBrowser, serve } from './site.mjs';
 
@@ -24,6 +25,17 @@ test('a module script; worker and wasm lie beside it', async () => {
   assert.ok(requests.includes(`${address}/some/folder/synthetica.wasm`));
   assert.match(await page.evaluate(() => document.querySelector('synthetica-linkage').toCSV()), /^frame,/);
   assert.deepEqual(problems, []);
+});
+
+test('the pages of the README live', async () => {
+  const pages = [...readFileSync(new URL('README.md', dist), 'utf8').matchAll(/```html\n([\s\S]*?)```/g)].map(([, html]) => html);
+  assert.equal(pages.length, 2);
+  const address = await serving({ '/0.html': course('', pages[0]), '/1.html': course('', pages[1]), '/node_modules/synthetica/': dist });
+  for (const name of ['0.html', '1.html']) {
+    const { page, problems } = await open(browser, `${address}/${name}`);
+    assert.equal(await alive(page), 129);
+    assert.deepEqual(problems, []);
+  }
 });
 
 test('from another origin, planned in a worker too', async () => {

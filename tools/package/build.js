@@ -31,9 +31,10 @@ const together = [['planner', 'api.js'], ['linkage', 'element/define.js'], ['pan
 /**
  * @param {Record<string, string>} entry names and files in www/
  * @param {{wasm: string, worker: string, codeSplitting: unknown}} how with names of files in tools/package/files
+ * @returns {Promise<string[]>} the npm packages whose code is in it
  */
 async function modules(entry, { wasm, worker, codeSplitting }) {
-  await build({
+  const [{ output }] = await build({
     configFile: false,
     root: at('www'),
     logLevel: 'error',
@@ -48,7 +49,12 @@ async function modules(entry, { wasm, worker, codeSplitting }) {
     plugins: [asWritten([wasm, worker]), planner({ wasm: `./${wasm}`, worker: `./${worker}` }), tightMarkup(), tightShaders()],
   });
   for (const name of [wasm, worker]) copyFileSync(at(`tools/package/files/${name}`), dist(name));
+  const sources = output.flatMap(({ moduleIds = [] }) => moduleIds);
+  return [...new Set(sources.map((id) => id.match(/\/node_modules\/((?:@[^/]+\/)?[^/]+)/)?.[1]).filter(Boolean))].sort();
 }
+
+/** Other people's code within comes with their licences. @param {string[]} packages */
+const licences = (packages) => packages.map((name) => `${name}\n\n${readFileSync(at(`tools/node_modules/${name}/LICENSE`), 'utf8').trim()}\n`).join('\n\n');
 
 /** Those of the functions come from the code, those of documents from the schema; the element's are written by hand, and checked against it. */
 function types() {
@@ -90,8 +96,9 @@ const manifest = {
 
 rmSync(at('dist'), { recursive: true, force: true });
 mkdirSync(dist('samples'), { recursive: true });
-await modules({ index: 'api.js', element: 'element/embed.js', worker: 'planner.worker.js' }, { wasm: 'wasm.js', worker: 'start-worker.js', codeSplitting: { groups: together } });
+const others = await modules({ index: 'api.js', element: 'element/embed.js', worker: 'planner.worker.js' }, { wasm: 'wasm.js', worker: 'start-worker.js', codeSplitting: { groups: together } });
 await modules({ 'index.node': 'api.js' }, { wasm: 'wasm.node.js', worker: 'start-worker.node.js', codeSplitting: false });
+put('LICENSE-OTHERS', licences(others));
 put('inline.js', await inlineScript('inline.js'));
 types();
 for (const [from, to] of [
