@@ -50,10 +50,11 @@
 //!
 //! ```text
 //! the command →  export, report, problem, json, enumerate      (src/bin/synthetica, feature cli)
-//! wasm_study  →  wasm, export, trace, enumerate
+//! wasm_study  →  wasm, export, trace, assemble, enumerate
 //! wasm        →  posture, report, problem, json, defaults
 //! export      →  columns, mjcf                       columns, mjcf → report
 //! posture     →  report, problem, planner, insight
+//! assemble    →  problem, enumerate
 //! problem     →  document, start, planner            report → problem, trajectory
 //! trace       →  problem, gradient, newton
 //! planner     →  newton, gradient, drive, keyframe, trajectory, closure
@@ -76,6 +77,7 @@
 //! # Ok::<(), synthetica::fault::Fault>(())
 //! ```
 
+pub mod assemble;
 pub mod bounds;
 pub mod chain;
 pub mod closure;

@@ -426,7 +426,7 @@ pub fn start_values(mechanism: &Mechanism, joints: &[f64]) -> Vec<Vec<f64>> {
 
 /// Rounded to 10⁻¹², so that 45° is not written 44.99999999999999°; less than the rounding of the
 /// loops' closure.
-fn short(value: f64) -> f64 {
+pub(crate) fn short(value: f64) -> f64 {
     const DIGITS: f64 = 1e12;
     let rounded = (value * DIGITS).round() / DIGITS;
     if rounded.is_finite() { rounded } else { value }

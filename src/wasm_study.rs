@@ -1,6 +1,7 @@
 //! The bindings that a page asks for only now and then: a joint driven by hand, the planners' iterations, exports,
-//! tables of types, the schema. The package that a page loads first is built without them (feature `study`).
+//! tables of types, linkages of a type, the schema. The package that a page loads first is built without them (feature `study`).
 
+use crate::assemble;
 use crate::document::SCHEMA;
 use crate::enumerate;
 use crate::export::{self, Format};
@@ -88,6 +89,16 @@ pub fn export_motion(text: &str, format: &str) -> Result<String, JsValue> {
         ))
     });
     written.map_err(|fault| refusal(&fault))
+}
+
+/// A document with a linkage of this type, such as 3RPS or RPS+2TS, closed at its start.
+///
+/// # Errors
+/// A `Fault` where the text is no type.
+#[wasm_bindgen]
+pub fn assemble(kinds: &str) -> Result<String, JsValue> {
+    let document = assemble::assemble(kinds).map_err(|fault| refusal(&fault))?;
+    Ok(document.text())
 }
 
 /// The JSON Schema of a document.

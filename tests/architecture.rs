@@ -23,7 +23,7 @@ const LIBRARY: Layers = layers! {
     [planner]
     [document start]
     [defaults json problem]
-    [report trace]
+    [assemble report trace]
     [columns posture]
     [mjcf wasm]
     [export]

@@ -390,7 +390,8 @@ fn the_end_of_a_pipe_is_the_end_quietly() {
     }
 }
 
-const COMMANDS: [&str; 6] = [
+const COMMANDS: [&str; 7] = [
+    "new",
     "plan",
     "check",
     "export",

@@ -5,7 +5,7 @@
  * @typedef {{id: number, kind: 'value', value: unknown}
  *   | {id: number, kind: 'fault', fault: import('./types.js').Fault}
  *   | {id: number, kind: 'failure', message: string}} Answer
- * @typedef {keyof typeof first | 'drive' | 'export_motion' | 'enumeration' | 'trace' | 'matrix' | 'schema'
+ * @typedef {keyof typeof first | 'drive' | 'export_motion' | 'enumeration' | 'assemble' | 'trace' | 'matrix' | 'schema'
  *   | 'chain_by_index' | 'assembly_by_index'} Call the functions of the package that are asked for
  */
 import init, { defaults, explain, find_start, normalise, plan, pull } from './pkg-first/synthetica.js';

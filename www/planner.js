@@ -101,6 +101,11 @@ export class Planner {
     return this.#defaults;
   }
 
+  /** A document with a linkage of a type, such as 3RPS or RPS+2TS. @param {string} type @returns {Promise<string>} */
+  assemble(type) {
+    return this.#ask('assemble', type);
+  }
+
   /** Tables 2 and 3. @returns {Promise<import('./types.js').Enumeration>} */
   enumeration() {
     return this.#ask('enumeration');

@@ -16,10 +16,15 @@ export const samples = index;
 /** @param {Sample} sample @returns {Promise<string>} */
 export const sampleText = ({ file }) => texts[`./mechanisms/${file}`]();
 
-/** By its file, with or without its ending, or by its title. @param {string} name @returns {Sample} */
-export function sampleOf(name) {
+/** By its file, with or without its ending, or by its title. @param {string} name @returns {Sample | undefined} */
+export function findSample(name) {
   const wanted = name.trim().toLowerCase();
-  const found = samples.find(({ file, title }) => [file, file.replace('.json', ''), title.toLowerCase()].includes(wanted));
+  return samples.find(({ file, title }) => [file, file.replace('.json', ''), title.toLowerCase()].includes(wanted));
+}
+
+/** @param {string} name @returns {Sample} */
+export function sampleOf(name) {
+  const found = findSample(name);
   if (!found) throw new Refusal(`There is no sample “${name}”. Accepted: ${samples.map(({ file }) => file).join(', ')}.`);
   return found;
 }

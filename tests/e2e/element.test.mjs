@@ -50,6 +50,16 @@ test('takes its document from an address, from its content, from a property and 
   assert.deepEqual(problems, []);
 });
 
+test('makes a linkage of any type', async () => {
+  const { page, problems } = await course(['3RRS', 'rps + 2ts', 'RPRRR'].map((type) => `<synthetica-linkage type="${type}"></synthetica-linkage>`).join(''));
+  await planned(page);
+  const made = await page.evaluate(() =>
+    [...document.querySelectorAll('synthetica-linkage')].map(({ trajectory: { report, closure } }) => [report.chains.map(({ type }) => type).join(), Math.max(...closure) <= 1e-10]),
+  );
+  assert.deepEqual(made, [['RRS,RRS,RRS', true], ['RPS,TS,TS', true], ['RPRRR', true]]);
+  assert.deepEqual(problems, []);
+});
+
 test('a property that was set before the element was defined holds', async () => {
   const { page } = await course('<synthetica-linkage controls></synthetica-linkage>', { script: false });
   await page.evaluate((text) => {
@@ -235,7 +245,7 @@ test('what is wrong is said in the element and told: address, type, document, at
   await page.waitForFunction(() => ['gone', 'type', 'fault', 'speed', 'nothing'].every((id) => document.getElementById(id).error));
   const errors = await page.evaluate(() => Object.fromEntries(['gone', 'type', 'fault', 'nothing', 'good'].map((id) => [id, document.getElementById(id).error])));
   assert.match(errors.gone.message, /“no-such\.json” could not be loaded.*Accepted/);
-  assert.match(errors.type.message, /no sample “9XYZ”.*3rps\.json/);
+  assert.match(errors.type.message, /“9XYZ” is no type of linkage.*RPS\+2TS/);
   assert.equal(errors.fault.where, 'chains');
   assert.match(errors.nothing.message, /No linkage is given.*src/);
   assert.equal(errors.good, null);

@@ -60,3 +60,15 @@ test('finds a type, and says what types are where there is none', async () => {
   await search.fill('');
   assert.equal(await panel().locator('.chip:visible').count(), 214);
 });
+
+test('a type begins a new linkage, of as many chains as leave a freedom', async () => {
+  for (const [type, label] of [['RRS', 'New linkage 5RRS'], ['TS', 'New linkage 5TS'], ['TR', 'New linkage 1TR']]) {
+    await panel().getByRole('button', { name: type, exact: true }).click();
+    await page.getByRole('menuitem', { name: label }).click();
+    const chains = Number(/\d/.exec(label)[0]);
+    await page.waitForFunction(([wanted, many]) => page$$('#mechanism .chain .type').map((node) => node.textContent).join() === Array(many).fill(wanted).join(), [type, chains]);
+    assert.ok(await page.locator('#fault-banner').isHidden());
+  }
+  await page.locator('#undo').click();
+  assert.deepEqual(await types(), Array(5).fill('TS'));
+});

@@ -14,7 +14,7 @@ import { wear } from '../look.js';
 import { reason } from '../opening.js';
 import { DocumentFault } from '../planner.js';
 import { Refusal } from '../refusal.js';
-import { sampleOf, sampleText } from '../samples.js';
+import { findSample, sampleText } from '../samples.js';
 import markup from '../stage.html?raw';
 import look from '../style/linkage.css?inline';
 import { whileSeen } from '../view/lazy.js';
@@ -174,8 +174,8 @@ export class SyntheticaLinkage extends LinkageWords {
     const inside = this.querySelector(':scope > script[type="application/json"]');
     if (inside) return { text: inside.textContent ?? '', title: '' };
     if (!type) return null;
-    const sample = sampleOf(type);
-    return { text: await sampleText(sample), title: sample.file };
+    const sample = findSample(type);
+    return sample ? { text: await sampleText(sample), title: sample.file } : { text: await this.linkage.planner.assemble(type), title: '' };
   }
 
   /** @param {string} text @param {string} title @param {number} load */

@@ -11,6 +11,9 @@ import { JOINT_TYPES } from '../joint-types.js';
 import { assemblyName, grouped, typeSentence } from '../types-of.js';
 import { menuButton } from './menu.js';
 
+/** Constraints that a linkage may have, of six. */
+const MOST = 5;
+
 /** @param {import('../workbench.js').App} app @param {HTMLElement} panel */
 export async function createTypes(app, panel) {
   const { store, planner, say } = app;
@@ -25,10 +28,19 @@ export async function createTypes(app, panel) {
     say(what, { label: 'Undo', act: () => store.undo() });
   }
 
+  /** As many of them as leave a freedom. @param {string} type */
+  const linkageOf = (type) => {
+    const constraints = tables.classes.find(({ chains }) => chains.includes(type))?.constraints ?? 1;
+    return `${Math.floor(MOST / constraints)}${type}`;
+  };
+  const fresh = async (/** @type {string} */ type) => app.open(await planner.assemble(type));
+
   /** @param {string} type */
   function chip(type) {
     const words = Array.from(type, (letter) => JOINT_TYPES[/** @type {JointType} */ (letter)].name).join(', ');
     const button = menuButton(type, () => [
+      { label: `New linkage ${linkageOf(type)}`, act: () => fresh(linkageOf(type)) },
+      'line',
       { label: 'Add as a new chain', act: () => make(`A chain ${type} is added.`, (document) => addChain(document, { ...defaults.chain, joints: jointsOf(type) })) },
       ...store.document.chains.map(({ name }, index) => ({
         label: `Replace ${name || `chain ${index + 1}`}`,

@@ -4,6 +4,8 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint, value_parser};
 use clap_complete::Shell;
 use std::path::{Path, PathBuf};
+use synthetica::assemble::assemble;
+use synthetica::document::Document;
 use synthetica::enumerate::{MAX_CHAIN_CONSTRAINTS, MAX_CONSTRAINTS};
 use synthetica::export::Format;
 use synthetica::joint::JointKind;
@@ -43,6 +45,19 @@ pub enum Command {
     Export(Export),
     /// Count the types of chains and assemblies, list them, find one by its number
     Enumerate(Enumerate),
+    /// Print a document to begin with: a linkage of a type, closed at its start
+    #[command(after_help = "\
+Examples:
+  synthetica new 3RPS > mine.json
+  synthetica new 'RPS + 2TS' | synthetica check
+  synthetica new 2TPR | synthetica plan --quiet | head -n 3")]
+    New {
+        /// Chains of the joints R, P, C, T, S, E from base to workpiece, each with its count
+        #[arg(value_name = "TYPE", value_parser = linkage)]
+        linkage: Box<Document>,
+        #[command(flatten)]
+        into: Output,
+    },
     /// Print the JSON Schema of a document
     #[command(after_help = "\
 Examples:
@@ -230,6 +245,11 @@ pub enum Listing {
         #[arg(value_name = "CHAIN", required = true, value_parser = chain)]
         chains: Vec<Chain>,
     },
+}
+
+fn linkage(text: &str) -> Result<Box<Document>, String> {
+    let document = assemble(text).map_err(|fault| fault.to_string())?;
+    Ok(Box::new(document))
 }
 
 /// The joints of a chain.
