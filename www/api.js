@@ -133,6 +133,14 @@ export function exportMotion(document, format, options) {
   return ask('export_motion', [written(document), format], options);
 }
 
+/**
+ * A document with a linkage of a type, closed at its start.
+ * @param {string} type such as `3RRS` or `RPS+2TS` @returns {Promise<MechanismDocument>}
+ */
+export async function assemble(type) {
+  return JSON.parse(await ask('assemble', [type]));
+}
+
 /** The JSON Schema of a document. @returns {Promise<Record<string, unknown>>} */
 export async function schema() {
   return JSON.parse(await ask('schema', []));

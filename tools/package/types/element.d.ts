@@ -36,7 +36,7 @@ export class SyntheticaLinkage extends HTMLElement {
   readonly duration: number;
   /** Address of a document. */
   src: string;
-  /** A sample by its name, such as `3RPS`. */
+  /** A sample by its name, or any type, such as `3RRS` or `RPS+2TS`. */
   type: string;
   controls: boolean;
   autoplay: boolean;
