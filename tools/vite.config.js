@@ -18,17 +18,25 @@ const filesIn = (folder) =>
     .map((entry) => relative(folder, join(entry.parentPath, entry.name)).replaceAll('\\', '/'))
     .sort();
 
-/** inline.js: the element as one script that loads nothing, for frames and for files that hold everything. */
-const inlineElement = () => ({
-  name: 'inline-element',
+/** What other pages name in a script tag keeps its name: NAME.js is that file of www/ with what it imports. */
+const LASTING = { element: 'element/embed.js', frame: 'frame/host.js' };
+/** The element as one script that loads nothing, for frames and for files that hold everything. */
+const INLINE = 'frame/inline.js';
+
+/** The lasting scripts: inline.js in the build, all of them in dev. */
+const lastingScripts = () => ({
+  name: 'lasting-scripts',
   async generateBundle() {
-    this.emitFile({ type: 'asset', fileName: 'inline.js', source: await inlineScript('frame/inline.js') });
+    this.emitFile({ type: 'asset', fileName: 'inline.js', source: await inlineScript(INLINE) });
   },
-  configureServer(server) {
-    server.middlewares.use('/inline.js', async (_, response, next) => {
-      const script = await inlineScript('frame/inline.js').catch(next);
-      if (script) response.setHeader('content-type', 'text/javascript').end(script);
-    });
+  configureServer({ middlewares }) {
+    const serve = (name, text) =>
+      middlewares.use(`/${name}.js`, async (_, response, next) => {
+        const script = await text().catch(next);
+        if (script) response.setHeader('content-type', 'text/javascript').end(script);
+      });
+    for (const [name, file] of Object.entries(LASTING)) serve(name, async () => `export * from '/${file}';`);
+    serve('inline', () => inlineScript(INLINE));
   },
 });
 
@@ -91,15 +99,14 @@ export default defineConfig({
     modulePreload: { polyfill: false },
     emptyOutDir: true,
     rolldownOptions: {
-      input: { index: at('../www/index.html'), embed: at('../www/embed.html'), element: at('../www/element/embed.js'), frame: at('../www/frame/host.js') },
+      input: Object.fromEntries(Object.entries({ index: 'index.html', embed: 'embed.html', ...LASTING }).map(([name, file]) => [name, at(`../www/${file}`)])),
       preserveEntrySignatures: 'exports-only',
-      // What other pages name in a script tag keeps its name.
       output: {
-        entryFileNames: ({ name }) => (['element', 'frame'].includes(name) ? '[name].js' : 'assets/[name]-[hash].js'),
+        entryFileNames: ({ name }) => (name in LASTING ? '[name].js' : 'assets/[name]-[hash].js'),
         codeSplitting: { groups: [{ name: 'linkage', test: (id) => linkage.has(id) }, { name: 'panels', test: (id) => panels.has(id) }] },
       },
     },
   },
   worker: { format: 'es' },
-  plugins: [pages(), bundle(), tightMarkup(), tightShaders(), inlineElement(), serviceWorker()],
+  plugins: [pages(), bundle(), tightMarkup(), tightShaders(), lastingScripts(), serviceWorker()],
 });

@@ -240,6 +240,15 @@ test('the development server has the pages, the schema and the samples', async (
     for (const name of pages) assert.match(await (await fetch(new URL(name, at))).text(), /<main[^]*<h1/, name);
     assert.equal((await (await fetch(`${at}schema/document-1.json`)).json()).$id, schema.$id);
     assert.ok((await (await fetch(`${at}mechanisms/3rps.json`)).json()).chains);
+    // What the share dialog names there is there too.
+    assert.match(await (await fetch(`${at}frame.js`)).text(), /host\.js/);
+    const page = await browser.newPage();
+    for (const script of ['<script type="module" src="./element.js">', '<script src="./inline.js">']) {
+      await page.route(`${at}pasted.html`, (route) => route.fulfill({ contentType: 'text/html', body: `${script}</script><synthetica-linkage type="2TPR"></synthetica-linkage>` }));
+      await page.goto(`${at}pasted.html`);
+      await page.waitForFunction(() => document.querySelector('synthetica-linkage')?.trajectory?.frames === 129);
+      await page.unroute(`${at}pasted.html`);
+    }
   } finally {
     await dev.close();
   }
