@@ -195,14 +195,10 @@ pub(crate) fn index(k: f64) -> Option<u64> {
     ((0.0..9_007_199_254_740_992.0).contains(&k) && k.fract() == 0.0).then_some(whole)
 }
 
-/// Milliseconds of the window's or the worker's clock; 0 where there is none.
+/// Milliseconds of the page's, the worker's or the program's clock; 0 where there is none.
 fn now() -> f64 {
-    let global = js_sys::global();
-    let clock = match global.dyn_ref::<web_sys::WorkerGlobalScope>() {
-        Some(worker) => worker.performance(),
-        None => global
-            .dyn_ref::<web_sys::Window>()
-            .and_then(web_sys::Window::performance),
-    };
-    clock.map_or(0.0, |clock| clock.now())
+    Reflect::get(&js_sys::global(), &"performance".into())
+        .ok()
+        .and_then(|clock| clock.dyn_into::<web_sys::Performance>().ok())
+        .map_or(0.0, |clock| clock.now())
 }

@@ -81,8 +81,8 @@ test('the functions in a browser: a motion, a fault with its place, and an end w
     const waiting = plan(document, { signal: ended.signal }).catch((error) => error.name);
     ended.abort();
     const after = await plan(document);
-    return { rank: motion.report.mobility_rank, fault: fault instanceof DocumentFault && [fault.code, fault.where], ended: [await long, await waiting], after: after.frames };
+    return { rank: motion.report.mobility_rank, timed: motion.milliseconds > 0, fault: fault instanceof DocumentFault && [fault.code, fault.where], ended: [await long, await waiting], after: after.frames };
   });
-  assert.deepEqual(answers, { rank: 3, fault: ['unknown-version', 'version'], ended: ['AbortError', 'AbortError'], after: 129 });
+  assert.deepEqual(answers, { rank: 3, timed: true, fault: ['unknown-version', 'version'], ended: ['AbortError', 'AbortError'], after: 129 });
   assert.deepEqual(problems, []);
 });

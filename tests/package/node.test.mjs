@@ -9,7 +9,7 @@ import { installed } from './installed.mjs';
 
 const sample = (name) => readFileSync(new URL(`samples/${name}.json`, dist), 'utf8');
 const readme = readFileSync(new URL('README.md', dist), 'utf8');
-const { plan, check, normalise, findStart, pull, drive, explain, trace, matrix, exportMotion, schema, enumeration, chainByIndex, assemblyByIndex, at, DocumentFault } = await import(
+const { plan, check, normalise, findStart, pull, drive, explain, trace, matrix, exportMotion, schema, enumeration, chainByIndex, assemblyByIndex, assemble, at, DocumentFault } = await import(
   new URL('index.node.js', dist)
 );
 
@@ -45,6 +45,7 @@ test('every question has its answer', async () => {
   const text = sample('3rps');
   const motion = await plan(JSON.parse(text));
   assert.equal(motion.frames, 129);
+  assert.ok(motion.milliseconds > 0);
   assert.ok(Math.max(...motion.closure) <= 1e-10);
   const joints = at(motion, 'joints', 64);
   const goal = at(motion, 'goal', 64);
@@ -59,6 +60,7 @@ test('every question has its answer', async () => {
   assert.deepEqual((await exportMotion(text, 'csv')).trim().split('\n').length, 130);
   assert.equal((await schema()).$id, JSON.parse(readFileSync(new URL('document.schema.json', dist), 'utf8')).$id);
   assert.ok((await enumeration()).classes.length > 10);
+  assert.deepEqual((await plan(await assemble('3RRS'))).report.chains.map(({ type }) => type), ['RRS', 'RRS', 'RRS']);
   assert.equal((await assemblyByIndex(3, 0)).length > 0, true);
   assert.equal(await chainByIndex(1, 1e6), undefined);
 });
