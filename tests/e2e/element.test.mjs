@@ -157,7 +157,7 @@ test('ten on a page share one worker and one planner, and all move', async () =>
 const contexts = (page) =>
   page.evaluate(() => {
     const alive = [...document.querySelectorAll('synthetica-linkage')].map(({ shadowRoot }) => {
-      const canvas = shadowRoot.querySelector('canvas');
+      const canvas = shadowRoot.querySelector('#canvas');
       return canvas?.dataset.draws !== undefined && !canvas.getContext('webgl2').isContextLost();
     });
     return alive;
@@ -176,11 +176,17 @@ test('out of sight nothing is drawn and the graphics context is given back; it c
     await page.evaluate((at) => document.querySelectorAll('synthetica-linkage')[at].scrollIntoView(), index);
     await page.waitForFunction((at) => document.querySelectorAll('synthetica-linkage')[at].frame > 0, index);
   }
-  await page.waitForFunction(() => document.querySelector('synthetica-linkage').shadowRoot.querySelector('canvas').getContext('webgl2').isContextLost());
+  await page.waitForFunction(() => document.querySelector('synthetica-linkage').shadowRoot.querySelector('#canvas').getContext('webgl2').isContextLost());
   assert.equal((await contexts(page)).filter(Boolean).length, 1);
-  const rested = await page.evaluate(() => document.querySelector('synthetica-linkage').shadowRoot.querySelector('canvas').dataset.draws);
+  const kept = await page.evaluate(() => {
+    const { width, height } = document.querySelector('synthetica-linkage').shadowRoot.querySelector('.poster');
+    const pen = document.querySelector('synthetica-linkage').shadowRoot.querySelector('.poster').getContext('2d');
+    return new Set(new Uint32Array(pen.getImageData(0, 0, width, height).data.buffer)).size;
+  });
+  assert.ok(kept > 100, 'its last picture stands there');
+  const rested = await page.evaluate(() => document.querySelector('synthetica-linkage').shadowRoot.querySelector('#canvas').dataset.draws);
   await page.evaluate(() => scrollTo(0, 0));
-  await page.waitForFunction((old) => document.querySelector('synthetica-linkage').shadowRoot.querySelector('canvas').dataset.draws > Number(old) + 2, rested);
+  await page.waitForFunction((old) => document.querySelector('synthetica-linkage').shadowRoot.querySelector('#canvas').dataset.draws > Number(old) + 2, rested);
   assert.equal((await contexts(page))[0], true);
   const picture = await page.locator('synthetica-linkage').first().screenshot();
   assert.ok(new Set(picture).size > 100, 'there is a picture');
@@ -198,12 +204,12 @@ test('taken out and put back it goes on where it was; moved within the page too'
   });
   await page.waitForFunction(() => element.shadowRoot.childElementCount === 0);
   await page.evaluate(() => document.querySelector('#there').append(element));
-  await page.waitForFunction(() => element.shadowRoot.querySelector('canvas')?.dataset.draws > 0);
+  await page.waitForFunction(() => element.shadowRoot.querySelector('#canvas')?.dataset.draws > 0);
   assert.equal(await page.locator('#scrub').inputValue(), '40');
   assert.equal(await page.locator('[data-path="chains[0].base.x"]').inputValue(), '0.1');
-  const canvas = await page.evaluateHandle(() => element.shadowRoot.querySelector('canvas'));
+  const canvas = await page.evaluateHandle(() => element.shadowRoot.querySelector('#canvas'));
   await page.evaluate(() => document.querySelector('#here').append(element));
-  assert.ok(await page.evaluate((old) => element.shadowRoot.querySelector('canvas') === old, canvas), 'a move keeps what is seen');
+  assert.ok(await page.evaluate((old) => element.shadowRoot.querySelector('#canvas') === old, canvas), 'a move keeps what is seen');
   await page.locator('#scrub').fill('41');
   assert.equal(await page.evaluate(() => element.frame), 41);
   await page.keyboard.press('Control+z');

@@ -18,6 +18,7 @@ import { createMeasure } from './measure.js';
 import { MotionPaths } from './motion-paths.js';
 import { readPalette } from './palette.js';
 import { createPicker } from './pick.js';
+import { createPoster } from './poster.js';
 
 /**
  * @param {{canvas: HTMLCanvasElement, labels: HTMLElement, signal?: AbortSignal, turned?: () => void}} place where it is, until when, and who is told when a
@@ -103,6 +104,7 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
   // A browser has few contexts: one that is out of sight is given back, and asked for again.
   const lending = context.getExtension('WEBGL_lose_context');
   let released = false;
+  const poster = createPoster(canvas);
   signal?.addEventListener('abort', () => {
     released = true;
     renderer.dispose();
@@ -122,9 +124,12 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
     /** @param {boolean} next */
     set released(next) {
       if (next === released || !lending) return;
+      if (next) {
+        renderer.render(root, view.camera);
+        poster.keep();
+        lending.loseContext();
+      } else lending.restoreContext();
       released = next;
-      if (next) lending.loseContext();
-      else lending.restoreContext();
     },
     /** Where other bodies, such as handles, are added. */
     root,
@@ -232,6 +237,7 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
       for (const tell of drawn) tell();
       light.beforeDraw();
       renderer.render(root, view.camera);
+      poster.drop();
       labels.place(view.camera, width, height);
       canvas.dataset.draws = String(++draws);
     },

@@ -6,8 +6,8 @@
 
 /** Where the browser remembers the dock. */
 const KEY = 'synthetica.dock';
-/** Below this height of the window, in pixels, the view needs the room itself. */
-const LOW_WINDOW = 700;
+/** Below this height of the whole, in pixels, the view needs the room itself. */
+const LOW = 650;
 /** Pixels. */
 const LEAST = 90;
 const STEP = 24;
@@ -20,7 +20,9 @@ export function createDock({ find, narrow, tabs, signal }, dockTabs) {
   const handle = find('dock-handle');
   const toggle = find('dock-toggle');
   const view = /** @type {HTMLElement} */ (dock.parentElement?.querySelector('.view'));
-  const state = { height: Math.round(Math.min(340, Math.max(190, 0.27 * innerHeight))), open: innerHeight >= LOW_WINDOW, ...recall() };
+  // On a phone the whole is as high as its content.
+  const room = narrow() ? innerHeight : find('bench').clientHeight;
+  const state = { height: Math.round(Math.min(340, Math.max(190, 0.29 * room))), open: room >= LOW, ...recall() };
 
   const panelHeight = () => /** @type {HTMLElement | null} */ (dock.querySelector('.panel.shown'))?.offsetHeight ?? 0;
   const most = () => Math.max(LEAST, panelHeight() + view.offsetHeight - VIEW);
