@@ -11,7 +11,7 @@
 import { DocumentFault, PlannerFailure, Superseded } from './faults.js';
 import { openPort } from './port.js';
 
-/** How long a plan may hold up a newer request of a page before its worker is ended, in milliseconds. */
+/** How long a plan may hold up a newer request of the same asker before its worker is ended, in milliseconds. */
 const PATIENCE = 4000;
 
 export class Desk {
@@ -48,8 +48,11 @@ export class Desk {
 
   #next() {
     if (this.#running) {
+      // Only a newer request of the same asker ends it: what is slow in one linkage is no fault of another's.
+      const { asker } = this.#running;
+      const overtaken = this.#waiting.some((job) => job.asker === asker);
       // A timer knows no infinity.
-      if (this.#patience < Infinity) this.#timer ??= setTimeout(() => this.#discard(new PlannerFailure('a plan took too long and was given up')), this.#patience);
+      if (overtaken && this.#patience < Infinity) this.#timer ??= setTimeout(() => this.#discard(new PlannerFailure('a plan took too long and was given up')), this.#patience);
       return;
     }
     const job = this.#waiting.shift();

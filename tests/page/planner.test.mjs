@@ -131,3 +131,28 @@ test('a question that is taken back ends: one that waits is not asked, one that 
   answer(workers[1], { kind: 'value', value: 2 });
   assert.equal(await answers[2], 2);
 });
+
+test('two linkages share a worker: neither overtakes the other, and what is slow in one is waited for by the other', async () => {
+  mock.timers.enable({ apis: ['setTimeout'] });
+  const desk = new Desk();
+  const [one, two] = [new Planner(desk), new Planner(desk)];
+  const slow = one.plan('slow');
+  const others = [two.plan('a'), two.plan('b')];
+  const overtaken = assert.rejects(others[0], Superseded);
+  mock.timers.tick(60_000);
+  await overtaken;
+  assert.equal(workers.length, 1);
+  assert.equal(workers[0].ended, false, 'the other waits');
+  answer(workers[0], { kind: 'value', value: 1 });
+  answer(workers[0], { kind: 'value', value: 2 });
+  assert.deepEqual([await slow, await others[1]], [1, 2]);
+  // Its own newer edit ends it, and the other's request is answered by a new worker.
+  const hangs = assert.rejects(one.plan('hangs'), PlannerFailure);
+  const newer = one.plan('newer');
+  const theirs = two.plan('theirs');
+  mock.timers.tick(60_000);
+  await hangs;
+  answer(workers[1], { kind: 'value', value: 3 });
+  answer(workers[1], { kind: 'value', value: 4 });
+  assert.deepEqual([await newer, await theirs], [3, 4]);
+});
