@@ -32,13 +32,13 @@ test('what the exports name is there', () => {
   const [line] = run(`
     const at = (name) => import.meta.resolve('synthetica/' + name);
     import { readFileSync } from 'node:fs';
-    console.log(['element', 'inline', 'worker', 'types', 'wasm', 'schema', 'samples/3rps.json', 'package.json'].map((name) => readFileSync(new URL(at(name))).length > 0).join());`);
-  assert.equal(line, Array(8).fill('true').join());
+    console.log(['element', 'frame', 'inline', 'worker', 'types', 'wasm', 'schema', 'samples/3rps.json', 'package.json'].map((name) => readFileSync(new URL(at(name))).length > 0).join());`);
+  assert.equal(line, Array(9).fill('true').join());
 });
 
 test('a server that renders pages may load the element', () => {
-  const lines = run("import { SyntheticaLinkage } from 'synthetica/element'; import 'synthetica/inline'; console.log(typeof SyntheticaLinkage);");
-  assert.deepEqual(lines, ['function']);
+  const lines = run("import { SyntheticaLinkage } from 'synthetica/element'; import { linkageFrame } from 'synthetica/frame'; import 'synthetica/inline'; console.log(typeof SyntheticaLinkage, typeof linkageFrame);");
+  assert.deepEqual(lines, ['function function']);
 });
 
 test('every question has its answer', async () => {

@@ -62,6 +62,7 @@ function types() {
   execFileSync(at('tools/node_modules/.bin/tsc'), ['-p', at('tools/package'), '--outDir', made], { stdio: 'inherit' });
   copyFileSync(join(made, 'www/api.d.ts'), dist('index.d.ts'));
   copyFileSync(join(made, 'www/faults.d.ts'), dist('faults.d.ts'));
+  copyFileSync(join(made, 'www/frame/host.d.ts'), dist('frame.d.ts'));
   rmSync(made, { recursive: true });
   for (const name of ['element.d.ts', 'inline.d.ts', 'worker.d.ts']) copyFileSync(at(`tools/package/types/${name}`), dist(name));
   put('types.d.ts', `${readFileSync(at('src/wasm.d.ts'), 'utf8')}\n${documentTypes(JSON.parse(readFileSync(at('src/document.schema.json'), 'utf8')))}`);
@@ -82,6 +83,7 @@ const manifest = {
   exports: {
     '.': { types: './index.d.ts', node: './index.node.js', default: './index.js' },
     './element': { types: './element.d.ts', default: './element.js' },
+    './frame': { types: './frame.d.ts', default: './frame.js' },
     './inline': { types: './inline.d.ts', default: './inline.js' },
     './worker': { types: './worker.d.ts', default: './worker.js' },
     './types': { types: './types.d.ts', default: './types.js' },
@@ -96,7 +98,7 @@ const manifest = {
 
 rmSync(at('dist'), { recursive: true, force: true });
 mkdirSync(dist('samples'), { recursive: true });
-const others = await modules({ index: 'api.js', element: 'element/embed.js', worker: 'planner.worker.js' }, { wasm: 'wasm.js', worker: 'start-worker.js', codeSplitting: { groups: together } });
+const others = await modules({ index: 'api.js', element: 'element/embed.js', frame: 'frame/host.js', worker: 'planner.worker.js' }, { wasm: 'wasm.js', worker: 'start-worker.js', codeSplitting: { groups: together } });
 await modules({ 'index.node': 'api.js' }, { wasm: 'wasm.node.js', worker: 'start-worker.node.js', codeSplitting: false });
 put('LICENSE-OTHERS', licences(others));
 put('inline.js', await inlineScript('inline.js'));
