@@ -6,8 +6,8 @@ import { preview } from 'vite';
 /** The page is opened in a small window: without a graphics card every pixel is computed. */
 const WINDOW = { width: 800, height: 600 };
 
-/** How Chromium is started. */
-export const LAUNCH = { executablePath: process.env.CHROMIUM || '/usr/bin/chromium', args: ['--no-sandbox'] };
+/** How Chromium is started: with a `gc()` for the test that nothing is left behind. */
+export const LAUNCH = { executablePath: process.env.CHROMIUM || '/usr/bin/chromium', args: ['--no-sandbox', '--js-flags=--expose-gc'] };
 
 /**
  * For functions that run in the page: what has the focus, and what a selector finds, inside the linkage element too. (A

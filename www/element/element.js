@@ -262,7 +262,8 @@ export class SyntheticaLinkage extends LinkageWords {
   }
 
   #dismantle() {
-    this.#life?.abort();
+    // With a reason of its own: the default one is an error, whose stack would hold on to the element.
+    this.#life?.abort('taken out');
     this.#life = null;
     this.linkage.player.seen = false;
     this.linkage.player.draw = () => {};

@@ -107,6 +107,8 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
   const poster = createPoster(canvas);
   signal?.addEventListener('abort', () => {
     released = true;
+    // It listens to the document too.
+    view.controls.dispose();
     renderer.dispose();
     lending?.loseContext();
   });

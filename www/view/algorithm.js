@@ -18,8 +18,8 @@ import { postureOf } from './posture-of.js';
 import { createSteps } from './steps.js';
 import look from '../style/algorithm.css?inline';
 
-/** @param {Pick<import('../workbench.js').App, 'root' | 'store' | 'planner' | 'player'>} app @param {HTMLElement} panel */
-export function createAlgorithm({ root, store, planner, player }, panel) {
+/** @param {Pick<import('../workbench.js').App, 'root' | 'store' | 'planner' | 'player' | 'signal'>} app @param {HTMLElement} panel */
+export function createAlgorithm({ root, store, planner, player, signal }, panel) {
   wear(root, plotLook);
   wear(root, look);
   /** @type {Trace | null} */
@@ -62,7 +62,7 @@ export function createAlgorithm({ root, store, planner, player }, panel) {
   const convergence = createConvergence((chosen, index) => {
     method = chosen;
     show(index);
-  });
+  }, signal);
   const body = element(
     'div',
     { class: 'algorithm', hidden: true },

@@ -5,7 +5,7 @@
  *
  * What all charts share: the scale along x, and what is done with a frame that is pointed at.
  * @typedef {{x: ArrayLike<number>, heads: [string, ArrayLike<number>, number][]}} Along values of the scale; columns of the table with their decimals
- * @typedef {{hidden: Set<string>, sync: string, onHover: (frame: number | null) => void, onScrub: (frame: number) => void}} Shared
+ * @typedef {{hidden: Set<string>, sync: string, signal: AbortSignal, onHover: (frame: number | null) => void, onScrub: (frame: number) => void}} Shared
  */
 import { element, setText } from '../dom.js';
 import { short } from '../format.js';
@@ -19,7 +19,7 @@ const DASHES = [[], [7, 3], [2, 2], [9, 3, 2, 3]];
 const SVG = 'http://www.w3.org/2000/svg';
 
 /** @param {Chart} chart @param {Shared} shared */
-export function createCard(chart, { hidden, sync, onHover, onScrub }) {
+export function createCard(chart, { hidden, sync, signal, onHover, onScrub }) {
   let shown = chart;
   const many = chart.series.length > 1;
   const styles = chart.series.map((_, i) => ({ colour: `var(--chart-${i % COLOURS})`, dash: DASHES[i % DASHES.length] }));
@@ -68,6 +68,7 @@ export function createCard(chart, { hidden, sync, onHover, onScrub }) {
     span: chart.span,
     write: (value) => writeValue(chart, value),
     sync,
+    signal,
     onHover,
     onScrub,
   });

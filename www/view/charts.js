@@ -21,8 +21,8 @@ const BETWEEN = 32;
 /** Panels of charts on this page, each with a cursor of its own. */
 let made = 0;
 
-/** @param {Pick<import('../workbench.js').App, 'root' | 'store' | 'player'>} app @param {HTMLElement} panel */
-export function createCharts({ root, store, player }, panel) {
+/** @param {Pick<import('../workbench.js').App, 'root' | 'store' | 'player' | 'signal'>} app @param {HTMLElement} panel */
+export function createCharts({ root, store, player, signal }, panel) {
   wear(root, plotLook);
   /** @type {Map<string, Entry>} */
   const entries = new Map();
@@ -54,6 +54,7 @@ export function createCharts({ root, store, player }, panel) {
   const shared = {
     hidden,
     sync: `charts ${++made}`,
+    signal,
     /** @param {number | null} frame */
     onHover(frame) {
       if (frame === hovered) return;

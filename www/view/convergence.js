@@ -16,8 +16,8 @@ const SERIES = [
 /** Rows of the table, at most. */
 const ROWS = 40;
 
-/** @param {(method: Method, at: number) => void} choose */
-export function createConvergence(choose) {
+/** @param {(method: Method, at: number) => void} choose @param {AbortSignal} signal */
+export function createConvergence(choose, signal) {
   const words = element('p', { class: 'why-few' });
   const plots = /** @type {Method[]} */ (['gradient', 'newton']).map((method) => {
     const host = element('div', { class: 'plot', role: 'img' });
@@ -29,7 +29,7 @@ export function createConvergence(choose) {
       element('div', { class: 'rows', tabindex: 0, role: 'region', 'aria-label': `Convergence of ${METHODS[method]}` }, table),
     );
     const heading = element('h4', {}, METHODS[method]);
-    const plot = createPlot(host, { series: SERIES, log: true, floor: 1e-17, write: scientific, onScrub: (at) => choose(method, at) });
+    const plot = createPlot(host, { series: SERIES, log: true, floor: 1e-17, write: scientific, onScrub: (at) => choose(method, at), signal });
     /** @type {Trace | null} */
     let shown = null;
     function fill() {

@@ -19,6 +19,7 @@
  * @property {(value: number) => string} [write] a value on the scale as text
  * @property {string} [sync] plots with the same key share the cursor
  * @property {(index: number | null) => void} [onHover] the point under the cursor, null when it has left
+ * @property {AbortSignal} [signal] ends it
  * @property {(index: number) => void} [onScrub] the point that was clicked or dragged to
  */
 import uPlot from 'uplot';
@@ -34,7 +35,7 @@ const LINE_WIDTH = 1.6;
 const MARGIN = 0.06;
 
 /** @param {HTMLElement} host @param {PlotOptions} options */
-export function createPlot(host, { series, log = false, floor = 1e-16, zero = false, span = 1e-9, write = (value) => short(value), sync, onHover, onScrub }) {
+export function createPlot(host, { series, log = false, floor = 1e-16, zero = false, span = 1e-9, write = (value) => short(value), sync, onHover, onScrub, signal }) {
   const colour = createColours(host);
   const line = element('div', { class: 'playhead' });
   /** @type {number | null} */
@@ -150,9 +151,17 @@ export function createPlot(host, { series, log = false, floor = 1e-16, zero = fa
     colour.forget();
     plot.redraw(false);
   }
-  const dark = matchMedia('(prefers-color-scheme: dark)');
-  dark.addEventListener('change', repaint);
-  window.addEventListener('themechange', repaint);
+  const life = new AbortController();
+  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', repaint, { signal: life.signal });
+  window.addEventListener('themechange', repaint, { signal: life.signal });
+
+  function destroy() {
+    life.abort('destroyed');
+    follow.disconnect();
+    plot.destroy();
+  }
+  // uPlot listens to the window: it must not outlive its page's interest.
+  signal?.addEventListener('abort', destroy, { signal: life.signal });
 
   return {
     /** @param {ArrayLike<number>} x growing @param {ArrayLike<number>[]} columns one a series */
@@ -169,12 +178,7 @@ export function createPlot(host, { series, log = false, floor = 1e-16, zero = fa
       playhead = x;
       place();
     },
-    destroy() {
-      follow.disconnect();
-      dark.removeEventListener('change', repaint);
-      window.removeEventListener('themechange', repaint);
-      plot.destroy();
-    },
+    destroy,
   };
 }
 
