@@ -4,6 +4,11 @@
 //! measured in turn with it, so that the ratio holds on a noisy machine. A general benchmark harness
 //! times one thing after the other and prints no ratio; hence these few lines.
 
+#![expect(
+    clippy::disallowed_types,
+    reason = "the dense SVD that is compared with"
+)]
+
 #[path = "../tests/common/mod.rs"]
 mod common;
 

@@ -186,7 +186,7 @@ test('dark: the charts are drawn anew in the other colours', async () => {
   const dark = await canvas.evaluate((drawn) => drawn.toDataURL());
   await page.evaluate(() => {
     document.documentElement.dataset.theme = 'light';
-    window.dispatchEvent(new Event('themechange'));
+    window.dispatchEvent(new Event('synthetica-theme'));
   });
   await page.waitForFunction((old) => page$('.chart canvas').toDataURL() !== old, dark);
   near(await lightness(), before, 8, 'light again');

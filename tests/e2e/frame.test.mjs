@@ -131,6 +131,26 @@ test('the helper for the page around: fits the height, gets, sets, hears', async
   assert.match(result.refused, /no “nothing”/);
 });
 
+test('fits a phone with panels under the view: all of it, and it rests there', async () => {
+  const { page } = await pageAround('embed.html?sample=2tpr&panels=info');
+  await page.evaluate(async (address) => {
+    const { linkageFrame } = await import(`${address}frame.js`);
+    const iframe = document.querySelector('iframe');
+    iframe.width = 390;
+    window.heights = [];
+    const frame = linkageFrame(iframe, { fit: true });
+    frame.on('height', (height) => window.heights.push(height));
+    iframe.src += '&';
+  }, browser.address);
+  await page.frameLocator('iframe').locator('#closure').filter({ hasText: /\d/ }).waitFor();
+  await page.waitForFunction(() => window.heights.length > 0 && document.querySelector('iframe').offsetHeight > 500);
+  await page.evaluate(() => new Promise((rest) => setTimeout(rest, 800)));
+  const inside = await page.frames()[1].evaluate(() => [document.documentElement.scrollHeight, innerHeight]);
+  assert.ok(Math.abs(inside[0] - inside[1]) <= 1, `${inside}`);
+  const { length } = await page.evaluate(() => window.heights);
+  assert.ok(length < 30, `${length} heights told`);
+});
+
 test('the code of the share dialog works where it is pasted', async () => {
   const { page: applet } = await browser.openPage();
   await applet.getByRole('button', { name: 'Share', exact: true }).click();

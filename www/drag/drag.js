@@ -275,7 +275,7 @@ function connect(app, scene) {
   }
   paint();
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', paint, { signal });
-  addEventListener('themechange', paint, { signal });
+  addEventListener('synthetica-theme', paint, { signal });
 
   /** Names of the handles: axes, or the numbers of freedoms. */
   function names() {

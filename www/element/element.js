@@ -91,9 +91,9 @@ export class SyntheticaLinkage extends LinkageWords {
     try {
       if (name === 'loop') player.loop = MEANINGS.loop(text);
       if (name === 'speed') player.playbackRate = MEANINGS.speed(text);
-      if (name === 'frame') player.frame = MEANINGS.frame(text);
+      if (name === 'frame') player.frame = this.#frameOf(MEANINGS.frame(text));
       if (name === 'view') store.setView({ side: MEANINGS.view(text) });
-      if (name === 'theme' && MEANINGS.theme(text) !== null) dispatchEvent(new Event('themechange'));
+      if (name === 'theme' && MEANINGS.theme(text) !== null) dispatchEvent(new Event('synthetica-theme'));
       if (name === 'panels') MEANINGS.panels(text);
       if (name === 'readonly') store.readonly = text !== null;
       this.#refused.delete(name);
@@ -202,6 +202,18 @@ export class SyntheticaLinkage extends LinkageWords {
 
   // --- telling ---
 
+  /** What an attribute means; one that is refused means as much as none. @template {keyof typeof MEANINGS} N @param {N} name @returns {ReturnType<typeof MEANINGS[N]>} */
+  #meant(name) {
+    return /** @type {any} */ (MEANINGS[name](this.#refused.has(name) ? null : this.getAttribute(name)));
+  }
+
+  /** @param {number} frame */
+  #frameOf(frame) {
+    const last = (this.trajectory?.frames ?? Infinity) - 1;
+    if (frame > last) throw new Refusal(`The attribute frame is “${frame}”. Accepted: a whole number from 0 to ${last}, the frames of this motion.`);
+    return frame;
+  }
+
   /** An attribute that cannot be used changes nothing, and says so. @param {string} name @param {unknown} error */
   #refuse(name, error) {
     const refused = { message: reason(error), where: '', code: 'attribute' };
@@ -255,8 +267,8 @@ export class SyntheticaLinkage extends LinkageWords {
     const { resolve, reject } = this.#bench;
     createWorkbench(this.linkage, {
       root: this.#root,
-      keys: MEANINGS.keys(this.getAttribute('keys')) === 'page' ? document : this,
-      panels: MEANINGS.panels(this.getAttribute('panels')),
+      keys: this.#meant('keys') === 'page' ? document : this,
+      panels: this.#meant('panels'),
       signal: this.#life.signal,
     }).then(resolve, reject);
   }

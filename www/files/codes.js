@@ -4,6 +4,8 @@
  * @typedef {{controls: boolean, autoplay: boolean, readonly: boolean, panels: string[], height: number}} Wish `height` in CSS pixels
  */
 
+import { inert } from '../export/inert.js';
+
 /** Text for an attribute. @param {string} text */
 const quoted = (text) => text.replaceAll('&', '&amp;').replaceAll('"', '&quot;').replaceAll('<', '&lt;');
 
@@ -55,7 +57,7 @@ export const fileCode = (name, text, script, wish) => `<!doctype html>
 <body>
 <h1>${quoted(name)}</h1>
 ${element(text, wish)}
-<script>${script.replaceAll('</script', '<\\/script').replaceAll('<!--', '<\\!--')}</script>
+<script>${inert(script)}</script>
 </body>
 </html>
 `;

@@ -10,6 +10,9 @@ import look from '../style/embed.css?inline';
 import { attributesOf, parentOrigin } from './address.js';
 import { speak } from './protocol.js';
 
+/** Width below which panels are under the view, in pixels; style/embed.css has it too. */
+const PHONE = 760;
+
 /** Height over width of a view that shows a linkage well. */
 const SHAPE = 0.6;
 
@@ -21,17 +24,16 @@ export function startFrame() {
 
   /** What the frame would fill: with panels on a phone all of it, else a view of a good shape with its controls. */
   function height() {
-    const { scrollHeight } = document.documentElement;
+    if (innerWidth < PHONE && element.panels) return document.body.offsetHeight;
     const controls = element.shadowRoot?.querySelector('.transport');
-    const wished = Math.round(innerWidth * SHAPE) + (controls instanceof HTMLElement ? controls.offsetHeight : 0);
-    return scrollHeight > innerHeight ? scrollHeight : wished;
+    return Math.round(innerWidth * SHAPE) + (controls instanceof HTMLElement ? controls.offsetHeight : 0);
   }
 
   if (parent !== window) speak(element, { window, parent, origin: parentOrigin(location.search, document.referrer), height });
 
   const { linkage } = element;
   const asked = readAddress(location);
-  const { src } = Object.fromEntries(new URLSearchParams(location.search));
+  const src = new URLSearchParams(location.search).get('src');
   if (src) element.src = src;
   else {
     // The element waits for its document.

@@ -55,7 +55,7 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
   }
   paint();
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', paint, { signal });
-  addEventListener('themechange', paint, { signal });
+  addEventListener('synthetica-theme', paint, { signal });
 
   let width = 1;
   let height = 1;

@@ -153,7 +153,7 @@ export function createPlot(host, { series, log = false, floor = 1e-16, zero = fa
   }
   const life = new AbortController();
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', repaint, { signal: life.signal });
-  window.addEventListener('themechange', repaint, { signal: life.signal });
+  window.addEventListener('synthetica-theme', repaint, { signal: life.signal });
 
   function destroy() {
     life.abort('destroyed');

@@ -1,5 +1,5 @@
 /**
- * The colour scheme: the system's, light or dark. Tells the window of a change by the event `themechange`.
+ * The colour scheme: the system's, light or dark. Tells the window of a change by the event `synthetica-theme`.
  */
 import { byId } from '../dom.js';
 
@@ -31,7 +31,7 @@ export function createTheme() {
       // It holds until the page is left.
     }
     show();
-    dispatchEvent(new Event('themechange'));
+    dispatchEvent(new Event('synthetica-theme'));
   }
 
   button.addEventListener('click', () => set(after(now())));
