@@ -45,7 +45,7 @@ export function announce(element, { isEdit, isFirst, begin, fail }) {
       tell('ready');
     }
     clearTimeout(settling);
-    if (!edited) return;
+    if (!edited || fault || store.result.document !== store.document) return;
     settling = setTimeout(() => {
       edited = false;
       tell('change');
