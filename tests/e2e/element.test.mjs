@@ -1,11 +1,9 @@
 // The custom element in pages of other people: what it is given, what it tells, and that many live side by side.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
 import { after, before, test } from 'node:test';
+import { violations } from './axe.mjs';
 import { openBrowser } from './browser.mjs';
-
-const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 
 const sample = (name) => readFileSync(new URL(`../../www/mechanisms/${name}.json`, import.meta.url), 'utf8');
 
@@ -356,8 +354,6 @@ test('axe finds nothing in a page with elements, with and without panels', async
     );
     await planned(page);
     await page.waitForFunction(() => [...document.querySelectorAll('synthetica-linkage')].at(-1).shadowRoot.querySelector('#closure')?.textContent !== '–');
-    await page.evaluate(axe);
-    const { violations } = await page.evaluate(() => window.axe.run());
-    assert.deepEqual(violations.map(({ id, nodes }) => [id, nodes.map(({ html }) => html)]), [], colorScheme);
+    assert.deepEqual(await violations(page), [], colorScheme);
   }
 });

@@ -5,6 +5,7 @@ import { createServer } from 'node:http';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
+import { violations } from './axe.mjs';
 import { openBrowser } from './browser.mjs';
 
 let browser;
@@ -149,6 +150,15 @@ test('fits a phone with panels under the view: all of it, and it rests there', a
   assert.ok(Math.abs(inside[0] - inside[1]) <= 1, `${inside}`);
   const { length } = await page.evaluate(() => window.heights);
   assert.ok(length < 30, `${length} heights told`);
+});
+
+test('axe finds nothing in the page for frames, which has the name of its linkage', async () => {
+  for (const [query, viewport] of [['sample=2tpr', { width: 800, height: 600 }], ['sample=2tpr&panels=info+mechanism', { width: 390, height: 844 }]]) {
+    const { page } = await browser.blankPage({ viewport });
+    await page.goto(`${browser.address}embed.html?${query}`);
+    await page.waitForFunction(() => document.title === '2TPR – Synthetica');
+    assert.deepEqual(await violations(page), [], query);
+  }
 });
 
 test('the code of the share dialog works where it is pasted', async () => {

@@ -2,6 +2,7 @@
  * The page for frames: nothing but one linkage, told by the address what it is and how it is shown.
  */
 import '../element/define.js';
+import { element as make } from '../dom.js';
 import { readAddress } from '../files/address.js';
 import { answerTo } from '../files/asked.js';
 import { reason } from '../opening.js';
@@ -46,5 +47,12 @@ export function startFrame() {
       (error) => linkage.store.setResult({ trouble: reason(error) }),
     );
   }
-  document.body.append(element);
+  // For screen readers; a person sees the linkage.
+  const heading = make('h1', {}, 'Linkage');
+  element.addEventListener('ready', () => {
+    const name = element.document?.name || 'Linkage';
+    heading.textContent = name;
+    document.title = `${name} – Synthetica`;
+  });
+  document.body.append(make('main', {}, heading, element));
 }
