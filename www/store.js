@@ -1,5 +1,5 @@
 /**
- * The page's kinds of state: the document (saved, undoable), the result (a function of the document), the view
+ * A linkage's kinds of state: the document (saved, undoable), the result (a function of the document), the view
  * (neither), and the insight (a function of what the view shows). Knows no DOM and no planner.
  *
  * @typedef {import('./types.js').MechanismDocument} MechanismDocument

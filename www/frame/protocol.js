@@ -16,7 +16,7 @@ export const VERSION = 1;
 const CHANGEABLE = /** @type {const} */ (['frame', 'currentTime', 'loop', 'speed', 'view', 'theme', 'panels']);
 
 /** @param {SyntheticaLinkage} element */
-export function stateOf(element) {
+function stateOf(element) {
   const { frame, currentTime, duration, paused, loop, speed, view, trajectory } = element;
   return { frame, frames: trajectory?.frames ?? 0, currentTime, duration, paused, loop, speed, view };
 }

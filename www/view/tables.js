@@ -1,5 +1,5 @@
 /**
- * The editable side of the page: keeps both panels of tables in step with the document and shows its fault.
+ * The editable panels: keeps both panels of tables in step with the document and shows its fault.
  *
  * @typedef {import('../store.js').Store} Store
  */
