@@ -62,7 +62,13 @@ export class Desk {
       (answer) => this.#receive(answer),
       (reason) => this.#discard(new PlannerFailure(reason)),
     );
-    this.#port.post({ id: job.id, call: job.call, args: job.args });
+    try {
+      this.#port.post({ id: job.id, call: job.call, args: job.args });
+    } catch (error) {
+      // What cannot be copied, a function for a number, is no question.
+      this.#settle();
+      job.reject(/** @type {Error} */ (error));
+    }
     if (this.#waiting.length) this.#next();
   }
 

@@ -46,5 +46,6 @@ export function reason(error) {
   if (error instanceof DocumentFault) return sentence(error.fault.message);
   if (error instanceof Refusal) return error.message;
   if (error instanceof PlannerFailure) return `The planner failed (${error.message}).`;
-  throw error;
+  // Nothing that goes wrong is silent.
+  return `Something went wrong (${error instanceof Error ? error.message : error}).`;
 }

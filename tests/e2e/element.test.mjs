@@ -277,14 +277,16 @@ test('what is wrong is said in the element and told: address, type, document, at
     <synthetica-linkage id="fault"><script type="application/json">{"version": 1, "chains": [], "motion": {"key_frames": []}}</script></synthetica-linkage>
     <synthetica-linkage id="speed" src="2tpr.json" speed="fast"></synthetica-linkage>
     <synthetica-linkage id="nothing"></synthetica-linkage>
+    <synthetica-linkage id="address" src="http://"></synthetica-linkage>
     <synthetica-linkage id="panels" src="2tpr.json" controls panels="info tables"></synthetica-linkage>
     <synthetica-linkage id="frame" src="2tpr.json" controls frame="999"></synthetica-linkage>
     <synthetica-linkage id="good" src="2tpr.json"></synthetica-linkage>`);
   await planned(page, '#good');
-  await page.waitForFunction(() => ['gone', 'type', 'fault', 'speed', 'nothing', 'panels', 'frame'].every((id) => document.getElementById(id).error));
-  const errors = await page.evaluate(() => Object.fromEntries(['gone', 'type', 'fault', 'nothing', 'panels', 'frame', 'good'].map((id) => [id, document.getElementById(id).error])));
+  await page.waitForFunction(() => ['gone', 'type', 'fault', 'speed', 'nothing', 'address', 'panels', 'frame'].every((id) => document.getElementById(id).error));
+  const errors = await page.evaluate(() => Object.fromEntries(['gone', 'type', 'fault', 'nothing', 'address', 'panels', 'frame', 'good'].map((id) => [id, document.getElementById(id).error])));
   assert.match(errors.gone.message, /“no-such\.json” could not be loaded.*Accepted/);
   assert.match(errors.type.message, /“9XYZ” is no type of linkage.*RPS\+2TS/);
+  assert.match(errors.address.message, /“http:\/\/” is no address/);
   assert.equal(errors.fault.where, 'chains');
   assert.match(errors.nothing.message, /No linkage is given.*src/);
   assert.match(errors.panels.message, /panels is “tables”.*mechanism/);

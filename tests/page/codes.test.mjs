@@ -41,5 +41,6 @@ test('who may talk to a frame: as written, else as the browser tells', () => {
   assert.equal(parentOrigin('', 'https://course.example/unit/3'), 'https://course.example');
   assert.equal(parentOrigin('?origin=*', ''), '*');
   assert.equal(parentOrigin('', ''), '');
+  assert.equal(parentOrigin('?origin=file:///x', ''), '');
   assert.equal(parentOrigin('?origin=nonsense', 'https://course.example/'), '');
 });

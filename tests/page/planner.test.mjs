@@ -156,3 +156,19 @@ test('two linkages share a worker: neither overtakes the other, and what is slow
   answer(workers[1], { kind: 'value', value: 4 });
   assert.deepEqual([await newer, await theirs], [3, 4]);
 });
+
+test('a question that cannot be copied is refused, and the next is answered', async () => {
+  const planner = new Planner(new Desk());
+  const first = planner.plan('a');
+  answer(workers[0], { kind: 'value', value: 1 });
+  await first;
+  const { postMessage } = workers[0];
+  workers[0].postMessage = () => {
+    throw new DOMException('it cannot be cloned', 'DataCloneError');
+  };
+  await assert.rejects(planner.plan('b'), /cannot be cloned/);
+  workers[0].postMessage = postMessage;
+  const next = planner.plan('c');
+  answer(workers[0], { kind: 'value', value: 3 });
+  assert.equal(await next, 3);
+});

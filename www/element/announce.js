@@ -40,7 +40,7 @@ export function announce(element, { isEdit, isFirst, begin, fail }) {
       fail(error);
       if (error) tell('error', error);
     }
-    if (planned && isFirst()) {
+    if (planned && isFirst() && store.result.document === store.document) {
       begin();
       tell('ready');
     }

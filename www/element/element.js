@@ -120,6 +120,10 @@ export class SyntheticaLinkage extends LinkageWords {
   set document(next) {
     const load = ++this.#loads;
     if (next === null) return;
+    if (typeof next !== 'string' && (typeof next !== 'object' || Array.isArray(next))) {
+      this.#complain(new Refusal(`The property document is ${Array.isArray(next) ? 'a list' : typeof next}. Accepted: a document as an object or its text.`));
+      return;
+    }
     this.#open(typeof next === 'string' ? next : JSON.stringify(next), '', load).catch((error) => this.#complain(error));
   }
 
@@ -302,9 +306,11 @@ function withResolvers() {
 /** @param {string} src @param {string} base @returns {Promise<string>} */
 async function fetched(src, base) {
   const accepted = 'Accepted: the address of a document, which is JSON text.';
-  const answer = await fetch(new URL(src, base)).catch((error) => {
-    throw new Refusal(`“${src}” could not be loaded (${error.message}). ${accepted}`);
-  });
+  const refuse = (/** @type {Error} */ { message }) => {
+    throw new Refusal(`“${src}” could not be loaded (${message}). ${accepted}`);
+  };
+  if (!URL.canParse(src, base)) throw new Refusal(`“${src}” is no address. ${accepted}`);
+  const answer = await fetch(new URL(src, base)).catch(refuse);
   if (!answer.ok) throw new Refusal(`“${src}” could not be loaded (${answer.status} ${answer.statusText}). ${accepted}`);
-  return answer.text();
+  return answer.text().catch(refuse);
 }

@@ -86,7 +86,7 @@ export class LinkageWords extends Base {
   }
 
   set loop(loop) {
-    write(this, 'loop', WRITINGS.loop(MEANINGS.loop(loop)));
+    write(this, 'loop', WRITINGS.loop(MEANINGS.loop(typeof loop === 'boolean' ? (loop ? '' : null) : String(loop))));
   }
 
   /** Counted from 0, as in the columns. */
@@ -113,7 +113,7 @@ export class LinkageWords extends Base {
   }
 
   set view(side) {
-    write(this, 'view', WRITINGS.view(MEANINGS.view(side)));
+    write(this, 'view', WRITINGS.view(MEANINGS.view(String(side ?? ''))));
   }
 
   /** `light`, `dark`, `auto` for the system's; empty for the page's own. */
@@ -122,7 +122,7 @@ export class LinkageWords extends Base {
   }
 
   set theme(theme) {
-    write(this, 'theme', MEANINGS.theme(theme) || null);
+    write(this, 'theme', MEANINGS.theme(String(theme ?? '')) || null);
   }
 
   /** Names with blanks between them: mechanism motion teach types info charts algorithm. */
@@ -131,6 +131,6 @@ export class LinkageWords extends Base {
   }
 
   set panels(names) {
-    write(this, 'panels', MEANINGS.panels(names).join(' ') || null);
+    write(this, 'panels', MEANINGS.panels(String(names ?? '')).join(' ') || null);
   }
 }

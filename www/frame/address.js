@@ -32,7 +32,9 @@ export function parentOrigin(search, referrer) {
   const written = new URLSearchParams(search).get('origin');
   if (written === '*') return '*';
   try {
-    return new URL(written ?? referrer).origin;
+    const { origin } = new URL(written ?? referrer);
+    // A file or a sandbox has none that a message could be sent to.
+    return origin === 'null' ? '' : origin;
   } catch {
     return '';
   }
