@@ -15,12 +15,12 @@ mod common;
 use nalgebra::DMatrix;
 use std::hint::black_box;
 use std::time::Instant;
-use synthetica::closure::linearise;
-use synthetica::keyframe::Goal;
-use synthetica::mechanism::Mechanism;
-use synthetica::newton::Solver;
-use synthetica::planner::{Settings, plan, predict};
-use synthetica::pose;
+use synthetica::math::pose;
+use synthetica::model::mechanism::Mechanism;
+use synthetica::motion::goal::Goal;
+use synthetica::plan::follow::{Settings, plan, predict};
+use synthetica::solve::newton::Solver;
+use synthetica::solve::paper_matrix::linearise;
 
 /// Rounds of which the median is taken.
 const ROUNDS: usize = 41;
@@ -38,7 +38,7 @@ fn main() {
     for k in 1..=5 {
         let mut random = common::Random(7);
         let kinds: Vec<_> = (0..k)
-            .map(|_| synthetica::enumerate::chain(1, 60).expect("in range"))
+            .map(|_| synthetica::types::enumerate::chain(1, 60).expect("in range"))
             .collect();
         let linkage = common::linkage(&kinds, &mut random);
         let goals = common::goals(&linkage, 33, &mut random);

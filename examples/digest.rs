@@ -4,9 +4,9 @@
 
 use serde_json::{Value, json};
 use std::io::{Error, stdin};
-use synthetica::json::parse;
-use synthetica::pose::Pose;
-use synthetica::problem::Problem;
+use synthetica::document::problem::Problem;
+use synthetica::document::text::parse;
+use synthetica::math::pose::Pose;
 
 fn main() -> Result<(), Error> {
     for line in stdin().lines() {
@@ -15,7 +15,7 @@ fn main() -> Result<(), Error> {
     Ok(())
 }
 
-fn digests(text: &str) -> Result<Value, synthetica::fault::Fault> {
+fn digests(text: &str) -> Result<Value, synthetica::document::fault::Fault> {
     let problem = Problem::new(&parse(text)?)?;
     let motion = problem.plan();
     let floats = |column: &[f64]| digest(column.iter().map(|x| x.to_bits()));

@@ -11,8 +11,8 @@ use golden::Task;
 use serde::Serialize;
 use std::process::ExitCode;
 use std::time::Instant;
-use synthetica::planner::{Settings, plan};
-use synthetica::trajectory::Status;
+use synthetica::motion::trajectory::Status;
+use synthetica::plan::follow::{Settings, plan};
 
 const CLOSURE: f64 = 1e-10;
 const METRIC: f64 = 1e-9;

@@ -3,9 +3,9 @@
 
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
-use synthetica::fault::Fault;
-use synthetica::json;
-use synthetica::problem::Problem;
+use synthetica::document::fault::Fault;
+use synthetica::document::problem::Problem;
+use synthetica::document::text;
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -36,7 +36,7 @@ fn main() -> ExitCode {
 
 /// Plans, and says how many frames the motion has.
 fn solve(text: &str) -> Result<usize, Fault> {
-    let problem = Problem::new(&json::parse(text)?)?;
+    let problem = Problem::new(&text::parse(text)?)?;
     let motion = problem.plan();
     std::hint::black_box(problem.row_frames(&motion));
     Ok(motion.frames())

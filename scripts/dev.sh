@@ -113,7 +113,7 @@ setup_mujoco() {
 
 # --- what is done ---------------------------------------------------------------------------------
 
-# The whole package, and the one that the page loads first: the same without the bindings of src/wasm_study.rs.
+# The whole package, and the one that the page loads first: the same without the bindings of src/bind/wasm_study.rs.
 build_package() {
   build_wasm www/pkg
   build_wasm www/pkg-first --no-default-features

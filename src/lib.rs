@@ -23,99 +23,57 @@
 //!
 //! The workpiece's twist ξ = (v, ω) stands for all motion: J_i Δθ_i = ξ + e_i. The left null space N_i
 //! of J_i, the wrenches that chain i can withstand, leaves N_iᵀ ξ = −N_iᵀ e_i, at most 6 independent
-//! equations however many joints there are ([`tangent`]). On the twists that remain free, Newton's
-//! method finds the minimum, with the exact second derivative of the constraints ([`newton`]), from the
-//! frame before, along its branch. The paper's projected gradient is kept beside it ([`gradient`]).
+//! equations however many joints there are ([`solve::tangent`]). On the twists that remain free, Newton's
+//! method finds the minimum, with the exact second derivative of the constraints ([`solve::newton`]), from the
+//! frame before, along its branch. The paper's projected gradient is kept beside it ([`solve::gradient`]).
 //!
 //! An answer is certified: loops closed to 1e-10, projected gradient below 1e-9, no direction of
-//! negative curvature; else its [status](trajectory::Status) says what it is.
+//! negative curvature; else its [status](motion::trajectory::Status) says what it is.
 //!
 //! # Symbols
 //!
 //! | paper | code | what | unit |
 //! |---|---|---|---|
-//! | α, a, θ, d | [`dh::DhRow`] | link twist and length, joint angle and offset | rad, length |
-//! | G, H | [`chain::Chain::base`], `gripper` | base and gripper frames | |
+//! | α, a, θ, d | [`model::dh::DhRow`] | link twist and length, joint angle and offset | rad, length |
+//! | G, H | [`model::chain::Chain::base`], `gripper` | base and gripper frames | |
 //! | f, U | `freedoms`, `constraints` | freedoms of a joint or chain, 6 − F (Eq. 8) | |
 //! | M | `mobility_count`, `mobility_rank` | Eq. 10; n − rank \[A\] | |
-//! | q, g | [`pose::DualQuaternion`] | reached and goal pose | |
-//! | \[J_i\], \[J_E\], \[C\] | [`chain::ChainState`], [`closure`] | Eq. 15, 19, 20 | |
-//! | \[A\], E | [`closure::Linearised`] | linearised loop closure, Eq. 21–25 | |
+//! | q, g | [`math::pose::DualQuaternion`] | reached and goal pose | |
+//! | \[J_i\], \[J_E\], \[C\] | [`model::chain::ChainState`], [`solve::paper_matrix`] | Eq. 15, 19, 20 | |
+//! | \[A\], E | [`paper_matrix::Linearised`] | linearised loop closure, Eq. 21–25 | |
 //! | a | `projected_gradient` | Eq. 31 | |
 //! | V | twist ξ = (v, ω) | of the workpiece's origin, in the fixed frame | length, rad |
 //!
 //! Angles are radians everywhere but in documents; lengths are in the document's unit.
 //!
-//! # Modules, from the top down
+//! # Rooms, from the top down
 //!
-//! ```text
-//! the command →  export, report, problem, json, enumerate      (src/bin/synthetica, feature cli)
-//! wasm_study  →  wasm, export, trace, assemble, enumerate
-//! wasm        →  posture, report, problem, json, defaults
-//! export      →  columns, mjcf                       columns, mjcf → report
-//! posture     →  report, problem, planner, insight
-//! assemble    →  problem, enumerate
-//! problem     →  document, start, planner            report → problem, trajectory
-//! trace       →  problem, gradient, newton
-//! planner     →  newton, gradient, drive, keyframe, trajectory, closure
-//! start       →  newton, mechanism
-//! newton      →  tangent, trust_region, objective    gradient → closure
-//! drive       →  tangent, mechanism                  insight → tangent, trust_region, screw, closure
-//! tangent     →  chain, linalg                       closure → mechanism
-//! mechanism   →  chain                               chain → joint, dh, pose
-//! ground:        joint  dh  pose  linalg  screw  enumerate  fault
-//! ```
+//! Every file imports only from files after it in this list.
+//!
+#![doc = include_str!("floors.md")]
 //!
 //! # Example
 //!
 //! ```
-//! use synthetica::{json, problem::Problem};
+//! use synthetica::document::{problem::Problem, text};
 //!
 //! let text = include_str!("../www/mechanisms/3rps.json");
-//! let motion = Problem::new(&json::parse(text)?)?.plan();
+//! let motion = Problem::new(&text::parse(text)?)?.plan();
 //! assert!(motion.closure.iter().all(|&opening| opening <= 1e-10));
-//! # Ok::<(), synthetica::fault::Fault>(())
+//! # Ok::<(), synthetica::document::fault::Fault>(())
 //! ```
 
-pub mod assemble;
-pub mod bounds;
-pub mod chain;
-pub mod closure;
-pub mod columns;
-pub mod defaults;
-pub mod dh;
-pub mod document;
-pub mod drive;
-pub mod enumerate;
-pub mod export;
-pub mod fault;
-pub mod gradient;
-pub mod insight;
-pub mod joint;
-pub mod json;
-pub mod keyframe;
-pub mod linalg;
-pub mod mechanism;
-pub mod mjcf;
-pub mod newton;
-mod node;
-pub mod objective;
-pub mod planner;
-pub mod pose;
-pub mod posture;
-pub mod problem;
-pub mod report;
-pub mod screw;
-mod spline;
-pub mod start;
-pub mod tangent;
-pub mod trace;
-pub mod trajectory;
-pub mod trust_region;
 #[cfg(target_arch = "wasm32")]
-pub mod wasm;
-#[cfg(all(target_arch = "wasm32", feature = "study"))]
-pub mod wasm_study;
+pub mod bind;
+pub mod document;
+pub mod exchange;
+pub mod math;
+pub mod model;
+pub mod motion;
+pub mod plan;
+pub mod solve;
+pub mod study;
+pub mod types;
 
 /// The README's Rust, as a documentation test.
 #[cfg(doctest)]

@@ -6,8 +6,8 @@ mod common;
 use common::{Random, assemblies, goals, linkage};
 use stats_alloc::{INSTRUMENTED_SYSTEM, Region, StatsAlloc};
 use std::alloc::System;
-use synthetica::mechanism::Mechanism;
-use synthetica::newton::Solver;
+use synthetica::model::mechanism::Mechanism;
+use synthetica::solve::newton::Solver;
 
 #[global_allocator]
 static GLOBAL: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
@@ -17,7 +17,7 @@ static GLOBAL: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
 fn allocations(
     mechanism: &Mechanism,
     start: &[f64],
-    goals: &[synthetica::keyframe::Goal],
+    goals: &[synthetica::motion::goal::Goal],
 ) -> usize {
     let mut solver = Solver::new(mechanism, 1.0, 500);
     let mut joints = start.to_vec();

@@ -1,146 +1,195 @@
-//! The tower of src/, and that of the command on top of it: every module imports from lower layers only, so that there
-//! are no circles.
+//! The floors of src/: every file imports only from files after it in the list that the crate's documentation prints, so
+//! that there are no circles; and the command on top of the library, which the library does not know.
 
-type Layers = &'static [&'static [(&'static str, &'static str)]];
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::Path;
 
-/// Name and text of each module, from its file.
-macro_rules! layers {
-    ($folder:literal $([$($module:ident)*])*) => {
-        &[$(&[$((stringify!($module), include_str!(concat!($folder, stringify!($module), ".rs")))),*]),*]
-    };
+/// The list in the crate's documentation: rooms from the top down, and in each its files from the top down.
+const FLOORS: &str = include_str!("../src/floors.md");
+
+/// The command's files, from the top down.
+const COMMAND: [&str; 9] = [
+    "main",
+    "motion",
+    "check",
+    "planned",
+    "enumerate",
+    "progress",
+    "files",
+    "failure",
+    "arguments",
+];
+
+/// Most lines of a file in src/, its own tests not counted.
+const MOST_LINES: usize = 400;
+
+/// Room and file in the order of the list.
+fn listed() -> Vec<(&'static str, &'static str)> {
+    let rooms = FLOORS.lines().filter(|line| !line.starts_with("```"));
+    rooms
+        .flat_map(|line| {
+            let mut words = line.split_whitespace();
+            let room = words.next().expect("a room");
+            words.map(move |file| (room, file))
+        })
+        .collect()
 }
 
-/// From the ground up; a module belongs in the lowest layer that its imports allow.
-const LIBRARY: Layers = layers! {
-    "../src/"
-    [linalg pose fault spline]
-    [bounds dh keyframe node objective screw trajectory]
-    [joint]
-    [chain enumerate]
-    [mechanism tangent]
-    [closure drive trust_region]
-    [gradient insight newton]
-    [planner]
-    [document start]
-    [defaults json problem]
-    [assemble report trace]
-    [columns posture]
-    [mjcf wasm]
-    [export]
-    [wasm_study]
-};
-
-/// The command: it has the library below it, and the library knows nothing of it.
-const COMMAND: Layers = layers! {
-    "../src/bin/synthetica/"
-    [arguments failure]
-    [files]
-    [progress]
-    [enumerate planned]
-    [check]
-    [motion]
-};
-
-fn words(text: &str) -> impl Iterator<Item = &str> {
-    text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_')
-        .filter(|w| !w.is_empty())
+fn read(path: &str) -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("src").join(path);
+    fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
-/// The modules that a file names after `crate::`, comments and its own tests aside.
-fn imports(text: &str) -> Vec<String> {
-    let text = text
-        .split("#[cfg(test)]\nmod tests")
+/// A file without its own tests.
+fn code(text: &str) -> &str {
+    text.split("#[cfg(test)]\nmod tests")
         .next()
-        .unwrap_or_default();
-    let code: Vec<&str> = text
-        .lines()
+        .unwrap_or_default()
+}
+
+/// The paths that a file names after `crate::`, as far as they have names of files or rooms: `["model", "chain"]`.
+fn imports(text: &str) -> Vec<Vec<String>> {
+    let lines = code(text).lines();
+    let code: Vec<&str> = lines
         .map(|line| line.split("//").next().unwrap_or_default())
         .collect();
     let code = code.join("\n");
     let mut found = Vec::new();
     for rest in code.split("crate::").skip(1) {
-        if let Some(list) = rest.strip_prefix('{') {
-            // A list of modules: what stands at depth 1, at its start or behind a comma.
-            let (mut depth, mut heads, mut fresh) = (1, String::new(), true);
-            for c in list.chars() {
-                match c {
-                    '{' => depth += 1,
-                    '}' => depth -= 1,
-                    ',' if depth == 1 => (fresh, heads) = (true, heads + " "),
-                    ':' => fresh = false,
-                    _ if depth == 1 && fresh => heads.push(c),
-                    _ => {}
-                }
-                if depth == 0 {
-                    break;
-                }
-            }
-            found.extend(words(&heads).map(String::from));
-        } else {
-            found.extend(words(rest).next().map(String::from));
-        }
+        expand(rest, &mut Vec::new(), &mut found);
     }
     found
 }
 
-#[test]
-fn imports_point_down() {
-    for layers in [LIBRARY, COMMAND] {
-        for (height, layer) in layers.iter().enumerate() {
-            for (module, text) in *layer {
-                let mut lowest = 0;
-                for import in imports(text) {
-                    let below = layers
-                        .iter()
-                        .position(|l| l.iter().any(|(name, _)| *name == import));
-                    let below = below.unwrap_or_else(|| {
-                        panic!("{module} imports {import}, which is in no layer")
-                    });
-                    assert!(
-                        below < height,
-                        "{module} imports {import}, which is not below it"
-                    );
-                    lowest = lowest.max(below + 1);
+/// Reads `a::b::{c::D, e}` into its paths.
+fn expand<'a>(mut rest: &'a str, path: &mut Vec<String>, found: &mut Vec<Vec<String>>) -> &'a str {
+    let depth = path.len();
+    loop {
+        rest = rest.trim_start();
+        if let Some(mut list) = rest.strip_prefix('{') {
+            loop {
+                list = expand(list, path, found).trim_start();
+                match list.strip_prefix(',') {
+                    Some(more) if !more.trim_start().starts_with('}') => list = more,
+                    more => {
+                        path.truncate(depth);
+                        let end = more.unwrap_or(list).trim_start();
+                        return end.strip_prefix('}').unwrap_or(end);
+                    }
                 }
-                assert_eq!(lowest, height, "{module} may stand lower");
+            }
+        }
+        let end = rest
+            .find(|c: char| !c.is_ascii_alphanumeric() && c != '_')
+            .unwrap_or(rest.len());
+        path.push(rest[..end].to_owned());
+        rest = &rest[end..];
+        match rest.strip_prefix("::") {
+            Some(more) => rest = more,
+            None => {
+                found.push(path.clone());
+                path.truncate(depth);
+                return rest;
             }
         }
     }
 }
 
 #[test]
-fn every_module_has_a_layer() {
-    let library = include_str!("../src/lib.rs");
-    let command = include_str!("../src/bin/synthetica/main.rs");
-    for (root, layers) in [(library, LIBRARY), (command, COMMAND)] {
-        let declared: Vec<&str> = root
-            .lines()
-            .filter_map(|line| {
-                line.trim_start_matches("pub ")
-                    .strip_prefix("mod ")?
-                    .strip_suffix(';')
-            })
-            .collect();
-        let placed: Vec<&str> = layers
-            .iter()
-            .flat_map(|l| l.iter().map(|(name, _)| *name))
-            .collect();
-        assert!(!declared.is_empty());
-        assert!(declared.iter().all(|m| placed.contains(m)), "{declared:?}");
-        assert_eq!(declared.len(), placed.len());
+fn imports_point_down() {
+    let listed = listed();
+    for (at, (room, file)) in listed.iter().enumerate() {
+        for path in imports(&read(&format!("{room}/{file}.rs"))) {
+            let target = listed
+                .iter()
+                .position(|(r, f)| *r == path[0] && path.get(1).is_some_and(|name| name == f));
+            let target = target.unwrap_or_else(|| {
+                panic!(
+                    "{room}/{file} names crate::{}, which is no file of the list",
+                    path.join("::")
+                )
+            });
+            assert!(
+                at < target || at == target,
+                "{room}/{file} imports {}, which is not below it",
+                path.join("::")
+            );
+        }
     }
 }
 
-/// What the command is made of stays out of the library.
+#[test]
+fn the_list_has_every_file() {
+    let listed: BTreeSet<String> = listed()
+        .iter()
+        .map(|(room, file)| format!("{room}/{file}"))
+        .collect();
+    let mut there = BTreeSet::new();
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    for room in fs::read_dir(&root)
+        .expect("src")
+        .flatten()
+        .filter(|room| room.path().is_dir())
+    {
+        let name = room.file_name().into_string().expect("a name");
+        if name == "bin" {
+            continue;
+        }
+        for file in fs::read_dir(room.path()).expect("a room").flatten() {
+            let file = file.file_name().into_string().expect("a name");
+            if let Some(stem) = file.strip_suffix(".rs").filter(|stem| *stem != "mod") {
+                there.insert(format!("{name}/{stem}"));
+            }
+        }
+    }
+    assert_eq!(listed, there);
+}
+
+#[test]
+fn the_command_points_down() {
+    for (at, file) in COMMAND.iter().enumerate() {
+        for path in imports(&read(&format!("bin/synthetica/{file}.rs"))) {
+            let target = COMMAND.iter().position(|name| *name == path[0]);
+            let target = target.unwrap_or_else(|| panic!("{file} names {}", path.join("::")));
+            assert!(
+                at < target,
+                "{file} imports {}, which is not below it",
+                path[0]
+            );
+        }
+    }
+}
+
+/// What the command is made of stays out of the library, and the mathematics knows no document.
 #[test]
 fn the_library_has_no_command_line() {
-    for (module, text) in LIBRARY.iter().flat_map(|layer| layer.iter()) {
-        assert!(!text.contains("clap"), "{module}");
+    for (room, file) in listed() {
+        assert!(
+            !read(&format!("{room}/{file}.rs")).contains("clap"),
+            "{room}/{file}"
+        );
+    }
+}
+
+#[test]
+fn files_are_short() {
+    let command = COMMAND
+        .iter()
+        .map(|file| format!("bin/synthetica/{file}.rs"));
+    let library = listed();
+    let library = library
+        .iter()
+        .map(|(room, file)| format!("{room}/{file}.rs"));
+    for path in library.chain(command) {
+        let lines = code(&read(&path)).lines().count();
+        assert!(lines <= MOST_LINES, "{path}: {lines} lines");
     }
 }
 
 #[test]
 fn reads_imports() {
-    let text = "use crate::a::B;\nuse crate::{\n c::{D, E},\n f,\n g::H as I,\n};\n// crate::x\nlet y = crate::j::k();\n#[cfg(test)]\nmod tests { use crate::z; }";
-    assert_eq!(imports(text), ["a", "c", "f", "g", "j"]);
+    let text = "use crate::a::B;\nuse crate::{\n c::{D, e::F},\n f,\n};\n// crate::x\nlet y = crate::j::k();\n#[cfg(test)]\nmod tests { use crate::z; }";
+    let paths: Vec<String> = imports(text).iter().map(|path| path.join("::")).collect();
+    assert_eq!(paths, ["a::B", "c::D", "c::e::F", "f", "j::k"]);
 }

@@ -1,10 +1,12 @@
 //! Linkages of every type: closed at their start, free to move, and planned.
 
-use synthetica::assemble::{assemble, chains_of};
-use synthetica::enumerate::{MAX_CHAIN_CONSTRAINTS, MAX_CONSTRAINTS, chain, chain_count, letters};
-use synthetica::problem::Problem;
-use synthetica::report::Report;
-use synthetica::trajectory::Status;
+use synthetica::document::problem::Problem;
+use synthetica::document::report::Report;
+use synthetica::motion::trajectory::Status;
+use synthetica::types::enumerate::{
+    MAX_CHAIN_CONSTRAINTS, MAX_CONSTRAINTS, chain, chain_count, letters,
+};
+use synthetica::types::example::{assemble, chains_of};
 
 #[test]
 fn a_linkage_of_every_type_is_closed_and_moves() {

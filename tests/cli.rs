@@ -7,7 +7,9 @@ use std::fs;
 use std::io::{Read, Write};
 use std::path::PathBuf;
 use std::process::{Command, Output, Stdio};
-use synthetica::{document, enumerate, export, json, problem::Problem};
+use synthetica::document::{problem::Problem, schema, text};
+use synthetica::exchange::export;
+use synthetica::types::enumerate;
 
 const SAMPLES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/www/mechanisms");
 
@@ -77,7 +79,7 @@ fn folder(name: &str) -> PathBuf {
 #[test]
 fn every_sample_is_planned_and_exported_as_the_library_does() {
     for name in samples() {
-        let document = json::parse(&sample(&name)).expect("a document");
+        let document = text::parse(&sample(&name)).expect("a document");
         let problem = Problem::new(&document).expect("a problem");
         let motion = problem.plan();
         for format in export::Format::ALL {
@@ -307,7 +309,7 @@ fn a_wrong_command_line_says_what_would_be_accepted() {
 
 #[test]
 fn the_schema_is_the_published_one() {
-    assert_eq!(printed(&["schema"]), document::SCHEMA);
+    assert_eq!(printed(&["schema"]), schema::SCHEMA);
 }
 
 #[test]

@@ -5,19 +5,19 @@ mod common;
 use common::{Linkage, Random, assemblies, chain, goals, linkage};
 use nalgebra::{Matrix6, SVector, Vector3, Vector6};
 use std::f64::consts::{FRAC_PI_2, PI};
-use synthetica::chain::{Chain, ChainState};
-use synthetica::closure::{condition_rates, linearise, twist_of_rates};
-use synthetica::dh::DhRow;
-use synthetica::enumerate;
-use synthetica::joint::{Joint, JointKind, Stop};
-use synthetica::keyframe::Goal;
-use synthetica::mechanism::Mechanism;
-use synthetica::objective::objective;
-use synthetica::planner::{Settings, plan};
-use synthetica::pose::{
+use synthetica::math::pose::{
     DualQuaternion, Pose, difference, dual_quaternion, from_dual_quaternion, metric, nearer_sign,
 };
-use synthetica::tangent::Tangent;
+use synthetica::model::chain::{Chain, ChainState};
+use synthetica::model::dh::DhRow;
+use synthetica::model::joint::{Joint, JointKind, Stop};
+use synthetica::model::mechanism::Mechanism;
+use synthetica::motion::goal::Goal;
+use synthetica::plan::follow::{Settings, plan};
+use synthetica::solve::objective::objective;
+use synthetica::solve::paper_matrix::{condition_rates, linearise, twist_of_rates};
+use synthetica::solve::tangent::Tangent;
+use synthetica::types::enumerate;
 
 /// Step of first central differences: h² and 1e-16/h are then both some 1e-11.
 const H: f64 = 1e-5;

@@ -8,14 +8,14 @@
 use serde_json::{Value, json};
 use std::fs;
 use std::time::Instant;
-use synthetica::chain::Chain;
-use synthetica::defaults::defaults;
-use synthetica::document::Document;
-use synthetica::fault::{Fault, FaultCode};
-use synthetica::joint::JointKind;
-use synthetica::json::{MAX_TEXT, parse};
-use synthetica::planner::Settings;
-use synthetica::problem::{Problem, start_values};
+use synthetica::document::defaults::defaults;
+use synthetica::document::fault::{Fault, FaultCode};
+use synthetica::document::problem::{Problem, start_values};
+use synthetica::document::schema::Document;
+use synthetica::document::text::{MAX_TEXT, parse};
+use synthetica::model::chain::Chain;
+use synthetica::model::joint::JointKind;
+use synthetica::plan::follow::Settings;
 
 /// A document with every field: two chains, every kind of joint, times, limits, starts.
 const WHOLE: &str = r#"{
@@ -657,23 +657,23 @@ fn mutilated_documents_never_panic() {
 #[cfg(feature = "schema")]
 #[test]
 fn the_schema_is_up_to_date() {
-    use synthetica::document::{SCHEMA, schema};
+    use synthetica::document::schema::{SCHEMA, schema};
     assert_eq!(
         SCHEMA,
         schema(),
-        "write it anew: cargo run --features cli,schema -- schema > src/document.schema.json"
+        "write it anew: cargo run --features cli,schema -- schema > src/document/schema.json"
     );
 }
 
 /// The schema names every field that a whole document has, and no other.
 #[test]
 fn the_schema_knows_the_fields() {
-    let schema: Value = serde_json::from_str(synthetica::document::SCHEMA).expect("JSON");
+    let schema: Value = serde_json::from_str(synthetica::document::schema::SCHEMA).expect("JSON");
     assert_eq!(
         schema["$schema"],
         "https://json-schema.org/draft/2020-12/schema"
     );
-    assert_eq!(schema["$id"], synthetica::document::SCHEMA_ID);
+    assert_eq!(schema["$id"], synthetica::document::schema::SCHEMA_ID);
     assert_eq!(schema["additionalProperties"], false);
     let fields = |object: &Value| {
         object

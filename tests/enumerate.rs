@@ -1,11 +1,11 @@
 //! The enumeration against Tables 2 and 3, and its numbering against itself.
 
 use std::collections::HashSet;
-use synthetica::enumerate::{
+use synthetica::model::joint::JointKind;
+use synthetica::types::enumerate::{
     AssemblyCategory, ChainClass, assembly, assembly_categories, assembly_count, assembly_index,
     category_name, chain, chain_count, chain_index, classes,
 };
-use synthetica::joint::JointKind;
 
 fn word(chain: &[JointKind]) -> String {
     chain.iter().map(|kind| kind.letter()).collect()

@@ -2,19 +2,19 @@
 //! finds the loops closed is tested by tests/mujoco.)
 
 use serde_json::Value;
-use synthetica::document::{Document, LimitsEntry};
-use synthetica::export::{Format, write};
-use synthetica::fault::FaultCode;
-use synthetica::json;
-use synthetica::problem::Problem;
-use synthetica::trajectory::Trajectory;
+use synthetica::document::fault::FaultCode;
+use synthetica::document::problem::Problem;
+use synthetica::document::schema::{Document, LimitsEntry};
+use synthetica::document::text;
+use synthetica::exchange::export::{Format, write};
+use synthetica::motion::trajectory::Trajectory;
 
 const THREE_RPS: &str = include_str!("../www/mechanisms/3rps.json");
 const SCARA: &str = include_str!("../www/mechanisms/scara.json");
 const BENNETT: &str = include_str!("../www/mechanisms/bennett.json");
 
 fn read(text: &str) -> Document {
-    json::parse(text).expect("a document")
+    text::parse(text).expect("a document")
 }
 
 fn exported(document: &Document, format: Format) -> (String, Trajectory) {
@@ -97,7 +97,7 @@ fn the_json_has_the_columns_and_the_document() {
     }
     assert_eq!(value["name"], "a \"b\" \\ c");
     assert_eq!(value["frames"], motion.frames());
-    let kept = json::parse(&value["document"].to_string()).expect("the document");
+    let kept = text::parse(&value["document"].to_string()).expect("the document");
     assert_eq!(kept.text(), document.text());
 }
 

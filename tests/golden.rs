@@ -7,10 +7,10 @@ mod golden_checks;
 
 use golden::tasks;
 use nalgebra::Isometry3;
-use synthetica::closure::{linearise, opening};
-use synthetica::linalg::svd;
-use synthetica::planner::{Settings, plan};
-use synthetica::pose::{dual_quaternion, metric};
+use synthetica::math::linalg::svd;
+use synthetica::math::pose::{dual_quaternion, metric};
+use synthetica::plan::follow::{Settings, plan};
+use synthetica::solve::paper_matrix::{linearise, opening};
 
 #[test]
 fn newton_is_as_close_as_the_reference() {

@@ -16,15 +16,15 @@ use checks::{
 };
 use common::{Random, golden};
 use std::f64::consts::PI;
-use synthetica::chain::Chain;
-use synthetica::closure::closed;
-use synthetica::dh::DhRow;
-use synthetica::joint::{Joint, Limits};
-use synthetica::keyframe::Goal;
-use synthetica::mechanism::Mechanism;
-use synthetica::planner::{Settings, plan};
-use synthetica::pose::Pose;
-use synthetica::trajectory::{Status, Warning};
+use synthetica::math::pose::Pose;
+use synthetica::model::chain::Chain;
+use synthetica::model::dh::DhRow;
+use synthetica::model::joint::{Joint, Limits};
+use synthetica::model::mechanism::Mechanism;
+use synthetica::motion::goal::Goal;
+use synthetica::motion::trajectory::{Status, Warning};
+use synthetica::plan::follow::{Settings, plan};
+use synthetica::solve::paper_matrix::closed;
 
 const X: [f64; 3] = [1.0, 0.0, 0.0];
 const Y: [f64; 3] = [0.0, 1.0, 0.0];

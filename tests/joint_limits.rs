@@ -9,13 +9,13 @@ mod checks;
 
 use by_axes::{Line, limited};
 use checks::{NEWTON, at, between, goals, is_certified, is_honest, mechanism};
-use synthetica::joint::{Limits, Stop};
-use synthetica::mechanism::Mechanism;
-use synthetica::objective::objective;
-use synthetica::planner::plan;
-use synthetica::pose::Pose;
-use synthetica::tangent::Tangent;
-use synthetica::trajectory::{Status, Trajectory, Warning};
+use synthetica::math::pose::Pose;
+use synthetica::model::joint::{Limits, Stop};
+use synthetica::model::mechanism::Mechanism;
+use synthetica::motion::trajectory::{Status, Trajectory, Warning};
+use synthetica::plan::follow::plan;
+use synthetica::solve::objective::objective;
+use synthetica::solve::tangent::Tangent;
 
 const X: [f64; 3] = [1.0, 0.0, 0.0];
 const Y: [f64; 3] = [0.0, 1.0, 0.0];
@@ -58,7 +58,7 @@ fn arm(limits: [Limits; 3]) -> Mechanism {
 fn limits(m: &Mechanism) -> Vec<Limits> {
     m.chains()
         .iter()
-        .flat_map(synthetica::chain::Chain::limits)
+        .flat_map(synthetica::model::chain::Chain::limits)
         .collect()
 }
 
@@ -246,7 +246,7 @@ fn several_limits_at_once() {
             let best = (0..21_usize.pow(3)).map(|code| {
                 let joint = |k: u32| -0.25 + 0.0225 * (code / 21_usize.pow(k) % 21) as f64;
                 let pose: Pose = m.chains()[0].pose(&[joint(0), joint(1), joint(2)]);
-                synthetica::pose::metric(&pose, &path[i].pose, 1.0)
+                synthetica::math::pose::metric(&pose, &path[i].pose, 1.0)
             });
             let best = best.fold(f64::INFINITY, f64::min);
             assert!(

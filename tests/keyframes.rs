@@ -3,12 +3,12 @@
 #![allow(clippy::float_cmp, reason = "key frames are met exactly")]
 
 use nalgebra::{Matrix3, Quaternion, Rotation3, Translation3, UnitQuaternion, Vector3};
-use synthetica::keyframe::{
+use synthetica::math::pose::{
+    DualQuaternion, FrameCoordinates, Pose, dual_quaternion, gaps, nearer_sign,
+};
+use synthetica::motion::goal::{
     Curve, Interpolation, KeyFrame, KeyFrameFault, MAX_FRAMES, MAX_KEY_FRAMES, default_radius,
     goal_motion,
-};
-use synthetica::pose::{
-    DualQuaternion, FrameCoordinates, Pose, dual_quaternion, gaps, nearer_sign,
 };
 
 const ALL: [Interpolation; 3] = [

@@ -4,7 +4,7 @@
 mod common;
 
 use common::Random;
-use synthetica::linalg::{
+use synthetica::math::linalg::{
     PivotedQr, cholesky, solve_lower, solve_lower_transposed, svd, symmetric_eigen,
     symmetric_eigenvalue,
 };

@@ -5,19 +5,19 @@ mod common;
 use common::{Linkage, Random, assemblies, goals, linkage};
 use nalgebra::{Quaternion, Translation3, UnitQuaternion, Vector3, Vector6};
 use std::fs;
-use synthetica::chain::Chain;
-use synthetica::closure::{CLOSED, closed, opening};
-use synthetica::drive::{Obstacle, drive};
-use synthetica::insight::{Insight, explain};
-use synthetica::joint::Limits;
-use synthetica::json;
-use synthetica::mechanism::Mechanism;
-use synthetica::objective::objective;
-use synthetica::planner::{Settings, plan};
-use synthetica::pose::{Pose, metric};
-use synthetica::posture::Posture;
-use synthetica::problem::Problem;
-use synthetica::trajectory::{Status, Trajectory};
+use synthetica::document::problem::Problem;
+use synthetica::document::questions::Posture;
+use synthetica::document::text;
+use synthetica::math::pose::{Pose, metric};
+use synthetica::model::chain::Chain;
+use synthetica::model::joint::Limits;
+use synthetica::model::mechanism::Mechanism;
+use synthetica::motion::trajectory::{Status, Trajectory};
+use synthetica::plan::follow::{Settings, plan};
+use synthetica::solve::drive::{Obstacle, drive};
+use synthetica::solve::objective::objective;
+use synthetica::solve::paper_matrix::{CLOSED, closed, opening};
+use synthetica::study::why::{Insight, explain};
 
 /// Every document of www/mechanisms, by name.
 fn documents() -> Vec<(String, String)> {
@@ -41,7 +41,7 @@ fn documents() -> Vec<(String, String)> {
 
 fn samples() -> impl Iterator<Item = (String, Problem, Trajectory)> {
     documents().into_iter().map(|(name, text)| {
-        let document = json::parse(&text).unwrap_or_else(|fault| panic!("{name}: {fault}"));
+        let document = text::parse(&text).unwrap_or_else(|fault| panic!("{name}: {fault}"));
         let problem = Problem::new(&document).unwrap_or_else(|fault| panic!("{name}: {fault}"));
         let motion = problem.plan();
         (name, problem, motion)
@@ -256,7 +256,7 @@ fn null_space(mechanism: &Mechanism, joints: &[f64]) -> Vec<Vec<f64>> {
     let n = theta.len();
     let mut columns: Vec<Vec<f64>> = Vec::new();
     for (i, (chain, own)) in scaled.split(&theta).enumerate() {
-        let mut state = synthetica::chain::ChainState::default();
+        let mut state = synthetica::model::chain::ChainState::default();
         chain.evaluate(own, &mut state);
         for column in &state.jacobian[..chain.freedoms()] {
             let mut c = vec![0.0; 6 * scaled.chains().len()];
@@ -273,7 +273,7 @@ fn null_space(mechanism: &Mechanism, joints: &[f64]) -> Vec<Vec<f64>> {
             columns.push(c);
         }
     }
-    let svd = synthetica::linalg::svd(columns);
+    let svd = synthetica::math::linalg::svd(columns);
     (0..n)
         .filter(|&k| svd.sigma[k] < 1e-7)
         .map(|k| svd.v[k].clone())
@@ -379,7 +379,7 @@ fn limits_are_named() {
 }
 
 fn problem_of(text: &str) -> Problem {
-    Problem::new(&json::parse(text).expect("a document")).expect("a problem")
+    Problem::new(&text::parse(text).expect("a document")).expect("a problem")
 }
 
 #[test]
@@ -646,7 +646,7 @@ fn nonsense_is_refused_with_its_place() {
     let (problem, motion) = sample("3rps.json");
     let joints = motion.joints_at(0).to_vec();
     let goal = numbers(&motion.goals[0]);
-    let place = |result: Result<Posture, synthetica::fault::Fault>| match result {
+    let place = |result: Result<Posture, synthetica::document::fault::Fault>| match result {
         Ok(_) => panic!("nonsense was taken"),
         Err(fault) => fault.place,
     };

@@ -4,10 +4,10 @@ mod common;
 
 use common::{Linkage, Random, assemblies, goals, linkage};
 use std::ops::Range;
-use synthetica::closure::CLOSED;
-use synthetica::keyframe::Goal;
-use synthetica::planner::{Settings, plan};
-use synthetica::trajectory::{Status, Trajectory};
+use synthetica::motion::goal::Goal;
+use synthetica::motion::trajectory::{Status, Trajectory};
+use synthetica::plan::follow::{Settings, plan};
+use synthetica::solve::paper_matrix::CLOSED;
 
 /// The share of frames that must end as certified optima.
 const CERTIFIED: f64 = 0.995;
@@ -27,7 +27,7 @@ impl Tally {
             .mechanism
             .chains()
             .iter()
-            .map(synthetica::chain::Chain::type_name)
+            .map(synthetica::model::chain::Chain::type_name)
             .collect();
         for (frame, &status) in t.status.iter().enumerate() {
             let case = format!(

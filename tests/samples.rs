@@ -5,15 +5,15 @@ mod golden;
 
 use serde_json::Value;
 use std::collections::BTreeSet;
-use synthetica::closure::CLOSED;
-use synthetica::document::{Document, FrameEntry, RowEntry};
-use synthetica::joint::JointKind;
-use synthetica::json;
-use synthetica::planner::plan;
-use synthetica::pose::metric;
-use synthetica::problem::Problem;
-use synthetica::report::Report;
-use synthetica::trajectory::{Status, Trajectory, Warning};
+use synthetica::document::problem::Problem;
+use synthetica::document::report::Report;
+use synthetica::document::schema::{Document, FrameEntry, RowEntry};
+use synthetica::document::text;
+use synthetica::math::pose::metric;
+use synthetica::model::joint::JointKind;
+use synthetica::motion::trajectory::{Status, Trajectory, Warning};
+use synthetica::plan::follow::plan;
+use synthetica::solve::paper_matrix::CLOSED;
 
 /// File names and texts.
 macro_rules! files {
@@ -52,7 +52,7 @@ struct Sample {
 }
 
 fn sample(file: &'static str, text: &str) -> Sample {
-    let document = json::parse(text).unwrap_or_else(|fault| panic!("{file}: {fault:?}"));
+    let document = text::parse(text).unwrap_or_else(|fault| panic!("{file}: {fault:?}"));
     let problem = Problem::new(&document).unwrap_or_else(|fault| panic!("{file}: {fault:?}"));
     let motion = problem.plan();
     Sample {

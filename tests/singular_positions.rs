@@ -13,14 +13,14 @@ use checks::{
     GRADIENT, NEWTON, at, between, both_ways, goals, is_certified, is_honest, is_reached, mechanism,
 };
 use std::f64::consts::FRAC_PI_2;
-use synthetica::closure::linearise;
-use synthetica::joint::{Joint, JointKind};
-use synthetica::keyframe::Goal;
-use synthetica::linalg::svd;
-use synthetica::mechanism::Mechanism;
-use synthetica::planner::plan;
-use synthetica::pose::{Pose, dual_quaternion};
-use synthetica::trajectory::Status;
+use synthetica::math::linalg::svd;
+use synthetica::math::pose::{Pose, dual_quaternion};
+use synthetica::model::joint::{Joint, JointKind};
+use synthetica::model::mechanism::Mechanism;
+use synthetica::motion::goal::Goal;
+use synthetica::motion::trajectory::Status;
+use synthetica::plan::follow::plan;
+use synthetica::solve::paper_matrix::linearise;
 
 const X: [f64; 3] = [1.0, 0.0, 0.0];
 const Y: [f64; 3] = [0.0, 1.0, 0.0];
@@ -159,7 +159,7 @@ fn ball_starts_in_gimbal_lock() {
         Joint::standard(JointKind::S),
         at(0.2, 0.3, 0.4, 0.0, 0.0, 0.0),
     );
-    let s = synthetica::chain::Chain::new("S".into(), Pose::identity(), vec![joint], hand)
+    let s = synthetica::model::chain::Chain::new("S".into(), Pose::identity(), vec![joint], hand)
         .expect("a chain");
     let m = mechanism(vec![s]);
     let turned = |longitude: f64, latitude: f64, roll: f64| {
@@ -274,7 +274,7 @@ fn is_local_minimum(m: &Mechanism, joints: &[f64], goal: &Goal, f: f64) {
                     * ((code / 3_usize.pow(u32::try_from(i).expect("four joints"))) % 3) as f64
                     - step;
             });
-            let mut solver = synthetica::newton::Solver::new(m, 1.0, 100);
+            let mut solver = synthetica::solve::newton::Solver::new(m, 1.0, 100);
             if !solver.assemble(&mut near) {
                 continue;
             }
@@ -285,7 +285,8 @@ fn is_local_minimum(m: &Mechanism, joints: &[f64], goal: &Goal, f: f64) {
                 .map(|(a, b)| (a - b).abs())
                 .fold(0.0, f64::max);
             if far < 2.0 * step {
-                let other = synthetica::pose::metric(&m.chains()[0].pose(&near), &goal.pose, 1.0);
+                let other =
+                    synthetica::math::pose::metric(&m.chains()[0].pose(&near), &goal.pose, 1.0);
                 assert!(
                     other >= f - 1e-10,
                     "{joints:?}: f {f}, but {other} at {near:?}"

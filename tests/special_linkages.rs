@@ -10,8 +10,8 @@ mod checks;
 
 use by_axes::{Line, chain};
 use checks::{at, between, both_ways, has_mobility, mechanism};
-use synthetica::chain::Chain;
-use synthetica::pose::{Pose, metric};
+use synthetica::math::pose::{Pose, metric};
+use synthetica::model::chain::Chain;
 
 const X: [f64; 3] = [1.0, 0.0, 0.0];
 const Y: [f64; 3] = [0.0, 1.0, 0.0];

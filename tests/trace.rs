@@ -1,10 +1,10 @@
 //! The iterations shown are the planner's own.
 
-use synthetica::closure::SingularValues;
-use synthetica::json;
-use synthetica::planner::{Method, Settings, plan};
-use synthetica::problem::Problem;
-use synthetica::trace::{matrix, trace};
+use synthetica::document::problem::Problem;
+use synthetica::document::text;
+use synthetica::plan::follow::{Method, Settings, plan};
+use synthetica::solve::paper_matrix::SingularValues;
+use synthetica::study::iterations::{matrix, trace};
 
 const SAMPLES: [&str; 8] = [
     include_str!("../www/mechanisms/2tpr.json"),
@@ -19,7 +19,7 @@ const SAMPLES: [&str; 8] = [
 
 /// A sample with few frames, so that the gradient planner stays quick.
 fn problem(text: &str, method: Method) -> Problem {
-    let mut problem = Problem::new(&json::parse(text).expect("a document")).expect("a problem");
+    let mut problem = Problem::new(&text::parse(text).expect("a document")).expect("a problem");
     let last = problem.goals.len() - 1;
     problem.goals = [0, last / 8, last / 4].map(|i| problem.goals[i]).to_vec();
     problem.settings = Settings {
@@ -74,7 +74,7 @@ fn newton_ends_where_the_planner_ends() {
             let trace = trace(&problem, frame, before.unwrap_or(&[])).expect("a frame");
             let course = &trace.newton;
             let pose = course.poses.last().expect("iterates");
-            let off = synthetica::pose::difference(pose, &motion.poses[frame]).norm();
+            let off = synthetica::math::pose::difference(pose, &motion.poses[frame]).norm();
             assert!(off < 1e-6, "{off:e} from the answer");
             assert!(course.converged && course.opening.last() < Some(&1e-10));
             let minimum = trace.minimum.expect("certified");
@@ -120,7 +120,8 @@ fn the_matrix_has_the_rank_and_singular_values_of_the_planner() {
             if frame > 0 {
                 // Away from a start that may be singular.
                 let mobility =
-                    synthetica::newton::Solver::new(&problem.mechanism, length, 1).mobility(joints);
+                    synthetica::solve::newton::Solver::new(&problem.mechanism, length, 1)
+                        .mobility(joints);
                 assert_eq!(a.columns - a.rank, mobility, "n − rank [A]");
             }
         }

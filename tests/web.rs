@@ -5,8 +5,8 @@
 mod golden;
 
 use js_sys::{Float64Array, Reflect};
-use synthetica::planner::{Settings, plan};
-use synthetica::{wasm, wasm_study};
+use synthetica::bind::{wasm, wasm_study};
+use synthetica::plan::follow::{Settings, plan};
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
 

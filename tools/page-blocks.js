@@ -24,7 +24,7 @@ function samples(_, inline, escape) {
 
 /** The fields of parts of a document, out of the JSON Schema; `Document` is the whole. */
 function fields(names, inline, escape) {
-  const schema = JSON.parse(read('src/document.schema.json'));
+  const schema = JSON.parse(read('src/document/schema.json'));
   const partOf = (reference) => reference.replace('#/$defs/', '');
   const number = (x) => x.toLocaleString('en', { maximumFractionDigits: 9 }).replace('-', '−');
 
@@ -50,7 +50,7 @@ function fields(names, inline, escape) {
 
   const table = (name) => {
     const part = name === 'Document' ? schema : schema.$defs[name];
-    if (!part) throw new Error(`src/document.schema.json has no ${name}`);
+    if (!part) throw new Error(`src/document/schema.json has no ${name}`);
     const rows = Object.entries(part.properties)
       // What must be there comes first, as a person would write it.
       .sort(([a], [b]) => (part.required?.includes(b) ?? false) - (part.required?.includes(a) ?? false))
@@ -65,12 +65,12 @@ function fields(names, inline, escape) {
   return names.map(table).join('');
 }
 
-/** Declarations of src/wasm.d.ts as they stand there. */
+/** Declarations of src/bind/wasm.d.ts as they stand there. */
 function declarations(names, inline, escape) {
-  const source = read('src/wasm.d.ts');
+  const source = read('src/bind/wasm.d.ts');
   const one = (name) => {
     const found = source.match(new RegExp(`(?:/\\*\\*(?:[^*]|\\*(?!/))*\\*/\\n)?export (?:interface ${name} \\{[^]*?\\n\\}|type ${name} = [^;]*;)`));
-    if (!found) throw new Error(`src/wasm.d.ts has no ${name}`);
+    if (!found) throw new Error(`src/bind/wasm.d.ts has no ${name}`);
     return found[0].replaceAll(/^export /gm, '');
   };
   return `<pre><code>${escape(names.map(one).join('\n\n'))}</code></pre>\n`;

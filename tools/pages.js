@@ -5,7 +5,7 @@ import { fileURLToPath } from 'node:url';
 import { render } from './markdown.js';
 
 const www = fileURLToPath(new URL('../www/', import.meta.url));
-const schemaFile = fileURLToPath(new URL('../src/document.schema.json', import.meta.url));
+const schemaFile = fileURLToPath(new URL('../src/document/schema.json', import.meta.url));
 const read = (file) => readFileSync(file, 'utf8');
 
 /** In the order of the navigation, some with a script for what is alive in them; the text of NAME.html is www/pages/NAME.md, its sections those of www/pages/NAME/. */

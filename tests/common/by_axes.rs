@@ -1,10 +1,10 @@
 //! Chains given by their joint axes in one position, as textbooks describe linkages.
 
 use nalgebra::{Isometry3, Matrix3, Rotation3, Translation3, UnitQuaternion, Vector3};
-use synthetica::chain::Chain;
-use synthetica::dh::DhRow;
-use synthetica::joint::{Joint, JointKind, Limits};
-use synthetica::pose::Pose;
+use synthetica::math::pose::Pose;
+use synthetica::model::chain::Chain;
+use synthetica::model::dh::DhRow;
+use synthetica::model::joint::{Joint, JointKind, Limits};
 
 /// A point on the axis, and its direction (of any length).
 pub type Line = ([f64; 3], [f64; 3]);

@@ -1,12 +1,12 @@
 //! What every planned motion must keep, and short ways to a linkage and its goals.
 
-use synthetica::chain::Chain;
-use synthetica::closure::CLOSED;
-use synthetica::keyframe::Goal;
-use synthetica::mechanism::Mechanism;
-use synthetica::planner::{Method, Settings, plan};
-use synthetica::pose::{FrameCoordinates, Pose};
-use synthetica::trajectory::{Status, Trajectory, Warning};
+use synthetica::math::pose::{FrameCoordinates, Pose};
+use synthetica::model::chain::Chain;
+use synthetica::model::mechanism::Mechanism;
+use synthetica::motion::goal::Goal;
+use synthetica::motion::trajectory::{Status, Trajectory, Warning};
+use synthetica::plan::follow::{Method, Settings, plan};
+use synthetica::solve::paper_matrix::CLOSED;
 
 pub const NEWTON: Settings = Settings {
     method: Method::Newton,

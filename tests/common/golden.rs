@@ -3,12 +3,12 @@
 
 use nalgebra::{Matrix3, Matrix4, Rotation3, Translation3, UnitQuaternion};
 use serde::Deserialize;
-use synthetica::chain::Chain;
-use synthetica::dh::DhRow;
-use synthetica::joint::{Joint, JointKind};
-use synthetica::keyframe::Goal;
-use synthetica::mechanism::Mechanism;
-use synthetica::pose::{self, DualQuaternion, Pose};
+use synthetica::math::pose::{self, DualQuaternion, Pose};
+use synthetica::model::chain::Chain;
+use synthetica::model::dh::DhRow;
+use synthetica::model::joint::{Joint, JointKind};
+use synthetica::model::mechanism::Mechanism;
+use synthetica::motion::goal::Goal;
 
 /// One motion to plan, and what the reference found.
 pub struct Task {

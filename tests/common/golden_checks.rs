@@ -1,9 +1,9 @@
 //! The golden motions as assertions without files or clocks, for the native tests and for wasm.
 
 use super::golden::{Task, tasks};
-use synthetica::gradient;
-use synthetica::planner::{Method, Settings, plan};
-use synthetica::trajectory::{Status, Trajectory};
+use synthetica::motion::trajectory::{Status, Trajectory};
+use synthetica::plan::follow::{Method, Settings, plan};
+use synthetica::solve::gradient;
 
 /// Opening of a loop that the reference and the planners must keep.
 const CLOSURE: f64 = 1e-10;

@@ -4,13 +4,13 @@
 pub mod golden;
 
 use std::f64::consts::{FRAC_PI_2, PI};
-use synthetica::chain::Chain;
-use synthetica::dh::DhRow;
-use synthetica::enumerate;
-use synthetica::joint::{Joint, JointKind};
-use synthetica::keyframe::Goal;
-use synthetica::mechanism::Mechanism;
-use synthetica::pose::{FrameCoordinates, Pose};
+use synthetica::math::pose::{FrameCoordinates, Pose};
+use synthetica::model::chain::Chain;
+use synthetica::model::dh::DhRow;
+use synthetica::model::joint::{Joint, JointKind};
+use synthetica::model::mechanism::Mechanism;
+use synthetica::motion::goal::Goal;
+use synthetica::types::enumerate;
 
 /// SplitMix64: a few lines, and the same numbers everywhere.
 pub struct Random(pub u64);

@@ -13,7 +13,7 @@ const PREFIX = '/some/prefix/';
 const TYPES = { '.html': 'text/html', '.css': 'text/css', '.js': 'text/javascript', '.json': 'application/json', '.svg': 'image/svg+xml', '.wasm': 'application/wasm', '.webp': 'image/webp' };
 const dist = new URL('../../www/dist/', import.meta.url);
 const read = (path) => readFileSync(new URL(`../../${path}`, import.meta.url), 'utf8');
-const schema = JSON.parse(read('src/document.schema.json'));
+const schema = JSON.parse(read('src/document/schema.json'));
 const samples = JSON.parse(read('www/mechanisms/index.json')).map(({ file }) => file);
 
 let server, browser, address, pages;

@@ -65,7 +65,7 @@ function types() {
   copyFileSync(join(made, 'www/frame/host.d.ts'), dist('frame.d.ts'));
   rmSync(made, { recursive: true });
   for (const name of ['element.d.ts', 'inline.d.ts', 'worker.d.ts']) copyFileSync(at(`tools/package/types/${name}`), dist(name));
-  put('types.d.ts', `${readFileSync(at('src/wasm.d.ts'), 'utf8')}\n${documentTypes(JSON.parse(readFileSync(at('src/document.schema.json'), 'utf8')))}`);
+  put('types.d.ts', `${readFileSync(at('src/bind/wasm.d.ts'), 'utf8')}\n${documentTypes(JSON.parse(readFileSync(at('src/document/schema.json'), 'utf8')))}`);
   put('types.js', '// Only types: see types.d.ts.\nexport {};\n');
 }
 
@@ -105,7 +105,7 @@ put('inline.js', await inlineScript('inline.js'));
 types();
 for (const [from, to] of [
   ['www/pkg/synthetica_bg.wasm', 'synthetica.wasm'],
-  ['src/document.schema.json', 'document.schema.json'],
+  ['src/document/schema.json', 'document.schema.json'],
   ['tools/package/README.md', 'README.md'],
   ['LICENSE-APACHE', 'LICENSE-APACHE'],
   ['LICENSE-MIT', 'LICENSE-MIT'],

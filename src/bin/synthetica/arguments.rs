@@ -4,12 +4,12 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint, value_parser};
 use clap_complete::Shell;
 use std::path::{Path, PathBuf};
-use synthetica::assemble::assemble;
-use synthetica::document::Document;
-use synthetica::enumerate::{MAX_CHAIN_CONSTRAINTS, MAX_CONSTRAINTS};
-use synthetica::export::Format;
-use synthetica::joint::JointKind;
-use synthetica::keyframe::MAX_FRAMES;
+use synthetica::document::schema::Document;
+use synthetica::exchange::export::Format;
+use synthetica::model::joint::JointKind;
+use synthetica::motion::goal::MAX_FRAMES;
+use synthetica::types::enumerate::{MAX_CHAIN_CONSTRAINTS, MAX_CONSTRAINTS};
+use synthetica::types::example::assemble;
 
 /// Closest reachable motions of spatial linkages, from documents in JSON
 #[derive(Parser)]

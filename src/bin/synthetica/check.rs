@@ -6,9 +6,9 @@ use crate::files::Out;
 use crate::planned::{Planned, planned};
 use serde::Serialize;
 use std::collections::BTreeMap;
-use synthetica::fault::Fault;
-use synthetica::report::Report;
-use synthetica::trajectory::{Status, Trajectory};
+use synthetica::document::fault::Fault;
+use synthetica::document::report::Report;
+use synthetica::motion::trajectory::{Status, Trajectory};
 
 /// Says it of each document; fails where one is at fault, or has a frame that is not certified.
 pub fn check(asked: &Check) -> Result<(), Failure> {

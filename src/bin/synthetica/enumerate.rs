@@ -7,7 +7,7 @@ use crate::progress::Progress;
 use clap::CommandFactory;
 use clap::error::ErrorKind;
 use serde::Serialize;
-use synthetica::enumerate::{
+use synthetica::types::enumerate::{
     AssemblyLine, ClassLine, assembly, assembly_count, assembly_index, chain, chain_count,
     chain_index, letters, tables,
 };

@@ -1,7 +1,7 @@
 //! Why the command ends early, in a line on standard error and as an exit code.
 
 use std::io::{self, Write};
-use synthetica::fault::Fault;
+use synthetica::document::fault::Fault;
 
 /// A document is at fault, or `check` found a frame that is not certified.
 pub const AT_FAULT: u8 = 1;

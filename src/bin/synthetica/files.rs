@@ -4,7 +4,7 @@ use crate::failure::{Failure, tell};
 use std::fs::{self, File};
 use std::io::{self, BufWriter, IsTerminal, Read, Write};
 use std::path::Path;
-use synthetica::fault::{Fault, FaultCode};
+use synthetica::document::fault::{Fault, FaultCode};
 
 /// The file as messages call it.
 pub fn name(file: &Path) -> String {

@@ -5,8 +5,8 @@ use crate::check::warnings;
 use crate::failure::{Failure, tell};
 use crate::files;
 use crate::planned::{Planned, planned};
-use synthetica::export::{Format, write};
-use synthetica::report::Report;
+use synthetica::document::report::Report;
+use synthetica::exchange::export::{Format, write};
 
 /// The motion as a table or as JSON.
 pub fn plan(asked: &Plan) -> Result<(), Failure> {

@@ -5,11 +5,11 @@ use crate::failure::Failure;
 use crate::files;
 use crate::progress::Progress;
 use std::path::Path;
-use synthetica::document::Document;
-use synthetica::json;
-use synthetica::planner;
-use synthetica::problem::Problem;
-use synthetica::trajectory::Trajectory;
+use synthetica::document::problem::Problem;
+use synthetica::document::schema::Document;
+use synthetica::document::text;
+use synthetica::motion::trajectory::Trajectory;
+use synthetica::plan::follow;
 
 /// A document and its motion.
 pub struct Planned {
@@ -24,7 +24,7 @@ pub struct Planned {
 pub fn planned(file: &Path, planning: &Planning) -> Result<Planned, Failure> {
     let text = files::read(file)?;
     let file = files::name(file);
-    let posed = json::parse(&text).and_then(|mut document| {
+    let posed = text::parse(&text).and_then(|mut document| {
         change(&mut document, planning);
         Ok((Problem::new(&document)?, document))
     });
@@ -48,8 +48,8 @@ pub fn planned(file: &Path, planning: &Planning) -> Result<Planned, Failure> {
 fn change(document: &mut Document, planning: &Planning) {
     if let Some(method) = planning.method {
         document.planner.method = match method {
-            Method::Newton => planner::Method::Newton,
-            Method::Gradient => planner::Method::Gradient,
+            Method::Newton => follow::Method::Newton,
+            Method::Gradient => follow::Method::Gradient,
         };
     }
     if let Some(frames) = planning.frames {

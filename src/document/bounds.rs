@@ -1,0 +1,103 @@
+//! The bounds of a document's numbers, texts and counts, and the faults beyond them.
+
+use crate::document::fault::{Fault, FaultCode, Place};
+
+/// Largest length, in the document's unit: there a double still tells 10⁻¹⁰ apart, the bound on the
+/// closure of a loop.
+pub const MAX_LENGTH: f64 = 1e6;
+/// Largest angle in degrees, almost 3,000 turns; as many digits are left.
+pub const MAX_ANGLE: f64 = 1e6;
+/// Largest time: 30 years in seconds.
+pub const MAX_TIME: f64 = 1e9;
+/// The metric's length lies between this and [`MAX_LENGTH`]: beyond, either the translation or the
+/// rotation is below the digits of the other.
+pub const MIN_METRIC_LENGTH: f64 = 1e-6;
+/// Most iterations a frame: five times the limit that the paper's gradient has by itself.
+pub const MAX_ITERATIONS: u32 = 100_000;
+/// Most rows of the tables times frames, 14 numbers each: 56 MB, what a phone still hands out.
+pub const MAX_ROW_FRAMES: usize = 500_000;
+/// Characters of a name.
+pub const MAX_NAME: usize = 100;
+/// Characters of the sentences on a mechanism.
+pub const MAX_ABOUT: usize = 2_000;
+/// Characters of the address of a schema: what every browser takes.
+pub const MAX_SCHEMA: usize = 2_000;
+/// Characters of the label of a unit.
+pub const MAX_UNIT: usize = 16;
+
+/// A joint variable, degrees or a length, in radians or as it is.
+pub(crate) fn joint_value(value: f64, turns: bool, place: &Place<'_>) -> Result<f64, Fault> {
+    if turns {
+        angle(value, place)
+    } else {
+        length(value, place)
+    }
+}
+
+/// An angle in degrees, in radians.
+pub(crate) fn angle(degrees: f64, place: &Place<'_>) -> Result<f64, Fault> {
+    bounded(degrees, MAX_ANGLE, "an angle in degrees", place).map(f64::to_radians)
+}
+
+pub(crate) fn length(value: f64, place: &Place<'_>) -> Result<f64, Fault> {
+    bounded(value, MAX_LENGTH, "a length", place)
+}
+
+pub(crate) fn bounded(value: f64, most: f64, what: &str, place: &Place<'_>) -> Result<f64, Fault> {
+    // Also refuses NaN.
+    if value.abs() <= most {
+        Ok(value)
+    } else {
+        Err(out_of_range(
+            place,
+            format_args!("{value:e}"),
+            &format!("{what} from -{most} to {most}"),
+        ))
+    }
+}
+
+pub(crate) fn check_text(text: &str, most: usize, place: &Place<'_>) -> Result<(), Fault> {
+    let found = text.chars().count();
+    if found <= most {
+        return Ok(());
+    }
+    let what = format!("{found} characters are too many");
+    Err(Fault::new(
+        FaultCode::NameTooLong,
+        place,
+        &what,
+        &format!("up to {most} characters"),
+    ))
+}
+
+pub(crate) fn wrong_count(place: &Place<'_>, found: usize, accepted: &str) -> Fault {
+    let what = match found {
+        0 => "there are none".to_owned(),
+        1 => "there is only one".to_owned(),
+        _ => format!("there are {found}"),
+    };
+    Fault::new(FaultCode::WrongCount, place, &what, accepted)
+}
+
+pub(crate) fn out_of_range(
+    place: &Place<'_>,
+    value: impl std::fmt::Display,
+    accepted: &str,
+) -> Fault {
+    Fault::new(
+        FaultCode::OutOfRange,
+        place,
+        &format!("{value} is out of range"),
+        accepted,
+    )
+}
+
+/// The model refuses what the bounds above have not; kept so that it could not go unsaid.
+pub(crate) fn not_finite(place: &Place<'_>) -> Fault {
+    Fault::new(
+        FaultCode::OutOfRange,
+        place,
+        "a number is not finite",
+        "finite numbers",
+    )
+}

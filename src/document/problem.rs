@@ -1,0 +1,462 @@
+//! From the document to the model and back: degrees and radians, every number within bounds, every
+//! rule of the model told as a fault with its place.
+
+use crate::document::bounds::{
+    MAX_ABOUT, MAX_ITERATIONS, MAX_LENGTH, MAX_NAME, MAX_ROW_FRAMES, MAX_SCHEMA, MAX_TIME,
+    MAX_UNIT, MIN_METRIC_LENGTH, angle, bounded, check_text, joint_value, length, not_finite,
+    out_of_range, wrong_count,
+};
+use crate::document::fault::{Fault, FaultCode, Place};
+use crate::document::schema::{
+    ChainEntry, Document, FrameEntry, JointEntry, KeyFrameEntry, LimitsEntry, RowEntry,
+};
+use crate::math::pose::{FrameCoordinates, Pose};
+use crate::model::chain::{Chain, ChainFault, MAX_FREEDOMS};
+use crate::model::dh::DhRow;
+use crate::model::joint::{Joint, JointFault, JointKind, Limits, Moves};
+use crate::model::mechanism::{MAX_CHAINS, Mechanism, MechanismFault};
+use crate::motion::goal::{Goal, KeyFrame, KeyFrameFault, MAX_FRAMES, MAX_KEY_FRAMES, goal_motion};
+use crate::motion::trajectory::Trajectory;
+use crate::plan::follow::{Settings, plan_watched};
+use crate::plan::modes;
+
+/// What the planner needs, in radians.
+#[derive(Clone, Debug)]
+pub struct Problem {
+    /// The linkage.
+    pub mechanism: Mechanism,
+    /// The joint values (rad or lengths) of each chain that has a start.
+    pub start: Vec<Option<Vec<f64>>>,
+    /// The goal motion, frame by frame.
+    pub goals: Vec<Goal>,
+    /// How to find the closest motion.
+    pub settings: Settings,
+    /// The label of the unit of length, for messages; may be empty.
+    pub length_unit: String,
+}
+
+impl Problem {
+    /// Checks a document and converts it.
+    ///
+    /// # Errors
+    /// One fault, where there are any.
+    pub fn new(document: &Document) -> Result<Self, Fault> {
+        let whole = Place::WHOLE;
+        let schema = document.schema.as_deref().unwrap_or_default();
+        check_text(schema, MAX_SCHEMA, &whole.field("$schema"))?;
+        check_text(&document.name, MAX_NAME, &whole.field("name"))?;
+        check_text(&document.about, MAX_ABOUT, &whole.field("about"))?;
+        check_text(&document.length_unit, MAX_UNIT, &whole.field("length_unit"))?;
+        let mechanism = mechanism(&document.chains)?;
+        let start = given_start(&document.chains, &mechanism)?;
+        let goals = goals(document)?;
+        let settings = settings(document)?;
+        check_size(&mechanism, goals.len())?;
+        Ok(Self {
+            mechanism,
+            start,
+            goals,
+            settings,
+            length_unit: document.length_unit.clone(),
+        })
+    }
+}
+
+impl Problem {
+    /// The joint values to start from: the document's, or an assembly found for chains without.
+    pub fn find_start(&self) -> Vec<f64> {
+        modes::find(
+            &self.mechanism,
+            &self.start,
+            &self.goals[0].pose,
+            &self.settings,
+        )
+    }
+
+    /// For drawing: each table row's frame before its joint and behind it, frame by frame.
+    pub fn row_frames(&self, trajectory: &Trajectory) -> Vec<Pose> {
+        (0..trajectory.frames())
+            .flat_map(|i| self.frames_at(trajectory.joints_at(i)))
+            .collect()
+    }
+
+    /// The same at one position.
+    pub fn frames_at(&self, joints: &[f64]) -> Vec<Pose> {
+        let chains = self.mechanism.split(joints);
+        chains
+            .flat_map(|(chain, theta)| chain.frames(theta))
+            .flat_map(|(seat, moved)| [seat, moved])
+            .collect()
+    }
+
+    /// Plans the motion.
+    pub fn plan(&self) -> Trajectory {
+        self.plan_watched(&mut |_| {})
+    }
+
+    /// The same, and tells `done` after each frame how many there are.
+    pub fn plan_watched(&self, done: &mut dyn FnMut(usize)) -> Trajectory {
+        plan_watched(
+            &self.mechanism,
+            &self.find_start(),
+            &self.goals,
+            &self.settings,
+            done,
+        )
+    }
+}
+
+fn mechanism(entries: &[ChainEntry]) -> Result<Mechanism, Fault> {
+    let chains = each(entries, |i, entry| chain(entry, &chain_place(i, entry)))?;
+    Mechanism::new(chains).map_err(|fault| {
+        let found = match fault {
+            MechanismFault::NoChains => 0,
+            MechanismFault::TooManyChains { found } => found,
+        };
+        let accepted = format!("1 to {MAX_CHAINS} chains");
+        wrong_count(&CHAINS, found, &accepted)
+    })
+}
+
+const CHAINS: Place<'static> = Place::WHOLE.field("chains");
+const MOTION: Place<'static> = Place::WHOLE.field("motion");
+
+fn chain_place(index: usize, entry: &ChainEntry) -> Place<'_> {
+    CHAINS.named(index, &entry.name)
+}
+
+fn chain(entry: &ChainEntry, place: &Place<'_>) -> Result<Chain, Fault> {
+    check_text(&entry.name, MAX_NAME, &place.field("name"))?;
+    let list = place.field("joints");
+    let base = frame(&entry.base, &place.field("base"))?;
+    let joints = each(&entry.joints, |i, entry| joint(entry, &list.item(i)))?;
+    let gripper = frame(&entry.gripper, &place.field("gripper"))?;
+    Chain::new(entry.name.clone(), base, joints, gripper).map_err(|fault| {
+        let accepted = format!(
+            "joints with 1 to {MAX_FREEDOMS} freedoms together (R and P have 1, C and T 2, S and E 3)"
+        );
+        match fault {
+            ChainFault::NoJoints => wrong_count(&list, 0, &accepted),
+            ChainFault::TooManyFreedoms { found } => {
+                let what = format!("the joints have {found} freedoms together");
+                Fault::new(FaultCode::WrongCount, &list, &what, &accepted)
+            }
+            ChainFault::NotFinite => not_finite(place),
+        }
+    })
+}
+
+fn joint(entry: &JointEntry, place: &Place<'_>) -> Result<Joint, Fault> {
+    let (kind, letter) = (entry.kind, entry.kind.letter());
+    let (row_list, limit_list) = (place.field("rows"), place.field("limits"));
+    let rows = each(&entry.rows, |i, entry| row(entry, &row_list.item(i)))?;
+    let given = entry.limits.as_deref().unwrap_or_default();
+    let limits = each(given, |i, entry| {
+        limits(entry.as_ref(), kind, i, &limit_list.item(i))
+    })?;
+    let inner = |row: usize, field: &str, what: String, accepted: &str| {
+        Fault::new(
+            FaultCode::InnerRow,
+            &row_list.item(row).field(field),
+            &what,
+            accepted,
+        )
+    };
+    Joint::new(kind, rows, limits).map_err(|fault| match fault {
+        JointFault::RowCount { expected, found } => {
+            let accepted = format!("{expected} for a joint of type {letter}");
+            wrong_count(&row_list, found, &accepted)
+        }
+        JointFault::LimitCount { expected, found } => {
+            let accepted = format!("{expected} for a joint of type {letter}, null for a free one");
+            wrong_count(&limit_list, found, &accepted)
+        }
+        JointFault::NotFinite { row } => not_finite(&row_list.item(row)),
+        JointFault::InnerTwist { row, .. } => {
+            let alpha = entry.rows[row].alpha;
+            let what =
+                format!("the axes inside a joint of type {letter} are at right angles, here at {alpha}");
+            inner(row, "alpha", what, "90 or -90")
+        }
+        JointFault::InnerLength { row, .. } => {
+            let a = entry.rows[row].a;
+            let what =
+                format!("the axes inside a joint of type {letter} meet, here they are {a} apart");
+            inner(row, "a", what, "0")
+        }
+        JointFault::InnerOffset { row, .. } => {
+            let d = entry.rows[row].d;
+            let what = format!("the axes of a joint of type S meet in one point, here {d} apart");
+            inner(row, "d", what, "0")
+        }
+        JointFault::InnerAngle { row, .. } => {
+            let theta = entry.rows[row].theta;
+            let what = format!(
+                "the axis of a joint of type E is at right angles to both sliders, here turned by {theta}"
+            );
+            inner(row, "theta", what, "90 or -90")
+        }
+        JointFault::LimitOrder { freedom, .. } => {
+            let what = "the smallest value is above the largest";
+            Fault::new(FaultCode::LimitOrder, &limit_list.item(freedom), what, "min up to max")
+        }
+    })
+}
+
+fn row(entry: &RowEntry, place: &Place<'_>) -> Result<DhRow, Fault> {
+    Ok(DhRow {
+        alpha: angle(entry.alpha, &place.field("alpha"))?,
+        a: length(entry.a, &place.field("a"))?,
+        theta: angle(entry.theta, &place.field("theta"))?,
+        d: length(entry.d, &place.field("d"))?,
+    })
+}
+
+fn limits(
+    entry: Option<&LimitsEntry>,
+    kind: JointKind,
+    freedom: usize,
+    place: &Place<'_>,
+) -> Result<Limits, Fault> {
+    // Every joint but C, which turns and then slides, has one freedom a row.
+    let turns = match kind {
+        JointKind::C => freedom == 0,
+        JointKind::R | JointKind::P | JointKind::T | JointKind::S | JointKind::E => {
+            kind.moves(freedom) == Moves::Turns
+        }
+    };
+    let bound = |value: Option<f64>, name: &str, open: f64| match value {
+        Some(value) => joint_value(value, turns, &place.field(name)),
+        None => Ok(open),
+    };
+    let LimitsEntry { min, max } = entry.copied().unwrap_or_default();
+    Ok(Limits {
+        min: bound(min, "min", f64::NEG_INFINITY)?,
+        max: bound(max, "max", f64::INFINITY)?,
+    })
+}
+
+fn given_start(
+    entries: &[ChainEntry],
+    mechanism: &Mechanism,
+) -> Result<Vec<Option<Vec<f64>>>, Fault> {
+    each(entries, |i, entry| {
+        let chain = &mechanism.chains()[i];
+        let Some(values) = &entry.start else {
+            return Ok(None);
+        };
+        let place = chain_place(i, entry);
+        let list = place.field("start");
+        if values.len() != chain.freedoms() {
+            let accepted = format!(
+                "{}, one for each freedom of {}",
+                chain.freedoms(),
+                chain.type_name()
+            );
+            return Err(wrong_count(&list, values.len(), &accepted));
+        }
+        let turns: Vec<bool> = chain.turns().collect();
+        each(values, |k, &value| {
+            joint_value(value, turns[k], &list.item(k))
+        })
+        .map(Some)
+    })
+}
+
+fn goals(document: &Document) -> Result<Vec<Goal>, Fault> {
+    let motion = &document.motion;
+    let place = MOTION;
+    let list = place.field("key_frames");
+    let key_place = |i: usize| list.named(i, &motion.key_frames[i].name);
+    let keys = each(&motion.key_frames, |i, entry| {
+        key_frame(entry, &key_place(i))
+    })?;
+    let radius = motion
+        .radius
+        .map(|r| length(r, &place.field("radius")))
+        .transpose()?;
+    goal_motion(&keys, motion.interpolation, motion.frames as usize, radius).map_err(|fault| match fault {
+        KeyFrameFault::TooFew { found } | KeyFrameFault::TooMany { found } => {
+            wrong_count(&list, found, &format!("2 to {MAX_KEY_FRAMES} key frames"))
+        }
+        KeyFrameFault::NotFinite { key } => not_finite(&key_place(key)),
+        KeyFrameFault::TimeMissing { key } => {
+            let what = "other key frames have a time and this one has none";
+            let accepted = "a time for every key frame, or for none";
+            Fault::new(FaultCode::TimeMissing, &key_place(key).field("time"), what, accepted)
+        }
+        KeyFrameFault::TimeOrder { key, previous, time } => {
+            let what = format!("{time} is not later than the time before");
+            let accepted = format!("a time later than {previous}");
+            Fault::new(FaultCode::TimeOrder, &key_place(key).field("time"), &what, &accepted)
+        }
+        KeyFrameFault::Radius { radius, least } => {
+            let accepted = format!(
+                "a positive length that is not below {least}, the distance of the farthest key frame, or null"
+            );
+            out_of_range(&place.field("radius"), radius, &accepted)
+        }
+        KeyFrameFault::FrameCount { found } => {
+            let accepted = format!("a whole number from 2 to {MAX_FRAMES}");
+            out_of_range(&place.field("frames"), found, &accepted)
+        }
+    })
+}
+
+fn key_frame(entry: &KeyFrameEntry, place: &Place<'_>) -> Result<KeyFrame, Fault> {
+    check_text(&entry.name, MAX_NAME, &place.field("name"))?;
+    let &KeyFrameEntry {
+        x,
+        y,
+        z,
+        longitude,
+        latitude,
+        roll,
+        time,
+        ..
+    } = entry;
+    let pose = frame(
+        &FrameEntry {
+            x,
+            y,
+            z,
+            longitude,
+            latitude,
+            roll,
+        },
+        place,
+    )?;
+    let time = time
+        .map(|t| bounded(t, MAX_TIME, "a time", &place.field("time")))
+        .transpose()?;
+    Ok(KeyFrame {
+        name: entry.name.clone(),
+        pose,
+        time,
+    })
+}
+
+fn settings(document: &Document) -> Result<Settings, Fault> {
+    const PLACE: Place<'static> = Place::WHOLE.field("planner");
+    let entry = &document.planner;
+    let length = entry.metric_length;
+    if !(MIN_METRIC_LENGTH..=MAX_LENGTH).contains(&length) {
+        let accepted = format!("a length from {MIN_METRIC_LENGTH} to {MAX_LENGTH}");
+        return Err(out_of_range(
+            &PLACE.field("metric_length"),
+            length,
+            &accepted,
+        ));
+    }
+    if let Some(most) = entry
+        .max_iterations
+        .filter(|most| !(1..=MAX_ITERATIONS).contains(most))
+    {
+        let accepted = format!("a whole number from 1 to {MAX_ITERATIONS}, or null");
+        return Err(out_of_range(
+            &PLACE.field("max_iterations"),
+            most,
+            &accepted,
+        ));
+    }
+    let max_iterations = entry.max_iterations.map(|most| most as usize);
+    Ok(Settings {
+        method: entry.method,
+        metric_length: length,
+        max_iterations,
+    })
+}
+
+/// The frames of all rows must find room in the memory of a page.
+fn check_size(mechanism: &Mechanism, frames: usize) -> Result<(), Fault> {
+    let rows: usize = mechanism
+        .chains()
+        .iter()
+        .flat_map(Chain::joints)
+        .map(|joint| joint.rows().len())
+        .sum();
+    if rows * frames <= MAX_ROW_FRAMES {
+        return Ok(());
+    }
+    let place = MOTION.field("frames");
+    let accepted = format!(
+        "up to {} frames for tables of {rows} rows",
+        MAX_ROW_FRAMES / rows
+    );
+    Err(out_of_range(&place, frames, &accepted))
+}
+
+fn frame(entry: &FrameEntry, place: &Place<'_>) -> Result<Pose, Fault> {
+    let coordinates = FrameCoordinates {
+        x: length(entry.x, &place.field("x"))?,
+        y: length(entry.y, &place.field("y"))?,
+        z: length(entry.z, &place.field("z"))?,
+        longitude: angle(entry.longitude, &place.field("longitude"))?,
+        latitude: angle(entry.latitude, &place.field("latitude"))?,
+        roll: angle(entry.roll, &place.field("roll"))?,
+    };
+    Ok(coordinates.pose())
+}
+
+/// Converts each entry of a list, up to the first fault.
+fn each<E, T>(
+    entries: &[E],
+    convert: impl Fn(usize, &E) -> Result<T, Fault>,
+) -> Result<Vec<T>, Fault> {
+    let mut converted = Vec::with_capacity(entries.len());
+    for (i, entry) in entries.iter().enumerate() {
+        converted.push(convert(i, entry)?);
+    }
+    Ok(converted)
+}
+
+/// Joint values as a document writes them, chain by chain: degrees, or lengths.
+///
+/// # Panics
+/// When there is not one value a joint variable.
+pub fn start_values(mechanism: &Mechanism, joints: &[f64]) -> Vec<Vec<f64>> {
+    let in_degrees = |(chain, values): (&Chain, &[f64])| {
+        let pairs = chain.turns().zip(values);
+        pairs
+            .map(|(turns, &v)| short(if turns { v.to_degrees() } else { v }))
+            .collect()
+    };
+    mechanism.split(joints).map(in_degrees).collect()
+}
+
+/// Rounded to 10⁻¹², so that 45° is not written 44.99999999999999°; less than the rounding of the
+/// loops' closure.
+pub(crate) fn short(value: f64) -> f64 {
+    const DIGITS: f64 = 1e12;
+    let rounded = (value * DIGITS).round() / DIGITS;
+    if rounded.is_finite() { rounded } else { value }
+}
+
+impl Document {
+    /// Writes joint values (rad or lengths) into the document as its start.
+    ///
+    /// # Panics
+    /// When there is not one value a joint variable of the document's mechanism.
+    pub fn set_start(&mut self, mechanism: &Mechanism, joints: &[f64]) {
+        for (chain, values) in self.chains.iter_mut().zip(start_values(mechanism, joints)) {
+            chain.start = Some(values);
+        }
+    }
+}
+
+impl From<&Joint> for JointEntry {
+    /// Without limits: they are the document's own.
+    fn from(joint: &Joint) -> Self {
+        let row = |r: &DhRow| RowEntry {
+            alpha: short(r.alpha.to_degrees()),
+            a: r.a,
+            theta: short(r.theta.to_degrees()),
+            d: r.d,
+        };
+        Self {
+            kind: joint.kind(),
+            rows: joint.rows().iter().map(row).collect(),
+            limits: None,
+        }
+    }
+}

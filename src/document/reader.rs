@@ -1,0 +1,403 @@
+//! A JSON value as it stands in a text, and how serde's derived readers take it.
+//!
+//! serde_json can read into the document's types directly, but then it tells a fault only as English
+//! text without its place, takes a list for an object, and is twice the size for a page to load.
+
+use crate::document::fault::{Fault, FaultCode, Place, excerpt};
+use serde::de::value::StrDeserializer;
+use serde::de::{
+    Deserialize, DeserializeSeed, Deserializer, EnumAccess, Error, IntoDeserializer, MapAccess,
+    SeqAccess, VariantAccess, Visitor,
+};
+use std::fmt;
+
+/// A JSON value.
+#[derive(Clone, Debug)]
+pub(crate) enum Node {
+    Null,
+    Bool(bool),
+    Number(f64),
+    Text(String),
+    List(Vec<Node>),
+    /// In the text's order; a name that is there twice is twice here.
+    Object(Vec<(String, Node)>),
+}
+
+impl Node {
+    /// The value of an object's field.
+    pub(crate) fn field(&self, name: &str) -> Option<&Self> {
+        match self {
+            Self::Object(fields) => fields
+                .iter()
+                .find(|(n, _)| n == name)
+                .map(|(_, value)| value),
+            Self::Null | Self::Bool(_) | Self::Number(_) | Self::Text(_) | Self::List(_) => None,
+        }
+    }
+
+    /// As a person would call it.
+    fn describe(&self) -> String {
+        match self {
+            Self::Null => "null".to_owned(),
+            Self::Bool(value) => value.to_string(),
+            Self::Number(value) => format!("the number {value}"),
+            Self::Text(text) => format!("the text \u{201c}{}\u{201d}", excerpt(text)),
+            Self::List(_) => "a list".to_owned(),
+            Self::Object(_) => "an object".to_owned(),
+        }
+    }
+
+    fn is_not(&self, accepted: &str) -> Refusal {
+        Refusal::new(
+            FaultCode::WrongType,
+            format!("this is {}", self.describe()),
+            accepted,
+        )
+    }
+}
+
+impl<'de> Deserialize<'de> for Node {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Any;
+
+        impl<'de> Visitor<'de> for Any {
+            type Value = Node;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a JSON value")
+            }
+
+            fn visit_unit<E>(self) -> Result<Node, E> {
+                Ok(Node::Null)
+            }
+
+            fn visit_bool<E>(self, value: bool) -> Result<Node, E> {
+                Ok(Node::Bool(value))
+            }
+
+            fn visit_u64<E>(self, value: u64) -> Result<Node, E> {
+                Ok(Node::Number(value as f64))
+            }
+
+            fn visit_i64<E>(self, value: i64) -> Result<Node, E> {
+                Ok(Node::Number(value as f64))
+            }
+
+            fn visit_f64<E>(self, value: f64) -> Result<Node, E> {
+                Ok(Node::Number(value))
+            }
+
+            fn visit_str<E>(self, text: &str) -> Result<Node, E> {
+                Ok(Node::Text(text.to_owned()))
+            }
+
+            fn visit_seq<A: SeqAccess<'de>>(self, mut entries: A) -> Result<Node, A::Error> {
+                let mut list = Vec::new();
+                while let Some(entry) = entries.next_element()? {
+                    list.push(entry);
+                }
+                Ok(Node::List(list))
+            }
+
+            fn visit_map<A: MapAccess<'de>>(self, mut fields: A) -> Result<Node, A::Error> {
+                let mut object = Vec::new();
+                while let Some(field) = fields.next_entry()? {
+                    object.push(field);
+                }
+                Ok(Node::Object(object))
+            }
+        }
+
+        deserializer.deserialize_any(Any)
+    }
+}
+
+/// Why a derived reader does not take a value, and the way to it from there outwards.
+#[derive(Debug)]
+pub(crate) struct Refusal {
+    code: FaultCode,
+    what: String,
+    accepted: String,
+    way: Vec<Step>,
+}
+
+#[derive(Debug)]
+enum Step {
+    Field(String),
+    Item(usize),
+}
+
+impl Refusal {
+    #[cold]
+    #[inline(never)]
+    fn new(code: FaultCode, what: String, accepted: &str) -> Self {
+        Self {
+            code,
+            what,
+            accepted: accepted.to_owned(),
+            way: Vec::new(),
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn in_field(mut self, name: &str) -> Self {
+        self.way.push(Step::Field(name.to_owned()));
+        self
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn in_item(mut self, index: usize) -> Self {
+        self.way.push(Step::Item(index));
+        self
+    }
+
+    /// The fault, in a value at `place`.
+    pub(crate) fn fault(mut self, place: &Place<'_>) -> Fault {
+        match self.way.pop() {
+            Some(Step::Field(name)) => self.fault(&place.field(&name)),
+            Some(Step::Item(index)) => self.fault(&place.item(index)),
+            None => Fault::new(self.code, place, &self.what, &self.accepted),
+        }
+    }
+}
+
+impl fmt::Display for Refusal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.what)
+    }
+}
+
+impl std::error::Error for Refusal {}
+
+/// What the derived readers say.
+impl Error for Refusal {
+    fn custom<T: fmt::Display>(message: T) -> Self {
+        Self::new(FaultCode::WrongType, message.to_string(), "another value")
+    }
+
+    fn unknown_field(name: &str, known: &'static [&'static str]) -> Self {
+        let what = format!("there is no field \u{201c}{}\u{201d} here", excerpt(name));
+        Self::new(FaultCode::UnknownField, what, &one_of(known))
+    }
+
+    fn missing_field(name: &'static str) -> Self {
+        let accepted = match name {
+            "version" => "1",
+            "chains" => "a list of chains",
+            "joints" => "a list of joints",
+            "type" => "one of R, P, C, T, S, E",
+            "rows" => "a list of the joint's rows",
+            "motion" => "an object with key_frames",
+            "key_frames" => "a list of two or more key frames",
+            _ => "a value",
+        };
+        Self::new(
+            FaultCode::MissingField,
+            "this is missing".to_owned(),
+            accepted,
+        )
+        .in_field(name)
+    }
+
+    fn duplicate_field(name: &'static str) -> Self {
+        let what = format!("there are two fields \u{201c}{name}\u{201d}");
+        Self::new(FaultCode::DuplicateField, what, &format!("{name} once"))
+    }
+
+    fn unknown_variant(word: &str, known: &'static [&'static str]) -> Self {
+        let what = format!("\u{201c}{}\u{201d} is unknown", excerpt(word));
+        Self::new(FaultCode::UnknownValue, what, &one_of(known))
+    }
+}
+
+fn one_of(words: &[&str]) -> String {
+    format!("one of {}", words.join(", "))
+}
+
+/// The few shapes that the document's types ask for.
+impl<'de> Deserializer<'de> for &'de Node {
+    type Error = Refusal;
+
+    fn deserialize_f64<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Refusal> {
+        let Node::Number(value) = self else {
+            return Err(self.is_not("a number"));
+        };
+        visitor.visit_f64(*value)
+    }
+
+    fn deserialize_u32<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Refusal> {
+        let Node::Number(value) = self else {
+            return Err(self.is_not(WHOLE));
+        };
+        visitor.visit_u32(whole(*value)?)
+    }
+
+    fn deserialize_string<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Refusal> {
+        let Node::Text(text) = self else {
+            return Err(self.is_not("a text in quotes"));
+        };
+        visitor.visit_str(text)
+    }
+
+    fn deserialize_option<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Refusal> {
+        if matches!(self, Node::Null) {
+            visitor.visit_none()
+        } else {
+            visitor.visit_some(self)
+        }
+    }
+
+    fn deserialize_seq<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Refusal> {
+        let Node::List(list) = self else {
+            return Err(self.is_not("a list"));
+        };
+        visitor.visit_seq(Entries { list, next: 0 })
+    }
+
+    fn deserialize_struct<V: Visitor<'de>>(
+        self,
+        _name: &'static str,
+        _fields: &'static [&'static str],
+        visitor: V,
+    ) -> Result<V::Value, Refusal> {
+        let Node::Object(fields) = self else {
+            return Err(self.is_not("an object in braces"));
+        };
+        visitor.visit_map(Fields { fields, next: 0 })
+    }
+
+    fn deserialize_enum<V: Visitor<'de>>(
+        self,
+        _name: &'static str,
+        words: &'static [&'static str],
+        visitor: V,
+    ) -> Result<V::Value, Refusal> {
+        let Node::Text(word) = self else {
+            return Err(self.is_not(&one_of(words)));
+        };
+        visitor.visit_enum(Word(word))
+    }
+
+    fn deserialize_any<V: Visitor<'de>>(self, _visitor: V) -> Result<V::Value, Refusal> {
+        Err(self.is_not("another value"))
+    }
+
+    serde::forward_to_deserialize_any! {
+        bool i8 i16 i32 i64 i128 u8 u16 u64 u128 f32 char str bytes byte_buf unit unit_struct
+        newtype_struct tuple tuple_struct map identifier ignored_any
+    }
+}
+
+const WHOLE: &str = "a whole number, 0 or more";
+
+fn whole(value: f64) -> Result<u32, Refusal> {
+    if value.fract() != 0.0 {
+        return Err(Node::Number(value).is_not(WHOLE));
+    }
+    if !(0.0..=f64::from(u32::MAX)).contains(&value) {
+        return Err(Refusal::new(
+            FaultCode::OutOfRange,
+            format!("{value} is out of range"),
+            WHOLE,
+        ));
+    }
+    #[allow(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a whole number in the range of u32"
+    )]
+    Ok(value as u32)
+}
+
+struct Entries<'de> {
+    list: &'de [Node],
+    next: usize,
+}
+
+impl<'de> SeqAccess<'de> for Entries<'de> {
+    type Error = Refusal;
+
+    fn next_element_seed<T: DeserializeSeed<'de>>(
+        &mut self,
+        seed: T,
+    ) -> Result<Option<T::Value>, Refusal> {
+        let index = self.next;
+        let Some(entry) = self.list.get(index) else {
+            return Ok(None);
+        };
+        self.next += 1;
+        seed.deserialize(entry)
+            .map(Some)
+            .map_err(|refusal| refusal.in_item(index))
+    }
+}
+
+struct Fields<'de> {
+    fields: &'de [(String, Node)],
+    /// The field whose name is read next; its value follows.
+    next: usize,
+}
+
+impl<'de> MapAccess<'de> for Fields<'de> {
+    type Error = Refusal;
+
+    fn next_key_seed<K: DeserializeSeed<'de>>(
+        &mut self,
+        seed: K,
+    ) -> Result<Option<K::Value>, Refusal> {
+        let Some((name, _)) = self.fields.get(self.next) else {
+            return Ok(None);
+        };
+        let name = name.as_str();
+        let key: StrDeserializer<'_, Refusal> = name.into_deserializer();
+        seed.deserialize(key)
+            .map(Some)
+            .map_err(|refusal| refusal.in_field(name))
+    }
+
+    fn next_value_seed<V: DeserializeSeed<'de>>(&mut self, seed: V) -> Result<V::Value, Refusal> {
+        let (name, value) = &self.fields[self.next];
+        self.next += 1;
+        seed.deserialize(value)
+            .map_err(|refusal| refusal.in_field(name))
+    }
+}
+
+/// A word of a closed set.
+struct Word<'de>(&'de str);
+
+impl<'de> EnumAccess<'de> for Word<'de> {
+    type Error = Refusal;
+    type Variant = Self;
+
+    fn variant_seed<V: DeserializeSeed<'de>>(self, seed: V) -> Result<(V::Value, Self), Refusal> {
+        let word: StrDeserializer<'_, Refusal> = self.0.into_deserializer();
+        Ok((seed.deserialize(word)?, self))
+    }
+}
+
+impl<'de> VariantAccess<'de> for Word<'de> {
+    type Error = Refusal;
+
+    fn unit_variant(self) -> Result<(), Refusal> {
+        Ok(())
+    }
+
+    fn newtype_variant_seed<T: DeserializeSeed<'de>>(self, _seed: T) -> Result<T::Value, Refusal> {
+        Err(Refusal::custom("a word holds no value"))
+    }
+
+    fn tuple_variant<V: Visitor<'de>>(self, _len: usize, _visitor: V) -> Result<V::Value, Refusal> {
+        Err(Refusal::custom("a word holds no values"))
+    }
+
+    fn struct_variant<V: Visitor<'de>>(
+        self,
+        _fields: &'static [&'static str],
+        _visitor: V,
+    ) -> Result<V::Value, Refusal> {
+        Err(Refusal::custom("a word holds no fields"))
+    }
+}

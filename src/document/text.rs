@@ -1,0 +1,209 @@
+//! Text to document and back: reading that says what is wrong, writing that a person can read.
+
+use crate::document::fault::{Fault, FaultCode, Place};
+use crate::document::reader::Node;
+use crate::document::schema::{Document, VERSION};
+use serde::{Deserialize, Serialize};
+
+/// Bytes of the longest text that is read at all: ten times what 500 key frames with names take.
+pub const MAX_TEXT: usize = 1_000_000;
+
+/// Reads a document; defaults are filled in. What its numbers mean is checked by
+/// [`crate::document::problem::Problem::new`].
+///
+/// # Errors
+/// Where the text is no document of this version.
+pub fn parse(text: &str) -> Result<Document, Fault> {
+    let whole = Place::WHOLE;
+    if text.len() > MAX_TEXT {
+        let what = format!("{} bytes of text are too many", text.len());
+        return Err(Fault::new(
+            FaultCode::TextTooLong,
+            &whole,
+            &what,
+            "up to 1,000,000 bytes",
+        ));
+    }
+    // Some editors put a byte-order mark before the text.
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    if text.trim().is_empty() {
+        let accepted = "a mechanism document in JSON";
+        return Err(Fault::new(
+            FaultCode::EmptyText,
+            &whole,
+            "there is no text",
+            accepted,
+        ));
+    }
+    let node = serde_json::from_str(text).map_err(|error| not_json(&error))?;
+    check_version(&node)?;
+    let mut document = Document::deserialize(&node).map_err(|refusal| refusal.fault(&whole))?;
+    for (i, chain) in document.chains.iter_mut().enumerate() {
+        if chain.name.is_empty() {
+            chain.name = format!("chain {}", i + 1);
+        }
+    }
+    Ok(document)
+}
+
+/// The reader's message, and where it stopped.
+fn not_json(error: &serde_json::Error) -> Fault {
+    let text = error.to_string();
+    // "… at line 3 column 7"
+    let message = text
+        .rsplit_once(" at line ")
+        .map_or(text.as_str(), |(message, _)| message);
+    let what = format!("this is not JSON, {message}");
+    Fault::new(FaultCode::Syntax, &Place::WHOLE, &what, "JSON text")
+        .at(error.line(), error.column())
+}
+
+/// A document of another version should not be blamed for fields that this one does not know.
+fn check_version(node: &Node) -> Result<(), Fault> {
+    const PLACE: Place<'static> = Place::WHOLE.field("version");
+    if let Some(Node::Number(version)) = node.field("version")
+        && (version - f64::from(VERSION)).abs() > 0.0
+    {
+        let what = format!("this is version {version} of the format");
+        return Err(Fault::new(
+            FaultCode::UnknownVersion,
+            &PLACE,
+            &what,
+            &VERSION.to_string(),
+        ));
+    }
+    // What else may be wrong with it is said where it is read.
+    Ok(())
+}
+
+impl Document {
+    /// The document as JSON with all its fields; what fits stays on one line, and numbers have up to
+    /// 15 digits. What was read from such a text is written as the same text again.
+    ///
+    /// # Panics
+    /// Never: the document holds nothing that JSON cannot.
+    pub fn text(&self) -> String {
+        let mut writer = serde_json::Serializer::with_formatter(Vec::new(), ShortNumbers);
+        self.serialize(&mut writer)
+            .expect("plain data becomes JSON");
+        layout(&String::from_utf8(writer.into_inner()).expect("JSON is text"))
+    }
+}
+
+/// Compact JSON with short numbers: 1 and not 1.0, 45 and not 44.99999999999999.
+///
+/// They have the 15 digits that a double always keeps. serde_json's quick reader may miss the last
+/// bit of a longer number, and with 15 digits a normalised document still stays as it is; its exact
+/// reader would add 13 kB to what a page loads.
+struct ShortNumbers;
+
+impl serde_json::ser::Formatter for ShortNumbers {
+    fn write_f64<W: ?Sized + std::io::Write>(
+        &mut self,
+        out: &mut W,
+        x: f64,
+    ) -> std::io::Result<()> {
+        if x == 0.0 {
+            return out.write_all(b"0");
+        }
+        let scientific = format!("{x:.14e}");
+        let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
+        let mantissa = mantissa.trim_end_matches('0').trim_end_matches('.');
+        let places = mantissa
+            .split_once('.')
+            .map_or(0, |(_, places)| places.len());
+        match exponent.parse::<isize>() {
+            Ok(exponent @ -6..15) => {
+                let places = places.saturating_add_signed(-exponent);
+                write!(out, "{x:.places$}")
+            }
+            _ => write!(out, "{mantissa}e{exponent}"),
+        }
+    }
+}
+
+/// Breaks compact JSON into lines.
+fn layout(json: &str) -> String {
+    /// Columns that a joint of two rows fits.
+    const WIDTH: usize = 140;
+    let mut out = String::with_capacity(2 * json.len());
+    let mut indent = 0;
+    // Inside an object or list that fits its line: how deep.
+    let mut inline = 0;
+    let mut rest = json;
+    while let Some(first) = rest.chars().next() {
+        let (token, after) = rest.split_at(token_length(rest));
+        match first {
+            '{' | '[' => {
+                let column = out.len() - out.rfind('\n').map_or(0, |n| n + 1);
+                out.push(first);
+                if inline > 0 || fits(rest, WIDTH.saturating_sub(column)) {
+                    inline += 1;
+                } else {
+                    indent += 1;
+                    new_line(&mut out, indent);
+                }
+            }
+            '}' | ']' => {
+                if inline > 0 {
+                    inline -= 1;
+                } else {
+                    indent -= 1;
+                    new_line(&mut out, indent);
+                }
+                out.push(first);
+            }
+            ',' if inline > 0 => out.push_str(", "),
+            ',' => {
+                out.push(',');
+                new_line(&mut out, indent);
+            }
+            ':' => out.push_str(": "),
+            _ => out.push_str(token),
+        }
+        rest = after;
+    }
+    out.push('\n');
+    out
+}
+
+fn new_line(out: &mut String, indent: usize) {
+    out.push('\n');
+    out.extend(std::iter::repeat_n("  ", indent));
+}
+
+/// Bytes of the first token of compact JSON: a bracket, a comma, a colon, a string, or a word.
+fn token_length(json: &str) -> usize {
+    let bytes = json.as_bytes();
+    match bytes[0] {
+        b'"' => {
+            let mut end = 1;
+            while bytes[end] != b'"' {
+                end += if bytes[end] == b'\\' { 2 } else { 1 };
+            }
+            end + 1
+        }
+        b'{' | b'}' | b'[' | b']' | b',' | b':' => 1,
+        _ => json.find([',', '}', ']']).unwrap_or(json.len()),
+    }
+}
+
+/// Does the object or list that begins here fit into so many columns?
+fn fits(json: &str, columns: usize) -> bool {
+    let (mut width, mut depth, mut rest) = (0, 0, json);
+    while width <= columns {
+        let (token, after) = rest.split_at(token_length(rest));
+        width += token.len();
+        match token {
+            "{" | "[" => depth += 1,
+            "}" | "]" => depth -= 1,
+            "," | ":" => width += 1,
+            _ => {}
+        }
+        if depth == 0 {
+            return width <= columns;
+        }
+        rest = after;
+    }
+    false
+}

@@ -1,0 +1,194 @@
+//! A planned motion as a table with units in its headings: CSV, and JSON with its document beside it.
+
+use crate::document::report::Report;
+use crate::document::schema::Document;
+use crate::math::pose::Pose;
+use crate::model::mechanism::Mechanism;
+use crate::motion::trajectory::{Status, Trajectory};
+use std::fmt::Write;
+
+/// Version of the JSON of a motion.
+pub const VERSION: u32 = 1;
+
+/// What fills a column.
+enum Values {
+    Numbers(Vec<f64>),
+    Statuses(Vec<Status>),
+}
+
+/// A column: a name in ASCII, its unit (empty for a pure number), an entry a frame.
+struct Column {
+    name: String,
+    unit: String,
+    values: Values,
+}
+
+impl Column {
+    /// As a spreadsheet takes it: `theta1[deg]`.
+    fn heading(&self) -> String {
+        if self.unit.is_empty() {
+            self.name.clone()
+        } else {
+            format!("{}[{}]", self.name, self.unit)
+        }
+    }
+
+    /// The entry of a frame; `missing` for what is no number.
+    fn entry(&self, frame: usize, missing: &str) -> String {
+        match &self.values {
+            Values::Statuses(statuses) => statuses[frame].name().to_owned(),
+            Values::Numbers(numbers) if numbers[frame].is_finite() => number(numbers[frame]),
+            Values::Numbers(_) => missing.to_owned(),
+        }
+    }
+}
+
+/// The shortest text that reads back as the same double.
+pub(crate) fn number(x: f64) -> String {
+    if x == 0.0 {
+        return "0".to_owned();
+    }
+    let (plain, scientific) = (format!("{x}"), format!("{x:e}"));
+    if scientific.len() < plain.len() {
+        scientific
+    } else {
+        plain
+    }
+}
+
+/// The name of a joint variable in ASCII: `chain2_theta1` for θ1 of the second chain.
+pub(crate) fn variable_name(chain: usize, label: &str) -> String {
+    format!("chain{}_{}", chain + 1, label.replace('θ', "theta"))
+}
+
+fn columns(document: &Document, report: &Report, t: &Trajectory) -> Vec<Column> {
+    let length = match document.length_unit.as_str() {
+        "" => "length",
+        unit => unit,
+    };
+    let mut list = Vec::new();
+    let mut add = |name: &str, unit: &str, values: Vec<f64>| {
+        list.push(Column {
+            name: name.to_owned(),
+            unit: unit.to_owned(),
+            values: Values::Numbers(values),
+        });
+    };
+    let degrees = |angles: &[f64]| angles.iter().map(|angle| angle.to_degrees()).collect();
+    add("frame", "", (1..=t.frames()).map(|i| i as f64).collect());
+    add("time", "", t.time.clone());
+    for (prefix, poses) in [("", &t.poses), ("goal_", &t.goals)] {
+        for (i, axis) in ["x", "y", "z"].into_iter().enumerate() {
+            let of = |pose: &Pose| pose.translation.vector[i];
+            add(
+                &format!("{prefix}{axis}"),
+                length,
+                poses.iter().map(of).collect(),
+            );
+        }
+        for (i, part) in ["qx", "qy", "qz", "qw"].into_iter().enumerate() {
+            let of = |pose: &Pose| pose.rotation.coords[i];
+            add(
+                &format!("{prefix}{part}"),
+                "",
+                poses.iter().map(of).collect(),
+            );
+        }
+    }
+    let mut k = 0;
+    for (i, chain) in report.chains.iter().enumerate() {
+        for variable in &chain.variables {
+            let values: Vec<f64> = (0..t.frames()).map(|f| t.joints_at(f)[k]).collect();
+            let name = variable_name(i, &variable.label);
+            if variable.unit == "rad" {
+                add(&name, "deg", degrees(&values));
+            } else {
+                add(&name, length, values);
+            }
+            k += 1;
+        }
+    }
+    add("metric", "", t.metric.clone());
+    add("translation_gap", length, t.translation_gap.clone());
+    add("rotation_gap", "deg", degrees(&t.rotation_gap));
+    add("closure", "", t.closure.clone());
+    add("sigma_min", "", t.sigma_min.clone());
+    add("projected_gradient", "", t.projected_gradient.clone());
+    let iterations = t.iterations.iter().map(|&n| f64::from(n)).collect();
+    add("iterations", "", iterations);
+    let status = Column {
+        name: "status".to_owned(),
+        unit: String::new(),
+        values: Values::Statuses(t.status.clone()),
+    };
+    list.insert(2, status);
+    list
+}
+
+/// A line of headings, then a line a frame. Angles in degrees, lengths in the document's unit, as the
+/// headings say; every number with all its digits, empty where there is none.
+pub fn csv(document: &Document, mechanism: &Mechanism, t: &Trajectory) -> String {
+    let columns = columns(document, &Report::new(mechanism, t), t);
+    let line = |fields: Vec<String>| fields.join(",") + "\n";
+    let headings = columns.iter().map(|column| quoted(&column.heading()));
+    let mut text = line(headings.collect());
+    for frame in 0..t.frames() {
+        let entries = columns.iter().map(|column| column.entry(frame, ""));
+        text += &line(entries.collect());
+    }
+    text
+}
+
+/// The motion as one JSON object: its units, its columns as lists, what is said about it, and the
+/// document that it answers.
+///
+/// # Panics
+/// Never: texts and plain data become JSON.
+pub fn json(document: &Document, mechanism: &Mechanism, t: &Trajectory) -> String {
+    let report = Report::new(mechanism, t);
+    let list: Vec<String> = columns(document, &report, t)
+        .iter()
+        .map(|column| {
+            let values: Vec<String> = (0..t.frames())
+                .map(|frame| match column.values {
+                    Values::Numbers(_) => column.entry(frame, "null"),
+                    Values::Statuses(_) => text_in_json(&column.entry(frame, "")),
+                })
+                .collect();
+            format!(
+                "    {{\"name\": {}, \"unit\": {}, \"values\": [{}]}}",
+                text_in_json(&column.name),
+                text_in_json(&column.unit),
+                values.join(", ")
+            )
+        })
+        .collect();
+    let mut text = String::from("{\n");
+    let mut field = |name: &str, value: &str| {
+        let _ = writeln!(text, "  \"{name}\": {value},");
+    };
+    field("format", "\"synthetica motion\"");
+    field("version", &VERSION.to_string());
+    field("name", &text_in_json(&document.name));
+    field("length_unit", &text_in_json(&document.length_unit));
+    field("angle_unit", "\"deg\"");
+    field("frames", &t.frames().to_string());
+    field("columns", &format!("[\n{}\n  ]", list.join(",\n")));
+    let said = serde_json::to_string(&report).expect("plain data becomes JSON");
+    field("report", &said);
+    let document = document.text();
+    text + "  \"document\": " + &document.trim_end().replace('\n', "\n  ") + "\n}\n"
+}
+
+fn text_in_json(text: &str) -> String {
+    serde_json::to_string(text).expect("a text becomes JSON")
+}
+
+/// A field of CSV: in quotation marks where it holds what would end it (RFC 4180).
+fn quoted(field: &str) -> String {
+    if field.contains([',', '"', '\n', '\r']) {
+        format!("\"{}\"", field.replace('"', "\"\""))
+    } else {
+        field.to_owned()
+    }
+}

@@ -1,0 +1,279 @@
+//! One serial chain from the base to the workpiece: forward kinematics, joint screws, Jacobian.
+
+use crate::math::pose::Pose;
+use crate::model::dh::{DhRow, x_displacement, z_displacement};
+use crate::model::joint::{Joint, Limits, Moves};
+use nalgebra::{Matrix3, Rotation3, Translation3, UnitQuaternion, Vector3, Vector6};
+
+/// A chain that constrains its workpiece has at most five freedoms (Section 4, Eq. 8).
+pub const MAX_FREEDOMS: usize = 5;
+
+/// A serial chain: base frame G, joints with their links, gripper frame H (Eq. 7).
+#[derive(Clone, Debug)]
+pub struct Chain {
+    name: String,
+    base: Pose,
+    joints: Vec<Joint>,
+    gripper: Pose,
+    primitives: Vec<Primitive>,
+    base_axes: Matrix3<f64>,
+    gripper_axes: Matrix3<f64>,
+}
+
+/// Why joints do not make a chain.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[expect(missing_docs, reason = "the fields are what the variants speak of")]
+pub enum ChainFault {
+    /// A chain needs a joint.
+    NoJoints,
+    /// More than [`MAX_FREEDOMS`].
+    TooManyFreedoms { found: usize },
+    /// A number of the base or gripper frame is not finite.
+    NotFinite,
+}
+
+/// A row with one variable: X(α, a) · Z(θ, d), where the variable is added to θ or to d.
+#[derive(Clone, Copy, Debug)]
+struct Primitive {
+    row: DhRow,
+    sin_alpha: f64,
+    cos_alpha: f64,
+    turns: bool,
+    limits: Limits,
+}
+
+/// Where the workpiece is according to one chain, and how each joint variable moves it.
+#[derive(Clone, Copy, Debug)]
+pub struct ChainState {
+    /// The workpiece, Eq. 7.
+    pub pose: Pose,
+    /// Columns of the Jacobian (Eq. 15), twists (v, ω) of the workpiece's origin per unit of each
+    /// variable; those past the chain's freedoms are 0.
+    pub jacobian: [Vector6<f64>; MAX_FREEDOMS],
+}
+
+impl Default for ChainState {
+    fn default() -> Self {
+        Self {
+            pose: Pose::identity(),
+            jacobian: [Vector6::zeros(); MAX_FREEDOMS],
+        }
+    }
+}
+
+impl Chain {
+    /// Base frame, joints from the base on, and the workpiece in the last link's frame.
+    ///
+    /// # Errors
+    /// Without joints, with more than five freedoms, or with a frame that is not finite.
+    pub fn new(
+        name: String,
+        base: Pose,
+        joints: Vec<Joint>,
+        gripper: Pose,
+    ) -> Result<Self, ChainFault> {
+        let freedoms = joints.iter().map(|j| j.kind().freedoms()).sum();
+        if joints.is_empty() {
+            return Err(ChainFault::NoJoints);
+        }
+        if freedoms > MAX_FREEDOMS {
+            return Err(ChainFault::TooManyFreedoms { found: freedoms });
+        }
+        let finite = |p: &Pose| p.to_homogeneous().iter().all(|x| x.is_finite());
+        if !finite(&base) || !finite(&gripper) {
+            return Err(ChainFault::NotFinite);
+        }
+        Ok(Self {
+            name,
+            base,
+            primitives: primitives(&joints),
+            joints,
+            gripper,
+            base_axes: *base.rotation.to_rotation_matrix().matrix(),
+            gripper_axes: *gripper.rotation.to_rotation_matrix().matrix(),
+        })
+    }
+
+    /// The name, for messages.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// G, the base frame in the fixed frame.
+    pub fn base(&self) -> &Pose {
+        &self.base
+    }
+
+    /// H, the workpiece in the frame of the last link.
+    pub fn gripper(&self) -> &Pose {
+        &self.gripper
+    }
+
+    /// From the base on.
+    pub fn joints(&self) -> &[Joint] {
+        &self.joints
+    }
+
+    /// Number of joint variables, 1 to 5.
+    pub fn freedoms(&self) -> usize {
+        self.primitives.len()
+    }
+
+    /// Degree of constraint U (Eq. 8).
+    pub fn constraints(&self) -> usize {
+        6 - self.freedoms()
+    }
+
+    /// The joints' letters, such as TPR.
+    pub fn type_name(&self) -> String {
+        self.joints.iter().map(|j| j.kind().letter()).collect()
+    }
+
+    /// Which variables are angles; the others are lengths.
+    pub fn turns(&self) -> impl Iterator<Item = bool> + '_ {
+        self.primitives.iter().map(|p| p.turns)
+    }
+
+    /// The limits of each variable.
+    pub fn limits(&self) -> impl Iterator<Item = Limits> + '_ {
+        self.primitives.iter().map(|p| p.limits)
+    }
+
+    /// The sum of the lengths that the chain is built of, its gripper included.
+    pub fn reach(&self) -> f64 {
+        let links: f64 = self
+            .primitives
+            .iter()
+            .map(|p| p.row.a.abs() + p.row.d.abs())
+            .sum();
+        links + self.gripper.translation.vector.norm()
+    }
+
+    /// The same chain in another unit of length: every length times `factor`.
+    pub fn scaled(&self, factor: f64) -> Self {
+        let mut chain = self.clone();
+        chain.base.translation.vector *= factor;
+        chain.gripper.translation.vector *= factor;
+        for p in &mut chain.primitives {
+            p.row.a *= factor;
+            p.row.d *= factor;
+            if !p.turns {
+                p.limits = Limits {
+                    min: p.limits.min * factor,
+                    max: p.limits.max * factor,
+                };
+            }
+        }
+        chain
+    }
+
+    /// Pose of the workpiece and Jacobian at the joint values `theta` (rad or lengths).
+    ///
+    /// # Panics
+    /// When `theta` is shorter than [`Chain::freedoms`].
+    #[inline]
+    pub fn evaluate(&self, theta: &[f64], state: &mut ChainState) {
+        // The frame after each row: axes x, y, z and origin o.
+        let mut x: Vector3<f64> = self.base_axes.column(0).into();
+        let mut y: Vector3<f64> = self.base_axes.column(1).into();
+        let mut z: Vector3<f64> = self.base_axes.column(2).into();
+        let mut o = self.base.translation.vector;
+        let mut axes = [(Vector3::zeros(), Vector3::zeros()); MAX_FREEDOMS];
+        for ((p, &variable), axis) in self.primitives.iter().zip(theta).zip(&mut axes) {
+            o += x * p.row.a;
+            (y, z) = (
+                y * p.cos_alpha + z * p.sin_alpha,
+                z * p.cos_alpha - y * p.sin_alpha,
+            );
+            *axis = (z, o);
+            let (angle, shift) = if p.turns {
+                (p.row.theta + variable, p.row.d)
+            } else {
+                (p.row.theta, p.row.d + variable)
+            };
+            let (s, c) = libm::sincos(angle);
+            (x, y) = (x * c + y * s, y * c - x * s);
+            o += z * shift;
+        }
+        let link = Matrix3::from_columns(&[x, y, z]);
+        let d = o + link * self.gripper.translation.vector;
+        let rotation = Rotation3::from_matrix_unchecked(link * self.gripper_axes);
+        state.pose = Pose::from_parts(
+            Translation3::from(d),
+            UnitQuaternion::from_rotation_matrix(&rotation),
+        );
+        // Eq. 15: (S × (d − C), S) for a revolute joint, (S, 0) for a prismatic one.
+        for ((p, (s, c)), column) in self.primitives.iter().zip(&axes).zip(&mut state.jacobian) {
+            *column = if p.turns {
+                let v = s.cross(&(d - c));
+                Vector6::new(v.x, v.y, v.z, s.x, s.y, s.z)
+            } else {
+                Vector6::new(s.x, s.y, s.z, 0.0, 0.0, 0.0)
+            };
+        }
+    }
+
+    /// Pose of the workpiece at the joint values `theta`.
+    ///
+    /// # Panics
+    /// When `theta` is shorter than [`Chain::freedoms`].
+    pub fn pose(&self, theta: &[f64]) -> Pose {
+        let mut state = ChainState::default();
+        self.evaluate(theta, &mut state);
+        state.pose
+    }
+
+    /// For drawing: each table row's frame before its joint, after X(α, a), and behind it, after
+    /// Z(θ, d), both in the fixed frame.
+    ///
+    /// # Panics
+    /// When `theta` is shorter than [`Chain::freedoms`].
+    pub fn frames(&self, theta: &[f64]) -> Vec<(Pose, Pose)> {
+        let mut variables = theta.iter();
+        let mut next = || *variables.next().expect("one value a freedom");
+        let mut frame = self.base;
+        let mut frames = Vec::new();
+        for joint in &self.joints {
+            for (i, row) in joint.rows().iter().enumerate() {
+                let (angle, shift) = match joint.kind().moves(i) {
+                    Moves::Turns => (next(), 0.0),
+                    Moves::Slides => (0.0, next()),
+                    Moves::Both => (next(), next()),
+                };
+                let seat = frame * x_displacement(row.alpha, row.a);
+                frame = seat * z_displacement(row.theta + angle, row.d + shift);
+                frames.push((seat, frame));
+            }
+        }
+        frames
+    }
+}
+
+/// The rows with one variable each; a C turns first and then slides along the same axis.
+fn primitives(joints: &[Joint]) -> Vec<Primitive> {
+    let mut list = Vec::new();
+    for joint in joints {
+        for (i, &row) in joint.rows().iter().enumerate() {
+            let (sin_alpha, cos_alpha) = libm::sincos(row.alpha);
+            let limits = joint.limits()[i];
+            let moves = joint.kind().moves(i);
+            list.push(Primitive {
+                row,
+                sin_alpha,
+                cos_alpha,
+                turns: moves != Moves::Slides,
+                limits,
+            });
+            if moves == Moves::Both {
+                list.push(Primitive {
+                    row: DhRow::default(),
+                    sin_alpha: 0.0,
+                    cos_alpha: 1.0,
+                    turns: false,
+                    limits: joint.limits()[1],
+                });
+            }
+        }
+    }
+    list
+}

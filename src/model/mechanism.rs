@@ -1,0 +1,90 @@
+//! A workpiece and the chains that hold it: checks, size, mobility by count.
+
+use crate::model::chain::Chain;
+
+/// More chains than any linkage a person would enter; keeps a hostile document from costing time.
+pub const MAX_CHAINS: usize = 24;
+
+/// The chains that share a workpiece.
+#[derive(Clone, Debug)]
+pub struct Mechanism {
+    chains: Vec<Chain>,
+}
+
+/// Why chains do not make a mechanism.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[expect(missing_docs, reason = "the fields are what the variants speak of")]
+pub enum MechanismFault {
+    /// Nothing holds the workpiece.
+    NoChains,
+    /// More than [`MAX_CHAINS`].
+    TooManyChains { found: usize },
+}
+
+impl Mechanism {
+    /// One to [`MAX_CHAINS`] chains. Their mobility by count may be 0 or less: an overconstrained
+    /// linkage such as the planar 4R still moves.
+    ///
+    /// # Errors
+    /// Without a chain, or with too many.
+    pub fn new(chains: Vec<Chain>) -> Result<Self, MechanismFault> {
+        match chains.len() {
+            0 => Err(MechanismFault::NoChains),
+            found if found > MAX_CHAINS => Err(MechanismFault::TooManyChains { found }),
+            _ => Ok(Self { chains }),
+        }
+    }
+
+    /// The chains, in the document's order.
+    pub fn chains(&self) -> &[Chain] {
+        &self.chains
+    }
+
+    /// Number of joint variables of all chains: the length of every joint vector, chain by chain.
+    pub fn variables(&self) -> usize {
+        self.chains.iter().map(Chain::freedoms).sum()
+    }
+
+    /// Mobility M = 6 − ΣU (Eq. 10): the count, which the rank may exceed.
+    pub fn mobility_count(&self) -> isize {
+        let constraints: usize = self.chains.iter().map(Chain::constraints).sum();
+        6 - constraints.cast_signed()
+    }
+
+    /// A length typical of the mechanism, for tolerances: the longest chain, or the span of the
+    /// bases if that is more; 1 for a mechanism without lengths worth the name.
+    pub fn size(&self) -> f64 {
+        /// Below it, 1/size and its square are no longer safe from overflow.
+        const NONE: f64 = 1e-100;
+        let origin = self.chains[0].base().translation.vector;
+        let span = |c: &Chain| (c.base().translation.vector - origin).norm();
+        let longest = |m: f64, c: &Chain| m.max(c.reach()).max(span(c));
+        let size = self.chains.iter().fold(0.0, longest);
+        if size > NONE { size } else { 1.0 }
+    }
+
+    /// The same mechanism in another unit of length: every length times `factor`.
+    pub fn scaled(&self, factor: f64) -> Self {
+        Self {
+            chains: self.chains.iter().map(|c| c.scaled(factor)).collect(),
+        }
+    }
+
+    /// Joint values with lengths in multiples of `unit`.
+    pub fn in_unit(&self, joints: &[f64], unit: f64) -> Vec<f64> {
+        let turns = self.chains.iter().flat_map(Chain::turns);
+        let pairs = joints.iter().zip(turns);
+        pairs
+            .map(|(x, turns)| if turns { *x } else { x / unit })
+            .collect()
+    }
+
+    /// The part of a joint vector that belongs to each chain.
+    pub fn split<'a>(&'a self, joints: &'a [f64]) -> impl Iterator<Item = (&'a Chain, &'a [f64])> {
+        self.chains.iter().scan(joints, |rest, chain| {
+            let (own, others) = rest.split_at(chain.freedoms());
+            *rest = others;
+            Some((chain, own))
+        })
+    }
+}

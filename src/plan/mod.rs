@@ -1,0 +1,4 @@
+//! Many frames: where a motion starts, the branch followed, one configuration moved by hand.
+
+pub mod follow;
+pub mod modes;

@@ -1,0 +1,185 @@
+//! Loop closure in the paper's variables r = (θ, q): the residual and the matrix \[A\] of Eq. 21.
+
+use crate::math::linalg;
+use crate::math::pose::{self, DualQuaternion, Pose};
+use crate::model::chain::{Chain, ChainState};
+use crate::model::mechanism::Mechanism;
+use nalgebra::SMatrix;
+
+/// Largest opening of a published frame, in the document's unit of length and rad.
+pub const CLOSED: f64 = 1e-10;
+
+/// The opening up to which loops of a mechanism of this size count as closed: [`CLOSED`], and for
+/// mechanisms of more than 1,000 units what rounding leaves of it.
+pub fn closed(size: f64) -> f64 {
+    CLOSED.max(1e-13 * size)
+}
+
+/// How far the loops are open with the workpiece at `pose`: the largest distance or rotation between
+/// the workpiece and the end of a chain (Eq. 23).
+///
+/// # Panics
+/// When `joints` does not have one value a joint variable.
+pub fn opening(mechanism: &Mechanism, joints: &[f64], pose: &Pose) -> f64 {
+    mechanism
+        .split(joints)
+        .map(|(chain, theta)| {
+            let e = pose::difference(&chain.pose(theta), pose);
+            e.fixed_rows::<3>(0).norm().max(e.fixed_rows::<3>(3).norm())
+        })
+        // NaN counts as open.
+        .fold(0.0, |worst: f64, e| if e <= worst { worst } else { e })
+}
+
+/// \[J_E\] of Eq. 19: the twist of the workpiece per unit of each dual-quaternion component.
+pub fn twist_of_rates(q: &DualQuaternion) -> SMatrix<f64, 6, 8> {
+    let [q1, q2, q3, q4, q5, q6, q7, q8] = (*q).into();
+    #[rustfmt::skip]
+    let half = SMatrix::<f64, 6, 8>::from_row_slice(&[
+        -q8,  q7, -q6,  q5,  q4, -q3,  q2, -q1,
+        -q7, -q8,  q5,  q6,  q3,  q4, -q1, -q2,
+         q6, -q5, -q8,  q7, -q2,  q1,  q4, -q3,
+         q4, -q3,  q2, -q1, 0.0, 0.0, 0.0, 0.0,
+         q3,  q4, -q1, -q2, 0.0, 0.0, 0.0, 0.0,
+        -q2,  q1,  q4, -q3, 0.0, 0.0, 0.0, 0.0,
+    ]);
+    half * 2.0
+}
+
+/// \[C\] of Eq. 20: the rates of the two conditions on a unit dual quaternion.
+pub fn condition_rates(q: &DualQuaternion) -> SMatrix<f64, 2, 8> {
+    let [q1, q2, q3, q4, q5, q6, q7, q8] = (*q).into();
+    SMatrix::<f64, 2, 8>::from_row_slice(&[
+        2.0 * q1,
+        2.0 * q2,
+        2.0 * q3,
+        2.0 * q4,
+        0.0,
+        0.0,
+        0.0,
+        0.0, //
+        q5,
+        q6,
+        q7,
+        q8,
+        q1,
+        q2,
+        q3,
+        q4,
+    ])
+}
+
+/// The linearised closure equations \[A\] Δr = E at one r (Eq. 21), dense.
+#[derive(Clone, Debug)]
+pub struct Linearised {
+    /// \[A\] by rows: 6k + 2 rows of n entries, the joint variables first and then q.
+    pub rows: Vec<Vec<f64>>,
+    /// E with the sign of Eq. 23–25: the pseudo-inverse step is r ← r − \[A\]⁺ E, not + as Eq. 28
+    /// prints it.
+    pub residual: Vec<f64>,
+}
+
+/// \[A\] and E at the joint values and dual quaternion of the workpiece.
+///
+/// # Panics
+/// When `joints` does not have one value a joint variable.
+pub fn linearise(mechanism: &Mechanism, joints: &[f64], q: &DualQuaternion) -> Linearised {
+    let variables = mechanism.variables();
+    let je = twist_of_rates(q);
+    let mut place = pose::from_dual_quaternion(q, 1.0);
+    // Eq. 17 as printed, d = 2 q_dual ∘ q* without a division by |q|², is what [J_E] derives: off
+    // |q| = 1 the corrections would otherwise first open the loops by |q|² − 1 times d.
+    place.translation.vector *= q.fixed_rows::<4>(0).norm_squared();
+    let mut rows = Vec::new();
+    let mut residual = Vec::new();
+    let mut first = 0;
+    let mut state = ChainState::default();
+    for (chain, theta) in mechanism.split(joints) {
+        chain.evaluate(theta, &mut state);
+        let e = pose::difference(&state.pose, &place);
+        for i in 0..6 {
+            let mut row = vec![0.0; variables + 8];
+            for (j, column) in state.jacobian[..theta.len()].iter().enumerate() {
+                row[first + j] = column[i];
+            }
+            for j in 0..8 {
+                row[variables + j] = -je[(i, j)];
+            }
+            rows.push(row);
+            residual.push(e[i]);
+        }
+        first += theta.len();
+    }
+    let c = condition_rates(q);
+    for i in 0..2 {
+        let mut row = vec![0.0; variables];
+        row.extend(c.row(i).iter());
+        rows.push(row);
+    }
+    let (real, dual) = (q.fixed_rows::<4>(0), q.fixed_rows::<4>(4));
+    residual.push(real.norm_squared() - 1.0);
+    residual.push(real.dot(&dual));
+    Linearised { rows, residual }
+}
+
+/// The smallest singular value of \[A\], with buffers for one frame after the other.
+#[derive(Clone, Debug, Default)]
+pub struct SingularValues {
+    gram: Vec<f64>,
+    work: Vec<f64>,
+}
+
+impl SingularValues {
+    /// The smallest singular value of \[A\] that is not zero on account of `redundant` dependent
+    /// equations.
+    ///
+    /// It is the root of an eigenvalue of \[A\]\[A\]ᵀ, which is small and quickly formed from its
+    /// blocks; values below 1e-7 are therefore not told apart from 0.
+    pub fn smallest(&mut self, chains: &[Chain], joints: &[f64], redundant: usize) -> f64 {
+        let n = 6 * chains.len() + 2;
+        self.gram.clear();
+        self.gram.resize(n * n, 0.0);
+        let mut first = 0;
+        let mut state = ChainState::default();
+        let mut q = DualQuaternion::zeros();
+        for (i, chain) in chains.iter().enumerate() {
+            chain.evaluate(&joints[first..], &mut state);
+            if i == 0 {
+                q = pose::dual_quaternion(&state.pose, 1.0);
+            }
+            let mut block = SMatrix::<f64, 6, 6>::zeros();
+            for column in &state.jacobian[..chain.freedoms()] {
+                block += column * column.transpose();
+            }
+            add_block(&mut self.gram, n, 6 * i, 6 * i, &block);
+            first += chain.freedoms();
+        }
+        let (je, c) = (twist_of_rates(&q), condition_rates(&q));
+        let (je_je, c_je, c_c) = (je * je.transpose(), c * je.transpose(), c * c.transpose());
+        for i in 0..chains.len() {
+            for j in 0..=i {
+                add_block(&mut self.gram, n, 6 * i, 6 * j, &je_je);
+            }
+            add_block(&mut self.gram, n, n - 2, 6 * i, &-c_je);
+        }
+        add_block(&mut self.gram, n, n - 2, n - 2, &c_c);
+        let index = redundant.min(n - 1);
+        linalg::symmetric_eigenvalue(&mut self.gram, n, index, &mut self.work)
+            .max(0.0)
+            .sqrt()
+    }
+}
+
+fn add_block<const R: usize, const C: usize>(
+    a: &mut [f64],
+    stride: usize,
+    row: usize,
+    column: usize,
+    block: &SMatrix<f64, R, C>,
+) {
+    for j in 0..C {
+        for i in 0..R {
+            a[(column + j) * stride + row + i] += block[(i, j)];
+        }
+    }
+}

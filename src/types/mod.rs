@@ -1,0 +1,4 @@
+//! Types of linkages (Section 4): counted, listed, and made into linkages.
+
+pub mod enumerate;
+pub mod example;
