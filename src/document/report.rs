@@ -90,7 +90,9 @@ impl Report {
             chains: mechanism.chains().iter().map(chain).collect(),
             mobility_count: trajectory.mobility_count,
             mobility_rank: trajectory.mobility_rank,
-            warnings: trajectory.warnings.iter().map(warning).collect(),
+            warnings: (trajectory.warnings.iter())
+                .map(|found| warning(found, mechanism))
+                .collect(),
             start: start_values(mechanism, &trajectory.start),
         }
     }
@@ -138,7 +140,7 @@ pub fn chain(chain: &Chain) -> ChainReport {
     }
 }
 
-fn warning(warning: &Warning) -> WarningReport {
+fn warning(warning: &Warning, mechanism: &Mechanism) -> WarningReport {
     let say = |code, message, frames: Option<(usize, usize)>| WarningReport {
         code,
         message,
@@ -153,6 +155,39 @@ fn warning(warning: &Warning) -> WarningReport {
             ),
             None,
         ),
+        Warning::StartOutsideLimits {
+            variable,
+            value,
+            limit,
+        } => {
+            let (name, turns) = joint_name(mechanism, variable);
+            let which = if value < limit {
+                "below its smallest"
+            } else {
+                "above its largest"
+            };
+            let number = |x: f64| {
+                if turns {
+                    format!("{}°", rounded(x.to_degrees()))
+                } else {
+                    rounded(x)
+                }
+            };
+            let unit = if turns {
+                ""
+            } else {
+                " (in the unit of length)"
+            };
+            say(
+                "start-outside-limits",
+                format!(
+                    "The start of {name}, {}, is {which} value, {}{unit}: it is moved there.",
+                    number(value),
+                    number(limit)
+                ),
+                None,
+            )
+        }
         Warning::StartOpen { opening } => say(
             "start-open",
             format!(
@@ -205,4 +240,20 @@ fn warning(warning: &Warning) -> WarningReport {
             Some((frame, frame)),
         ),
     }
+}
+
+/// A joint variable, counted over all chains, as in "chain 2, d2", and whether it is an angle.
+fn joint_name(mechanism: &Mechanism, variable: usize) -> (String, bool) {
+    let labels = (mechanism.chains().iter().enumerate()).flat_map(|(i, own)| {
+        let variables = chain(own).variables.into_iter();
+        variables.map(move |v| (format!("chain {}, {}", i + 1, v.label), v.unit == "rad"))
+    });
+    let mut labels = labels.skip(variable);
+    labels.next().unwrap_or_default()
+}
+
+/// Six digits: what tells a value from its limit, without the rounding of degrees.
+fn rounded(x: f64) -> String {
+    let six: f64 = format!("{x:.5e}").parse().unwrap_or(x);
+    six.to_string()
 }

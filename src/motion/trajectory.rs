@@ -51,6 +51,13 @@ pub enum Warning {
     /// The start's loops were open, and were closed by moving a joint by up to `moved` (rad or
     /// lengths).
     StartMoved { moved: f64 },
+    /// A given start value (rad or a length) was beyond this limit of joint variable `variable`, counted
+    /// over all chains, and was moved to it.
+    StartOutsideLimits {
+        variable: usize,
+        value: f64,
+        limit: f64,
+    },
     /// The start's loops could not be closed; `opening` is what is left.
     StartOpen { opening: f64 },
     /// The linkage jumped between frames `first` and `first + 1`: a joint moved by `moved`.

@@ -6,6 +6,7 @@ use crate::model::joint::Limits;
 use crate::model::mechanism::Mechanism;
 use crate::motion::goal::Goal;
 use crate::motion::trajectory::{Status, Trajectory, Warning};
+use crate::plan::given;
 use crate::solve::drive::{self, Obstacle};
 use crate::solve::gradient;
 use crate::solve::newton::{End, Solved, Solver};
@@ -250,6 +251,7 @@ fn assemble(
 ) -> bool {
     /// Motion below which a start counts as closed as given: the last digits of a printed table.
     const MOVED: f64 = 1e-6;
+    given::move_within_limits(mechanism, joints, warnings);
     let given = joints.to_vec();
     if solver.assemble(joints) {
         let moved = largest_difference(joints, &given);

@@ -1,4 +1,6 @@
 //! Many frames: where a motion starts, the branch followed, one configuration moved by hand.
 
 pub mod follow;
+pub mod given;
 pub mod modes;
+mod seeds;
