@@ -2,5 +2,6 @@
 
 pub mod follow;
 pub mod given;
+mod inner;
 pub mod modes;
 mod seeds;
