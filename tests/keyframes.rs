@@ -7,9 +7,9 @@ use synthetica::math::pose::{
     DualQuaternion, FrameCoordinates, Pose, dual_quaternion, gaps, nearer_sign,
 };
 use synthetica::motion::goal::{
-    Curve, Interpolation, KeyFrame, KeyFrameFault, MAX_FRAMES, MAX_KEY_FRAMES, default_radius,
-    goal_motion,
+    Curve, DoubleQuaternions, Goal, Interpolation, MAX_FRAMES, default_radius, goal_motion,
 };
+use synthetica::motion::key_frames::{KeyFrame, KeyFrameFault, MAX_KEY_FRAMES};
 
 const ALL: [Interpolation; 3] = [
     Interpolation::Bezier,
