@@ -565,8 +565,8 @@ fn the_motion_does_not_depend_on_the_fixed_frame() {
                 }
             }
         }
-        // The moved key frames themselves are rounded: by 1e-16 of the distance.
-        assert!(worst < 1e-14 + 3e-15 * size, "{size:e}: {worst:e}");
+        // The moved key frames themselves are rounded, by 1e-16 of the distance, and so is the result.
+        assert!(worst < 5e-14 + 5e-16 * size, "{size:e}: {worst:e}");
     }
 }
 

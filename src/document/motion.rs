@@ -51,7 +51,8 @@ pub(crate) fn goal_of(motion: &MotionEntry) -> Result<(Vec<Goal>, Vec<Warning>),
         }
         KeyFrameFault::Radius { radius, least } => {
             let accepted = format!(
-                "a positive length that is not below {least}, half the distance of the farthest key frame from the reference point, or null"
+                "a positive length that is not below {}, half the distance of the farthest key frame from the reference point, or null",
+                rounded_up(least)
             );
             out_of_range(&MOTION.field("radius"), radius, &accepted)
         }
@@ -62,6 +63,14 @@ pub(crate) fn goal_of(motion: &MotionEntry) -> Result<(Vec<Goal>, Vec<Warning>),
     })?;
     let notes = notes(&motion.key_frames, &keys, &half_turns);
     Ok((goals, notes))
+}
+
+/// To four digits, so that what a message names is accepted.
+fn rounded_up(value: f64) -> f64 {
+    /// Half a unit of the fourth digit, at most.
+    const HALF: f64 = 5e-4;
+    let text = format!("{:.3e}", value * (1.0 + HALF));
+    text.parse().unwrap_or(value)
 }
 
 fn key_frame(entry: &KeyFrameEntry, place: &Place<'_>) -> Result<KeyFrame, Fault> {
