@@ -22,7 +22,7 @@
  * @typedef {{x?: Entry, y?: Entry, z?: Entry, longitude?: Entry, latitude?: Entry, roll?: Entry}} Frame
  * @typedef {{name?: string, base?: Frame, joints: Joint[], gripper?: Frame, start?: Entry[] | null}} Chain
  * @typedef {Frame & {name?: string, time?: Entry | null}} KeyFrame
- * @typedef {{key_frames: KeyFrame[], interpolation?: string, frames?: Entry, radius?: Entry | null}} MotionSpec
+ * @typedef {{key_frames: KeyFrame[], interpolation?: string, frames?: Entry, reference?: Entry[] | null, radius?: Entry | null}} MotionSpec
  * @typedef {{method?: string, metric_length?: Entry, max_iterations?: Entry}} PlannerSpec
  * @typedef {{$schema?: string, version: number, name?: string, about?: string, length_unit?: string, chains: Chain[],
  *   motion: MotionSpec, planner?: PlannerSpec}} MechanismDocument

@@ -3,6 +3,8 @@
 pub mod bounds;
 pub mod defaults;
 pub mod fault;
+mod motion;
+mod parts;
 pub mod problem;
 pub mod questions;
 mod reader;

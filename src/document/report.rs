@@ -1,10 +1,11 @@
 //! A planned motion as a page reads it: names, units and sentences.
 
+use crate::document::fault::excerpt;
 use crate::document::problem::start_values;
 use crate::model::chain::Chain;
 use crate::model::joint::Moves;
 use crate::model::mechanism::Mechanism;
-use crate::motion::trajectory::{Status, Trajectory, Warning};
+use crate::motion::trajectory::{Neighbours, Status, Trajectory, Warning};
 use crate::types::enumerate;
 use serde::Serialize;
 
@@ -196,6 +197,26 @@ fn warning(warning: &Warning) -> WarningReport {
                 .to_owned(),
             None,
         ),
+        Warning::HalfTurn {
+            ref neighbours,
+            axis,
+        } => say("half-turn", half_turn(neighbours, axis), None),
+        Warning::FullTurn {
+            ref neighbours,
+            angle,
+            typed,
+            slides,
+        } => say(
+            "full-turn",
+            full_turn(neighbours, angle, typed, slides),
+            None,
+        ),
+        Warning::ShortWay {
+            ref neighbours,
+            angle,
+            typed,
+            turn,
+        } => say("short-way", short_way(neighbours, angle, typed, turn), None),
         Warning::Runaway { frame } => say(
             "runaway",
             format!(
@@ -205,4 +226,56 @@ fn warning(warning: &Warning) -> WarningReport {
             Some((frame, frame)),
         ),
     }
+}
+
+fn half_turn(neighbours: &Neighbours, axis: [f64; 3]) -> String {
+    // Adding 0 makes 0 of −0.
+    let [x, y, z] = axis.map(|x| (x * 1e3).round() / 1e3 + 0.0);
+    format!(
+        "From {} the workpiece turns by 180°, and both ways are equally long. It turns about the direction ({x}, {y}, {z}) of the fixed frame, by the right-hand rule. A key frame between the two chooses the other way.",
+        from_to(neighbours)
+    )
+}
+
+fn full_turn(neighbours: &Neighbours, angle: &str, typed: f64, slides: bool) -> String {
+    let typed = degrees(typed);
+    let what = if slides {
+        "does not turn"
+    } else {
+        "stands still"
+    };
+    format!(
+        "From {} the {angle} differs by {typed}°, which is the same rotation: the workpiece {what} between them. {MORE_KEY_FRAMES}",
+        from_to(neighbours)
+    )
+}
+
+fn short_way(neighbours: &Neighbours, angle: &str, typed: f64, turn: f64) -> String {
+    let (typed, turn) = (degrees(typed), degrees(turn));
+    format!(
+        "From {} the {angle} differs by {typed}°, and the workpiece turns the short way, by {turn}°. {MORE_KEY_FRAMES}",
+        from_to(neighbours)
+    )
+}
+
+const MORE_KEY_FRAMES: &str =
+    "To turn it all the way, add key frames between them, each less than 180° from the one before.";
+
+/// Such as: key frame 1 “begin” to key frame 2.
+fn from_to(neighbours: &Neighbours) -> String {
+    let [before, own] = &neighbours.names;
+    let called = |number: usize, name: &str| {
+        let mut words = format!("key frame {number}");
+        if !name.is_empty() {
+            words += &format!(" \u{201c}{}\u{201d}", excerpt(name));
+        }
+        words
+    };
+    let key = neighbours.key;
+    format!("{} to {}", called(key, before), called(key + 1, own))
+}
+
+/// Radians in degrees, rounded to a thousandth.
+fn degrees(angle: f64) -> f64 {
+    (angle.to_degrees() * 1e3).round() / 1e3
 }

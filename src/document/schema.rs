@@ -11,7 +11,8 @@ use crate::{
     },
     model::chain::MAX_FREEDOMS,
     model::mechanism::MAX_CHAINS,
-    motion::goal::{MAX_FRAMES, MAX_KEY_FRAMES},
+    motion::goal::MAX_FRAMES,
+    motion::key_frames::MAX_KEY_FRAMES,
 };
 use serde::{Deserialize, Serialize};
 
@@ -195,8 +196,16 @@ pub struct MotionEntry {
     #[serde(default = "default_frames")]
     #[cfg_attr(feature = "schema", schemars(range(min = 2, max = MAX_FRAMES)))]
     pub frames: u32,
+    /// The point x, y, z about which the double quaternions interpolate; null for the mean of the key
+    /// frames' positions. The paper's is the origin of the fixed frame.
+    #[cfg_attr(
+        feature = "schema",
+        schemars(length(equal = 3), inner(range(min = -MAX_LENGTH, max = MAX_LENGTH)))
+    )]
+    #[serde(default)]
+    pub reference: Option<Vec<f64>>,
     /// Radius of the double quaternions, large against the workspace; null for 20 times the distance
-    /// of the farthest key frame.
+    /// of the farthest key frame from the reference point.
     #[cfg_attr(feature = "schema", schemars(range(min = 0.0, max = MAX_LENGTH)))]
     #[serde(default)]
     pub radius: Option<f64>,

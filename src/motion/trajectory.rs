@@ -45,6 +45,15 @@ impl Status {
     }
 }
 
+/// Two key frames that follow each other.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Neighbours {
+    /// The later of the two, from 0.
+    pub key: usize,
+    /// Their names, which may be empty.
+    pub names: [String; 2],
+}
+
 /// Something that worked, but deserves a look. Joint variables count from 0 through all chains, frames from 0.
 #[derive(Clone, Debug, PartialEq)]
 #[expect(missing_docs, reason = "the fields are what the variants speak of")]
@@ -75,6 +84,29 @@ pub enum Warning {
     MobilityDiffers { count: isize, rank: usize },
     /// The metric's length is far off the lengths of the linkage.
     MetricLength { given: f64, proposed: f64 },
+    /// Two key frames are half a turn apart, so that both ways are equally long; the workpiece turns
+    /// about `axis`, a unit vector in the fixed frame, by the right-hand rule.
+    HalfTurn {
+        neighbours: Neighbours,
+        axis: [f64; 3],
+    },
+    /// Two key frames have the same rotation although `angle` (longitude, latitude or roll) differs by
+    /// `typed` rad, a full turn or more: nothing turns between them, and nothing moves unless the
+    /// workpiece `slides`.
+    FullTurn {
+        neighbours: Neighbours,
+        angle: &'static str,
+        typed: f64,
+        slides: bool,
+    },
+    /// `angle` (longitude, latitude or roll) of two key frames differs by `typed` rad, more than half a
+    /// turn; the workpiece turns the short way, by `turn` rad.
+    ShortWay {
+        neighbours: Neighbours,
+        angle: &'static str,
+        typed: f64,
+        turn: f64,
+    },
 }
 
 /// The row of a table whose number, changed by the least, would take the most of a misfit away.

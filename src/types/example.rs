@@ -98,6 +98,7 @@ pub fn assemble(text: &str) -> Result<Document, Fault> {
             key_frames: vec![KeyFrameEntry::default(); 2],
             interpolation: Interpolation::default(),
             frames: FRAMES,
+            reference: None,
             radius: None,
         },
         planner: PlannerEntry::default(),
