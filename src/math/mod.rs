@@ -2,4 +2,5 @@
 
 pub mod linalg;
 pub mod pose;
+pub mod random;
 pub mod screw;
