@@ -40,7 +40,8 @@ fn the_gradient_ends_where_its_planner_ends() {
         let motion = problem.plan();
         for frame in 0..motion.frames() {
             let before = frame.checked_sub(1).map(|i| motion.joints_at(i));
-            let history = problem.trace(frame, before.unwrap_or(&[]))
+            let history = problem
+                .trace(frame, before.unwrap_or(&[]))
                 .expect("a frame")
                 .gradient;
             let answer = motion.joints_at(frame);
@@ -51,7 +52,10 @@ fn the_gradient_ends_where_its_planner_ends() {
             for pair in history.metric.windows(2) {
                 assert!(pair[1] <= pair[0] + 1e-13, "f never grows: {pair:?}");
             }
-            assert!(history.closure_error.iter().all(|e| *e < 1e-10), "all are closed");
+            assert!(
+                history.closure_error.iter().all(|e| *e < 1e-10),
+                "all are closed"
+            );
             assert!(history.iteration.windows(2).all(|pair| pair[0] < pair[1]));
             assert!(history.arrivals[1..].iter().all(|a| a.share > 0.0));
         }
@@ -70,7 +74,9 @@ fn newton_ends_where_the_planner_ends() {
         );
         for frame in 0..motion.frames() {
             let before = frame.checked_sub(1).map(|i| motion.joints_at(i));
-            let trace = problem.trace(frame, before.unwrap_or(&[])).expect("a frame");
+            let trace = problem
+                .trace(frame, before.unwrap_or(&[]))
+                .expect("a frame");
             let history = &trace.newton;
             let pose = history.poses.last().expect("iterates");
             let off = synthetica::math::pose::difference(pose, &motion.poses[frame]).norm();

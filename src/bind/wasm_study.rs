@@ -149,7 +149,8 @@ fn history(problem: &Problem, history: &History) -> Result<Object, JsValue> {
         .iter()
         .flat_map(|joints| problem.frames_at(joints))
         .collect();
-    let arrivals = |part: fn(&Arrival) -> f64| history.arrivals.iter().map(part).collect::<Vec<_>>();
+    let arrivals =
+        |part: fn(&Arrival) -> f64| history.arrivals.iter().map(part).collect::<Vec<_>>();
     set("iteration", &Uint32Array::from(&history.iteration[..]))?;
     numbers("joints", &history.joints.concat())?;
     numbers("pose", &placed(&history.poses))?;

@@ -1,8 +1,8 @@
 //! Tables 2 and 3 as plain data, for whoever prints them.
 
 use crate::types::enumerate::{
-    ChainClass, MAX_CHAIN_CONSTRAINTS, MAX_CONSTRAINTS, assembly_categories,
-    assembly_count, category_name, classes, letters,
+    ChainClass, MAX_CHAIN_CONSTRAINTS, MAX_CONSTRAINTS, assembly_categories, assembly_count,
+    category_name, classes, letters,
 };
 use serde::Serialize;
 
