@@ -2,15 +2,15 @@
 //! tables of types, linkages of a type, the schema. The package that a page loads first is built without them (feature `study`).
 
 use crate::bind::wasm::{self, JsPosture, index, placed, problem, refusal, to_js};
+use crate::document::example_document;
 use crate::document::problem::Problem;
 use crate::document::schema::SCHEMA;
 use crate::document::text;
 use crate::exchange::export::{self, Format};
 use crate::math::pose::Pose;
 use crate::solve::gradient::Arrival;
-use crate::study::iterations::{self, Course};
-use crate::types::enumerate;
-use crate::types::example;
+use crate::study::iterations::History;
+use crate::types::{enumerate, tables};
 use js_sys::{Float64Array, Object, Reflect, Uint8Array, Uint32Array};
 use wasm_bindgen::prelude::*;
 
@@ -49,15 +49,19 @@ pub fn drive(text: &str, joints: &[f64], variable: f64, value: f64) -> Result<Js
 /// # Errors
 /// A `Fault` where the document, the frame or the joint values are at fault.
 #[wasm_bindgen]
-pub fn trace(text: &str, frame: usize, joints: &[f64]) -> Result<JsTrace, JsValue> {
+pub fn trace(text: &str, frame: f64, joints: &[f64]) -> Result<JsTrace, JsValue> {
     let problem = problem(text)?;
-    let trace = iterations::trace(&problem, frame, joints).map_err(|fault| refusal(&fault))?;
+    // No index is no frame.
+    let frame = index(frame).and_then(|k| usize::try_from(k).ok());
+    let trace = problem
+        .trace(frame.unwrap_or(usize::MAX), joints)
+        .map_err(|fault| refusal(&fault))?;
     let object = Object::new();
     let set = |name: &str, value: &JsValue| Reflect::set(&object, &name.into(), value).map(drop);
     set("goal", &Float64Array::from(&placed([&trace.goal])[..]))?;
     set("minimum", &trace.minimum.into())?;
-    set("gradient", &course(&problem, &trace.gradient)?.into())?;
-    set("newton", &course(&problem, &trace.newton)?.into())?;
+    set("gradient", &history(&problem, &trace.gradient)?.into())?;
+    set("newton", &history(&problem, &trace.newton)?.into())?;
     Ok(object.unchecked_into())
 }
 
@@ -67,7 +71,9 @@ pub fn trace(text: &str, frame: usize, joints: &[f64]) -> Result<JsTrace, JsValu
 /// A `Fault` where the document or the joint values are at fault.
 #[wasm_bindgen]
 pub fn matrix(text: &str, joints: &[f64]) -> Result<JsMatrix, JsValue> {
-    let matrix = iterations::matrix(&problem(text)?, joints).map_err(|fault| refusal(&fault))?;
+    let matrix = problem(text)?
+        .matrix(joints)
+        .map_err(|fault| refusal(&fault))?;
     to_js(&matrix).map(JsCast::unchecked_into)
 }
 
@@ -97,7 +103,7 @@ pub fn export_motion(text: &str, format: &str) -> Result<String, JsValue> {
 /// A `Fault` where the text is no type.
 #[wasm_bindgen]
 pub fn assemble(kinds: &str) -> Result<String, JsValue> {
-    let document = example::assemble(kinds).map_err(|fault| refusal(&fault))?;
+    let document = example_document::example(kinds).map_err(|fault| refusal(&fault))?;
     Ok(document.text())
 }
 
@@ -113,7 +119,7 @@ pub fn schema() -> String {
 /// Never for a reason of the caller's.
 #[wasm_bindgen]
 pub fn enumeration() -> Result<JsEnumeration, JsValue> {
-    to_js(&enumerate::tables()).map(JsCast::unchecked_into)
+    to_js(&tables::tables()).map(JsCast::unchecked_into)
 }
 
 /// The k-th chain with this degree of constraint, such as RPS; undefined if there is none.
@@ -134,31 +140,32 @@ pub fn assembly_by_index(constraints: usize, k: f64) -> Option<Vec<String>> {
     )
 }
 
-fn course(problem: &Problem, course: &Course) -> Result<Object, JsValue> {
+fn history(problem: &Problem, history: &History) -> Result<Object, JsValue> {
     let object = Object::new();
     let set = |name: &str, value: &JsValue| Reflect::set(&object, &name.into(), value).map(drop);
     let numbers = |name, values: &[f64]| set(name, &Float64Array::from(values));
-    let rows: Vec<Pose> = course
+    let rows: Vec<Pose> = history
         .joints
         .iter()
         .flat_map(|joints| problem.frames_at(joints))
         .collect();
-    let arrivals = |part: fn(&Arrival) -> f64| course.arrivals.iter().map(part).collect::<Vec<_>>();
-    set("iteration", &Uint32Array::from(&course.iteration[..]))?;
-    numbers("joints", &course.joints.concat())?;
-    numbers("pose", &placed(&course.poses))?;
+    let arrivals =
+        |part: fn(&Arrival) -> f64| history.arrivals.iter().map(part).collect::<Vec<_>>();
+    set("iteration", &Uint32Array::from(&history.iteration[..]))?;
+    numbers("joints", &history.joints.concat())?;
+    numbers("pose", &placed(&history.poses))?;
     numbers("rows", &placed(&rows))?;
-    numbers("metric", &course.metric)?;
-    numbers("projected_gradient", &course.projected_gradient)?;
-    numbers("closure", &course.opening)?;
-    numbers("sigma_min", &course.sigma_min)?;
+    numbers("metric", &history.metric)?;
+    numbers("projected_gradient", &history.projected_gradient)?;
+    numbers("closure", &history.closure_error)?;
+    numbers("sigma_min", &history.sigma_min)?;
     numbers("share", &arrivals(|a| a.share))?;
     numbers("opening", &arrivals(|a| a.opening))?;
     numbers("corrections", &arrivals(|a| a.corrections as f64))?;
     numbers("correction", &arrivals(|a| a.correction))?;
-    let guarded: Vec<u8> = course.guarded.iter().map(|g| u8::from(*g)).collect();
+    let guarded: Vec<u8> = history.guarded.iter().map(|g| u8::from(*g)).collect();
     set("guarded", &Uint8Array::from(&guarded[..]))?;
-    set("last", &course.last.into())?;
-    set("converged", &course.converged.into())?;
+    set("last", &history.last.into())?;
+    set("converged", &history.converged.into())?;
     Ok(object)
 }

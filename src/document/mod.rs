@@ -2,6 +2,7 @@
 
 pub mod bounds;
 pub mod defaults;
+pub mod example_document;
 pub mod fault;
 mod motion;
 mod parts;

@@ -1,5 +1,6 @@
 //! Positions outside any motion: the linkage pulled by its workpiece or driven by one of its joints,
-//! and what holds it there. Checks what a page hands in, and says in words why a joint stops.
+//! what holds it there, the planners' iterations and the paper's matrix. Checks what a page hands in, and
+//! says in words why a joint stops.
 
 use crate::document::bounds::{MAX_ANGLE, MAX_LENGTH, bounded, out_of_range, wrong_count};
 use crate::document::fault::{Fault, FaultCode, Place, excerpt};
@@ -11,6 +12,8 @@ use crate::motion::trajectory::Trajectory;
 use crate::plan::follow::{drive_joint, pull};
 use crate::solve::drive::Obstacle;
 use crate::solve::paper_matrix;
+use crate::study::iterations::{self, Trace};
+use crate::study::matrix::{self, Matrix};
 use crate::study::why::{self, Insight};
 use nalgebra::{Quaternion, Translation3, UnitQuaternion};
 
@@ -85,6 +88,41 @@ impl Problem {
         }
         let length = self.settings.metric_length;
         Ok(why::explain(mechanism, joints, &goal, length))
+    }
+
+    /// The iterations of both planners towards the goal of `frame`, counted from 0, from the joint
+    /// values `joints` of the frame before; from the document's start if there are none.
+    ///
+    /// # Errors
+    /// When there is no such frame, or not one finite joint value a joint variable.
+    pub fn trace(&self, frame: usize, joints: &[f64]) -> Result<Trace, Fault> {
+        const FRAME: Place<'static> = Place::WHOLE.field("frame");
+        let Some(goal) = self.goals.get(frame) else {
+            let accepted = format!("0 to {}", self.goals.len() - 1);
+            return Err(out_of_range(&FRAME, frame, &accepted));
+        };
+        let from = if joints.is_empty() {
+            self.find_start()
+        } else {
+            self.check_joints(joints)?;
+            joints.to_vec()
+        };
+        Ok(iterations::trace(
+            &self.mechanism,
+            &self.settings,
+            &goal.pose,
+            &from,
+        ))
+    }
+
+    /// \[A\] of Eq. 21 at the joint values `joints`, with its singular values.
+    ///
+    /// # Errors
+    /// When there is not one finite joint value a joint variable.
+    pub fn matrix(&self, joints: &[f64]) -> Result<Matrix, Fault> {
+        self.check_joints(joints)?;
+        let length = self.settings.metric_length;
+        Ok(matrix::matrix(&self.mechanism, joints, length))
     }
 
     fn turns(&self) -> Vec<bool> {

@@ -1,11 +1,16 @@
-//! Random numbers that are the same everywhere.
+//! Numbers that look random and are the same everywhere: SplitMix64 (Steele, Lea, Flood 2014).
 
-/// SplitMix64 (Steele, Lea, Flood 2014): a few lines, and the same numbers everywhere.
+/// A sequence that its seed decides.
 #[derive(Clone, Debug)]
-pub struct Random(pub u64);
+pub struct Random(u64);
 
 impl Random {
-    /// From 0 to 1, without 1.
+    /// The sequence of this seed.
+    pub fn new(seed: u64) -> Self {
+        Self(seed)
+    }
+
+    /// The next number, from 0 up to but not 1.
     pub fn unit(&mut self) -> f64 {
         self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
         let mut z = self.0;
@@ -14,7 +19,7 @@ impl Random {
         ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    /// From `low` to `high`.
+    /// The next number between `low` and `high`.
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.unit()
     }

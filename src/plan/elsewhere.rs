@@ -22,7 +22,7 @@ const REACH: Reach = Reach { shortest: Shortest::Joints, each: STEP, all: STEP }
 pub fn joined(solver: &mut Solver, joints: &[f64], goal: &Pose) -> Option<(Vec<f64>, Solved)> {
     let mut best: Option<(Vec<f64>, Solved)> = None;
     for walk in 0..WALKS {
-        let mut random = Random(walk);
+        let mut random = Random::new(walk);
         let mut theta = solver.scaled().entered(joints);
         for _ in 0..STOPS {
             for _ in 0..STRIDE {

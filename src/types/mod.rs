@@ -2,3 +2,5 @@
 
 pub mod enumerate;
 pub mod example;
+pub mod mobility;
+pub mod tables;
