@@ -83,76 +83,135 @@ pub fn plan_watched(
     settings: &Settings,
     done: &mut dyn FnMut(usize),
 ) -> Trajectory {
-    assert_eq!(
-        start.len(),
-        mechanism.variables(),
-        "one start value a joint variable"
-    );
-    let mut t = Trajectory {
-        variables: start.len(),
-        mobility_count: mechanism.mobility_count(),
-        ..Trajectory::default()
-    };
-    let own_limit = match settings.method {
-        Method::Newton => NEWTON_ITERATIONS,
-        Method::Gradient => GRADIENT_ITERATIONS,
-    };
-    let max_iterations = settings.max_iterations.unwrap_or(own_limit);
-    let mut solver = Solver::new(mechanism, settings.metric_length, max_iterations);
-    let mut joints = start.to_vec();
-    let closed = assemble(mechanism, &mut solver, &mut joints, &mut t.warnings);
-    t.mobility_rank = solver.mobility(&joints);
-    if closed && t.mobility_rank.cast_signed() != t.mobility_count {
-        let (count, rank) = (t.mobility_count, t.mobility_rank);
-        t.warnings.push(Warning::MobilityDiffers { count, rank });
+    let mut planning = Planning::new(mechanism, start, goals, settings);
+    while planning.advance() {
+        done(planning.done());
     }
-    let limited = mechanism.chains().iter().flat_map(Chain::limits);
-    if settings.method == Method::Gradient && limited.into_iter().any(|l| l != Limits::NONE) {
-        t.warnings.push(Warning::LimitsUnknown);
+    planning.finish()
+}
+
+/// A plan in portions of one frame.
+#[derive(Debug)]
+pub struct Planning {
+    mechanism: Mechanism,
+    /// The mechanism in units of the metric's length.
+    reference: Mechanism,
+    goals: Vec<Goal>,
+    settings: Settings,
+    max_iterations: usize,
+    solver: Solver,
+    closed: bool,
+    joints: Vec<f64>,
+    /// Everything of the frames so far but what [`measure_singular`] and [`survey`] add.
+    planned: Trajectory,
+}
+
+impl Planning {
+    /// Closes the loops at `start`; no frame is planned yet.
+    ///
+    /// # Panics
+    /// When `start` does not have one value a joint variable.
+    pub fn new(mechanism: &Mechanism, start: &[f64], goals: &[Goal], settings: &Settings) -> Self {
+        assert_eq!(
+            start.len(),
+            mechanism.variables(),
+            "one start value a joint variable"
+        );
+        let mut t = Trajectory {
+            variables: start.len(),
+            mobility_count: mechanism.mobility_count(),
+            ..Trajectory::default()
+        };
+        let own_limit = match settings.method {
+            Method::Newton => NEWTON_ITERATIONS,
+            Method::Gradient => GRADIENT_ITERATIONS,
+        };
+        let max_iterations = settings.max_iterations.unwrap_or(own_limit);
+        let mut solver = Solver::new(mechanism, settings.metric_length, max_iterations);
+        let mut joints = start.to_vec();
+        let closed = assemble(mechanism, &mut solver, &mut joints, &mut t.warnings);
+        t.mobility_rank = solver.mobility(&joints);
+        if closed && t.mobility_rank.cast_signed() != t.mobility_count {
+            let (count, rank) = (t.mobility_count, t.mobility_rank);
+            t.warnings.push(Warning::MobilityDiffers { count, rank });
+        }
+        let limited = mechanism.chains().iter().flat_map(Chain::limits);
+        if settings.method == Method::Gradient && limited.into_iter().any(|l| l != Limits::NONE) {
+            t.warnings.push(Warning::LimitsUnknown);
+        }
+        t.start.clone_from(&joints);
+        Self {
+            reference: mechanism.scaled(1.0 / settings.metric_length),
+            mechanism: mechanism.clone(),
+            goals: goals.to_vec(),
+            settings: *settings,
+            max_iterations,
+            solver,
+            closed,
+            joints,
+            planned: t,
+        }
     }
-    t.start.clone_from(&joints);
-    let reference = mechanism.scaled(1.0 / settings.metric_length);
-    let mut predicted = joints.clone();
-    for (frame, goal) in goals.iter().enumerate() {
-        predict(&t.joints, frame, &joints, &mut predicted);
-        let solved = match (closed, settings.method) {
+
+    /// Frames in all.
+    pub fn frames(&self) -> usize {
+        self.goals.len()
+    }
+
+    /// Frames planned so far.
+    pub fn done(&self) -> usize {
+        self.planned.frames()
+    }
+
+    /// Plans one more frame; `false` where there is none left.
+    pub fn advance(&mut self) -> bool {
+        let (mechanism, length) = (&self.mechanism, self.settings.metric_length);
+        let frame = self.planned.frames();
+        let Some(goal) = self.goals.get(frame) else {
+            return false;
+        };
+        let joints = &mut self.joints;
+        let mut predicted = joints.clone();
+        predict(&self.planned.joints, frame, joints, &mut predicted);
+        let solved = match (self.closed, self.settings.method) {
             (false, _) => OPEN,
-            (true, Method::Newton) => solver.solve(&goal.pose, &mut joints, &predicted),
+            (true, Method::Newton) => self.solver.solve(&goal.pose, joints, &predicted),
             (true, Method::Gradient) => {
-                let mut scaled = mechanism.in_unit(&joints, settings.metric_length);
+                let mut scaled = mechanism.in_unit(joints, length);
                 let mut near = goal.pose;
-                near.translation.vector /= settings.metric_length;
+                near.translation.vector /= length;
+                let most = self.max_iterations;
                 let descent =
-                    gradient::descend(&reference, &near, &mut scaled, max_iterations, &mut |_| {});
-                joints = mechanism.in_unit(&scaled, 1.0 / settings.metric_length);
-                let mut solved = solver.certify(&goal.pose, &joints, GRADIENT_FALL);
+                    gradient::descend(&self.reference, &near, &mut scaled, most, &mut |_| {});
+                *joints = mechanism.in_unit(&scaled, 1.0 / length);
+                let mut solved = self.solver.certify(&goal.pose, joints, GRADIENT_FALL);
                 solved.iterations = descent.iterations;
                 solved.projected_gradient = descent.projected_gradient;
                 solved
             }
         };
-        record(
-            &mut t,
-            mechanism,
-            goal,
-            &joints,
-            &solved,
-            settings.metric_length,
-        );
+        record(&mut self.planned, mechanism, goal, joints, &solved, length);
         if solved.end == End::Runaway {
-            t.warnings.push(Warning::Runaway { frame });
+            self.planned.warnings.push(Warning::Runaway { frame });
         }
-        done(frame + 1);
+        true
     }
-    measure_singular(
-        &mut t,
-        mechanism,
-        &mut solver,
-        &reference,
-        settings.metric_length,
-    );
-    survey(&mut t, mechanism);
-    t
+
+    /// The motion of the frames planned so far, with the warnings of what is there.
+    pub fn so_far(&self) -> Trajectory {
+        let mut t = self.planned.clone();
+        let (mechanism, length) = (&self.mechanism, self.settings.metric_length);
+        let mut solver = Solver::new(mechanism, length, self.max_iterations);
+        measure_singular(&mut t, mechanism, &mut solver, &self.reference, length);
+        survey(&mut t, mechanism);
+        t
+    }
+
+    /// Plans the rest; the whole motion.
+    pub fn finish(mut self) -> Trajectory {
+        while self.advance() {}
+        self.so_far()
+    }
 }
 
 /// One position outside any motion, as a motion of one frame: the closest reachable pose to `goal` on
