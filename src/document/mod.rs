@@ -11,4 +11,5 @@ pub mod questions;
 mod reader;
 pub mod report;
 pub mod schema;
+pub mod session;
 pub mod text;
