@@ -1,5 +1,9 @@
 //! Rigid displacements, screws, and small dense linear algebra; knows no linkage.
 
+pub mod cholesky;
 pub mod linalg;
 pub mod pose;
+pub mod qr;
 pub mod screw;
+pub mod svd;
+pub mod symmetric;
