@@ -1,6 +1,7 @@
 //! The document format: text, schema, checks, faults, and the questions asked of a document.
 
 pub mod bounds;
+pub mod chain_report;
 pub mod defaults;
 pub mod example_document;
 pub mod fault;
@@ -13,3 +14,5 @@ pub mod report;
 pub mod schema;
 pub mod session;
 pub mod text;
+pub mod warnings;
+pub mod wording;

@@ -4,13 +4,12 @@ use crate::document::bounds::{
     MAX_NAME, MAX_TIME, bounded, check_text, length, not_finite, out_of_range, wrong_count,
 };
 use crate::document::fault::{Fault, FaultCode, Place};
-use crate::document::parts::{each, frame};
+use crate::document::parts::{each, frame, point};
 use crate::document::schema::{FrameEntry, KeyFrameEntry, MotionEntry};
 use crate::math::pose::gaps;
 use crate::motion::goal::{DoubleQuaternions, Goal, GoalMotion, MAX_FRAMES, goal_motion};
 use crate::motion::key_frames::{HalfTurn, KeyFrame, KeyFrameFault, MAX_KEY_FRAMES};
 use crate::motion::trajectory::{Neighbours, Warning};
-use nalgebra::Vector3;
 
 const MOTION: Place<'static> = Place::WHOLE.field("motion");
 
@@ -29,7 +28,7 @@ pub(crate) fn goal_of(motion: &MotionEntry) -> Result<(Vec<Goal>, Vec<Warning>),
         .map(|r| length(r, &MOTION.field("radius")))
         .transpose()?;
     let double_quaternions = DoubleQuaternions {
-        reference: reference(motion)?,
+        reference: point(motion.reference.as_deref(), &MOTION.field("reference"))?,
         radius,
     };
     let frames = motion.frames as usize;
@@ -104,19 +103,6 @@ fn key_frame(entry: &KeyFrameEntry, place: &Place<'_>) -> Result<KeyFrame, Fault
         pose,
         time,
     })
-}
-
-fn reference(motion: &MotionEntry) -> Result<Option<Vector3<f64>>, Fault> {
-    let place = MOTION.field("reference");
-    let Some(point) = &motion.reference else {
-        return Ok(None);
-    };
-    let &[x, y, z] = point.as_slice() else {
-        let accepted = "three lengths, those of x, y and z, or null";
-        return Err(wrong_count(&place, point.len(), accepted));
-    };
-    let point = each(&[x, y, z], |i, &value| length(value, &place.item(i)))?;
-    Ok(Some(Vector3::from_column_slice(&point)))
 }
 
 /// Where the motion between neighbours is not the only one that their angles can mean.

@@ -3,12 +3,12 @@
 
 use crate::document::bounds::{
     MAX_ABOUT, MAX_ITERATIONS, MAX_LENGTH, MAX_NAME, MAX_ROW_FRAMES, MAX_SCHEMA, MAX_UNIT,
-    MIN_METRIC_LENGTH, angle, check_text, joint_value, length, not_finite, out_of_range,
+    MAX_DIMENSION_TOLERANCE, MIN_METRIC_LENGTH, angle, check_text, joint_value, length, not_finite, out_of_range,
     wrong_count,
 };
 use crate::document::fault::{Fault, FaultCode, Place};
 use crate::document::motion::goal_of;
-use crate::document::parts::{each, frame};
+use crate::document::parts::{each, frame, point};
 use crate::document::schema::{ChainEntry, Document, JointEntry, LimitsEntry, RowEntry};
 use crate::math::pose::Pose;
 use crate::model::chain::{Chain, ChainFault, MAX_FREEDOMS};
@@ -17,8 +17,9 @@ use crate::model::joint::{Joint, JointFault, JointKind, Limits, Moves};
 use crate::model::mechanism::{MAX_CHAINS, Mechanism, MechanismFault};
 use crate::motion::goal::Goal;
 use crate::motion::trajectory::{Trajectory, Warning};
-use crate::plan::follow::{Settings, plan_watched};
+use crate::plan::follow::Planning;
 use crate::plan::modes;
+use crate::plan::settings::{Settings, extent};
 
 /// What the planner needs, in radians.
 #[derive(Clone, Debug)]
@@ -92,22 +93,19 @@ impl Problem {
             .collect()
     }
 
-    /// Plans the motion.
-    pub fn plan(&self) -> Trajectory {
-        self.plan_watched(&mut |_| {})
+    /// The extent of the goal motion, which stands in for the size of a mechanism without lengths.
+    pub fn extent(&self) -> f64 {
+        extent(&self.goals)
     }
 
-    /// The same, and tells `done` after each frame how many there are.
-    pub fn plan_watched(&self, done: &mut dyn FnMut(usize)) -> Trajectory {
-        let mut trajectory = plan_watched(
-            &self.mechanism,
-            &self.find_start(),
-            &self.goals,
-            &self.settings,
-            done,
-        );
-        trajectory.warnings.splice(..0, self.notes.iter().cloned());
-        trajectory
+    /// Plans the motion in one go.
+    pub fn plan(&self) -> Trajectory {
+        self.planning(&self.find_start()).finish()
+    }
+
+    /// Plans the motion in portions, from these joint values.
+    pub fn planning(&self, start: &[f64]) -> Planning {
+        Planning::new(&self.mechanism, start, &self.goals, &self.settings).noted(&self.notes)
     }
 }
 
@@ -270,31 +268,29 @@ fn given_start(
 fn settings(document: &Document) -> Result<Settings, Fault> {
     const PLACE: Place<'static> = Place::WHOLE.field("planner");
     let entry = &document.planner;
-    let length = entry.metric_length;
-    if !(MIN_METRIC_LENGTH..=MAX_LENGTH).contains(&length) {
-        let accepted = format!("a length from {MIN_METRIC_LENGTH} to {MAX_LENGTH}");
-        return Err(out_of_range(
-            &PLACE.field("metric_length"),
-            length,
-            &accepted,
-        ));
+    if let Some(length) = entry.metric_length.filter(|length| !(MIN_METRIC_LENGTH..=MAX_LENGTH).contains(length)) {
+        let accepted = format!("a length from {MIN_METRIC_LENGTH:e} to {MAX_LENGTH:e}, or null");
+        let place = PLACE.field("metric_length");
+        return Err(out_of_range(&place, format_args!("{length:?}"), &accepted));
     }
-    if let Some(most) = entry
-        .max_iterations
-        .filter(|most| !(1..=MAX_ITERATIONS).contains(most))
-    {
+    let tolerance = entry.dimension_tolerance;
+    if !(0.0..=MAX_DIMENSION_TOLERANCE).contains(&tolerance) {
+        let accepted = format!("a share of the size from 0 to {MAX_DIMENSION_TOLERANCE}");
+        let place = PLACE.field("dimension_tolerance");
+        return Err(out_of_range(&place, format_args!("{tolerance:?}"), &accepted));
+    }
+    if let Some(most) = entry.max_iterations.filter(|most| !(1..=MAX_ITERATIONS).contains(most)) {
         let accepted = format!("a whole number from 1 to {MAX_ITERATIONS}, or null");
-        return Err(out_of_range(
-            &PLACE.field("max_iterations"),
-            most,
-            &accepted,
-        ));
+        return Err(out_of_range(&PLACE.field("max_iterations"), most, &accepted));
     }
-    let max_iterations = entry.max_iterations.map(|most| most as usize);
+    let origin = point(entry.metric_origin.as_deref(), &PLACE.field("metric_origin"))?;
     Ok(Settings {
         method: entry.method,
-        metric_length: length,
-        max_iterations,
+        metric: entry.metric,
+        metric_length: entry.metric_length,
+        metric_origin: origin,
+        dimension_tolerance: tolerance,
+        max_iterations: entry.max_iterations.map(|most| most as usize),
     })
 }
 

@@ -30,6 +30,13 @@ pub struct Metric {
     pub origin: Vector3<f64>,
 }
 
+impl Default for Metric {
+    /// About the goal's origin, in units of length.
+    fn default() -> Self {
+        Self { kind: MetricKind::Pose, ..Self::PAPER }
+    }
+}
+
 impl Metric {
     /// The paper's: about the fixed frame's origin, in units of length.
     pub const PAPER: Self = Self {

@@ -150,6 +150,32 @@ pub struct Bounds {
     pub reached: f64,
 }
 
+/// Where a metric's length comes from.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum LengthSource {
+    /// The document.
+    Given,
+    /// The mechanism's size.
+    Mechanism,
+    /// The extent of the goal motion, where the mechanism has no lengths.
+    Motion,
+    /// Neither has any: 1.
+    #[default]
+    None,
+}
+
+impl LengthSource {
+    /// The name in reports.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Given => "given",
+            Self::Mechanism => "mechanism",
+            Self::Motion => "motion",
+            Self::None => "none",
+        }
+    }
+}
+
 /// A planned motion.
 #[derive(Clone, Debug, Default)]
 pub struct Trajectory {
@@ -192,9 +218,9 @@ pub struct Trajectory {
     /// The bounds that were used.
     pub bounds: Bounds,
     /// The metric that was used, in the mechanism's unit.
-    pub metric_used: Option<Metric>,
+    pub metric_used: Metric,
     /// Where its length comes from.
-    pub length_source: &'static str,
+    pub length_source: LengthSource,
     /// What deserves a look.
     pub warnings: Vec<Warning>,
 }

@@ -4,8 +4,8 @@ use crate::math::pose::Pose;
 use crate::model::mechanism::Mechanism;
 use crate::motion::goal::Goal;
 use crate::motion::trajectory::Trajectory;
-use crate::plan::follow::{close_start, prepare};
-use crate::plan::record::{measure_singular, record};
+use crate::plan::follow::close_start;
+use crate::plan::record::{begin, measure_singular, record};
 use crate::plan::settings::{Method, Settings};
 use crate::solve::drive::{self, Obstacle};
 use crate::solve::newton::{End, Solved, Solver};
@@ -68,7 +68,8 @@ fn move_from(
     go: impl FnOnce(&mut Solver, &mut [f64]) -> (Solved, Option<Pose>, Option<Obstacle>),
 ) -> Configuration {
     let newton = Settings { method: Method::Newton, ..*settings };
-    let (mut solver, mut t) = prepare(mechanism, extent, &newton);
+    let mut solver = newton.solver(mechanism, extent);
+    let mut t = begin(mechanism, &solver, extent, &newton);
     let mut joints = from.to_vec();
     let closed = close_start(&mut solver, &mut joints, settings, &mut t.warnings);
     t.start.clone_from(&joints);

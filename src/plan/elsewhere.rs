@@ -7,6 +7,7 @@ use crate::plan::modes;
 use crate::math::random::Random;
 use crate::plan::settings::Settings;
 use crate::solve::close::{Reach, Shortest};
+use crate::solve::close_start::Start;
 use crate::solve::newton::{Solved, Solver};
 
 /// Walks, and positions on each from which a minimum is looked for.
@@ -67,14 +68,14 @@ fn step(solver: &mut Solver, theta: &mut Vec<f64>, random: &mut Random) {
 }
 
 /// Whether another assembly has a finite certified pose that is closer than `value`.
-pub fn another_assembly(mechanism: &Mechanism, goal: &Pose, settings: &Settings, value: f64) -> bool {
+pub fn another_assembly(mechanism: &Mechanism, goal: &Pose, settings: &Settings, extent: f64, value: f64) -> bool {
     let free = vec![None; mechanism.chains().len()];
     let found = modes::find(mechanism, &free, goal, settings);
-    let (mut solver, _) = super::follow::prepare(mechanism, 0.0, settings);
+    let mut solver = settings.solver(mechanism, extent);
     let mut joints = found.clone();
     if matches!(
         solver.close_start(&mut joints, settings.dimension_tolerance),
-        crate::solve::close_start::Start::Open { .. }
+        Start::Open { .. }
     ) {
         return false;
     }

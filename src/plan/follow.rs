@@ -2,13 +2,13 @@
 
 use crate::model::joint::Limits;
 use crate::model::mechanism::Mechanism;
-use crate::model::scaled::{CLOSED, Scaled};
+use crate::model::scaled::CLOSED;
 use crate::motion::goal::Goal;
-use crate::motion::trajectory::{Bounds, Trajectory, Warning};
+use crate::motion::trajectory::{Trajectory, Warning};
 use crate::plan::elsewhere;
 use crate::plan::leaps::{self, Leap};
-use crate::plan::record::{measure_singular, record};
-use crate::plan::settings::{Method, Settings, characteristic_length, extent};
+use crate::plan::record::{begin, measure_singular, record};
+use crate::plan::settings::{Method, Settings, extent};
 use crate::solve::close_start::Start;
 use crate::solve::gradient;
 use crate::solve::newton::{End, Solved, Solver};
@@ -68,7 +68,9 @@ impl Planning {
     /// When `start` does not have one value a joint variable.
     pub fn new(mechanism: &Mechanism, start: &[f64], goals: &[Goal], settings: &Settings) -> Self {
         assert_eq!(start.len(), mechanism.variables(), "one start value a joint variable");
-        let (mut solver, mut t) = prepare(mechanism, extent(goals), settings);
+        let extent = extent(goals);
+        let mut solver = settings.solver(mechanism, extent);
+        let mut t = begin(mechanism, &solver, extent, settings);
         let mut joints = start.to_vec();
         let mut closed = close_start(&mut solver, &mut joints, settings, &mut t.warnings);
         t.mobility_rank = solver.mobility(&joints).0;
@@ -101,6 +103,12 @@ impl Planning {
             search_from: 0,
             searches: 0,
         }
+    }
+
+    /// The same, with warnings that are known before.
+    pub fn noted(mut self, notes: &[Warning]) -> Self {
+        self.t.warnings.splice(..0, notes.iter().cloned());
+        self
     }
 
     /// Frames in all.
@@ -150,7 +158,7 @@ impl Planning {
             }
             Method::Gradient => {
                 let before = self.joints.clone();
-                let metric = self.t.metric_used.unwrap_or(crate::math::metric::Metric::PAPER);
+                let metric = self.t.metric_used;
                 let rotation = self.mechanism.chains()[0].pose(&before).rotation;
                 let target = metric.target(&goal, &rotation);
                 let most = self.settings.iterations();
@@ -190,7 +198,7 @@ impl Planning {
                 self.joints = joints;
                 return solved;
             }
-            elsewhere = elsewhere::another_assembly(&self.mechanism, &goal, &self.settings, runaway.value);
+            elsewhere = elsewhere::another_assembly(&self.mechanism, &goal, &self.settings, extent(&self.goals), runaway.value);
         }
         self.runaways.push(Warning::Runaway { frame, elsewhere });
         runaway
@@ -247,42 +255,6 @@ impl Planning {
         self.t.warnings.append(&mut self.runaways);
         self.t
     }
-}
-
-/// A solver and an empty motion that says by what it will be judged.
-pub(super) fn prepare(mechanism: &Mechanism, extent: f64, settings: &Settings) -> (Solver, Trajectory) {
-    let scaled = Scaled::new(mechanism, extent);
-    let metric = settings.metric_for(mechanism, extent);
-    let solver = Solver::new(scaled, &metric, settings.iterations());
-    let tolerances = solver.tolerances();
-    let (proposed, source) = characteristic_length(mechanism, extent);
-    let source = if settings.metric_length.is_some() { "given" } else { source.name() };
-    let projected_gradient = match settings.method {
-        Method::Newton => tolerances.stationary,
-        Method::Gradient => gradient::STATIONARY,
-    };
-    let mut t = Trajectory {
-        variables: mechanism.variables(),
-        mobility_count: mechanism.mobility_count(),
-        bounds: Bounds {
-            closure: CLOSED,
-            misfit: settings.dimension_tolerance,
-            projected_gradient,
-            curvature: tolerances.flat,
-            reached: tolerances.reached,
-        },
-        metric_used: Some(metric),
-        length_source: source,
-        ..Trajectory::default()
-    };
-    /// A length so many times longer or shorter than the linkage's weighs rotations against translations as nobody
-    /// means it: mostly a length of 1 that was meant in another unit.
-    const FAR_OFF: f64 = 30.0;
-    let ratio = metric.length / proposed;
-    if !(1.0 / FAR_OFF..=FAR_OFF).contains(&ratio) && source == "given" {
-        t.warnings.push(Warning::MetricLength { given: metric.length, proposed });
-    }
-    (solver, t)
 }
 
 /// Closes the loops at the start; warns if that moved it, or failed.

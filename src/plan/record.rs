@@ -2,15 +2,51 @@
 
 use crate::math::metric::Metric;
 use crate::math::pose::{self, Pose};
+use crate::model::mechanism::Mechanism;
 use crate::model::scaled::{CLOSED, Scaled};
 use crate::motion::goal::Goal;
-use crate::motion::trajectory::{Status, Trajectory, Warning};
+use crate::motion::trajectory::{Bounds, LengthSource, Status, Trajectory, Warning};
+use crate::plan::settings::{Method, Settings, characteristic_length};
+use crate::solve::gradient;
 use crate::solve::newton::{End, Solved, Solver};
 use crate::solve::singular_values::SingularValues;
 
 /// Smallest singular value below which a position is reported as nearly singular: some joint rate is then a hundred
 /// times the workpiece's, lengths as shares of the size.
 const NEAR_SINGULAR: f64 = 1e-2;
+
+/// An empty motion that says by what it will be judged; warns of a metric length that is far off.
+pub fn begin(mechanism: &Mechanism, solver: &Solver, extent: f64, settings: &Settings) -> Trajectory {
+    /// A length so many times longer or shorter than the linkage's weighs rotations against translations as nobody
+    /// means it: mostly a length of 1 that was meant in another unit.
+    const FAR_OFF: f64 = 30.0;
+    let tolerances = solver.tolerances();
+    let metric = settings.metric_for(mechanism, extent);
+    let (proposed, source) = characteristic_length(mechanism, extent);
+    let projected_gradient = match settings.method {
+        Method::Newton => tolerances.stationary,
+        Method::Gradient => gradient::STATIONARY,
+    };
+    let mut t = Trajectory {
+        variables: mechanism.variables(),
+        mobility_count: mechanism.mobility_count(),
+        bounds: Bounds {
+            closure: CLOSED,
+            misfit: settings.dimension_tolerance,
+            projected_gradient,
+            curvature: tolerances.flat,
+            reached: tolerances.reached,
+        },
+        metric_used: metric,
+        length_source: settings.metric_length.map_or(source, |_| LengthSource::Given),
+        ..Trajectory::default()
+    };
+    let given = metric.length;
+    if settings.metric_length.is_some() && !(1.0 / FAR_OFF..=FAR_OFF).contains(&(given / proposed)) {
+        t.warnings.push(Warning::MetricLength { given, proposed });
+    }
+    t
+}
 
 /// Appends a frame. How far the loops are open is measured anew, from the joint values that are published. `before` are
 /// the joint values of the frame before.

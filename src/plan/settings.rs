@@ -3,6 +3,9 @@
 use crate::math::metric::{Metric, MetricKind};
 use crate::model::mechanism::Mechanism;
 use crate::motion::goal::Goal;
+use crate::motion::trajectory::LengthSource;
+use crate::model::scaled::Scaled;
+use crate::solve::newton::Solver;
 use nalgebra::Vector3;
 
 /// Which of the two planners.
@@ -74,6 +77,12 @@ impl Settings {
         }
     }
 
+    /// A solver of this mechanism for a motion of this extent.
+    pub fn solver(&self, mechanism: &Mechanism, extent: f64) -> Solver {
+        let scaled = Scaled::new(mechanism, extent);
+        Solver::new(scaled, &self.metric_for(mechanism, extent), self.iterations())
+    }
+
     /// Iterations that a frame may take.
     pub fn iterations(&self) -> usize {
         let own = match self.method {
@@ -88,31 +97,6 @@ impl Settings {
 pub const NEWTON_ITERATIONS: usize = 500;
 /// Gradient steps; near gimbal lock the 3RPS takes some 20,000.
 pub const GRADIENT_ITERATIONS: usize = 30_000;
-
-/// Where a metric's length comes from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum LengthSource {
-    /// The document.
-    Given,
-    /// The mechanism's size.
-    Mechanism,
-    /// The extent of the goal motion, where the mechanism has no lengths.
-    Motion,
-    /// Neither has any: 1.
-    None,
-}
-
-impl LengthSource {
-    /// The name in reports.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Given => "given",
-            Self::Mechanism => "mechanism",
-            Self::Motion => "motion",
-            Self::None => "none",
-        }
-    }
-}
 
 /// The length by which a metric weighs translations where none is given: the mechanism's size, so that a turn by 1 rad
 /// weighs as much as the way that it carries the workpiece at the end of the longest chain; else the extent of the

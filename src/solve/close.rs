@@ -7,7 +7,6 @@ use crate::math::linalg;
 use crate::model::joint::Stop;
 use crate::model::scaled::{SOLVED, Scaled};
 use crate::solve::dependent::Dependence;
-use crate::solve::limits::Holding;
 use crate::solve::singular_values::SingularValues;
 use crate::solve::tangent::{Free, Tangent};
 

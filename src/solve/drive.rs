@@ -11,7 +11,6 @@
 //! point) the rates of the others grow beyond all bounds, the steps shrink, and that is the end.
 //! Joints that come to a limit are held there as long as the motion pushes them against it.
 
-use crate::math::linalg;
 use crate::model::joint::Stop;
 use crate::model::scaled::Scaled;
 use crate::solve::close::{Closer, Reach, Shortest, add_rates, dot, solve_gram};
