@@ -15,7 +15,7 @@ use synthetica::document::schema::Document;
 use synthetica::document::text::{MAX_TEXT, parse};
 use synthetica::model::chain::Chain;
 use synthetica::model::joint::JointKind;
-use synthetica::plan::follow::Settings;
+use synthetica::plan::settings::Settings;
 
 /// A document with every field: two chains, every kind of joint, times, limits, starts.
 const WHOLE: &str = r#"{

@@ -7,7 +7,8 @@ mod golden;
 use js_sys::{Float64Array, Reflect};
 use synthetica::bind::wasm::{self, Session};
 use synthetica::bind::wasm_study;
-use synthetica::plan::follow::{Settings, plan};
+use synthetica::plan::follow::{plan};
+use synthetica::plan::settings::{Settings};
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
 
@@ -65,7 +66,7 @@ fn golden_motions_are_met() {
             &task.mechanism,
             &task.start,
             &task.goals,
-            &Settings::default(),
+            &Settings::PAPER,
         );
         for (i, (_, f)) in task.reference.iter().enumerate() {
             assert!(
