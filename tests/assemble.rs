@@ -8,13 +8,15 @@ use synthetica::document::problem::Problem;
 use synthetica::document::report::Report;
 use synthetica::math::linalg::svd;
 use synthetica::model::chain::ChainState;
+use synthetica::model::joint::Joint;
 use synthetica::model::mechanism::Mechanism;
 use synthetica::motion::trajectory::{Status, Trajectory};
 use synthetica::solve::paper_matrix::SingularValues;
 use synthetica::types::enumerate::{
     MAX_CHAIN_CONSTRAINTS, MAX_CONSTRAINTS, assembly_categories, chain, chain_count, letters,
 };
-use synthetica::types::example::{chains_of, links};
+use synthetica::types::example::chains_of;
+use synthetica::types::leg::links;
 use synthetica::types::mobility::{generic_mobility, generic_rank};
 
 /// Least singular value of the loop equations at a start, in units of the size: the bound below which a
@@ -80,7 +82,7 @@ fn well_shaped(name: &str, mechanism: &Mechanism, start: &[f64]) {
         chain.evaluate(theta, &mut state);
         let columns = &state.jacobian[..chain.freedoms()];
         let sigma = svd(columns.iter().map(|c| c.as_slice().to_vec()).collect()).sigma;
-        let kinds: Vec<_> = chain.joints().iter().map(|joint| joint.kind()).collect();
+        let kinds: Vec<_> = chain.joints().iter().map(Joint::kind).collect();
         let least = sigma[generic_rank(&kinds) - 1];
         assert!(least > DEPENDENT, "{name}: dependent joints, {least:e}");
     }
