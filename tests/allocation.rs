@@ -19,7 +19,7 @@ fn allocations(
     start: &[f64],
     goals: &[synthetica::motion::goal::Goal],
 ) -> usize {
-    let mut solver = Solver::new(mechanism, 1.0, 500);
+    let mut solver = Settings::PAPER.solver(mechanism, 1.0);
     let mut joints = start.to_vec();
     let mut predicted = start.to_vec();
     assert!(solver.assemble(&mut joints));

@@ -10,8 +10,10 @@ use synthetica::math::linalg::svd;
 use synthetica::model::chain::ChainState;
 use synthetica::model::joint::Joint;
 use synthetica::model::mechanism::Mechanism;
+use synthetica::model::scaled::Scaled;
 use synthetica::motion::trajectory::{Status, Trajectory};
-use synthetica::solve::paper_matrix::SingularValues;
+use synthetica::solve::singular_values::SingularValues;
+use synthetica::solve::tangent::Tangent;
 use synthetica::types::enumerate::{
     MAX_CHAIN_CONSTRAINTS, MAX_CONSTRAINTS, assembly_categories, chain, chain_count, letters,
 };
@@ -40,7 +42,7 @@ fn check(name: &str, frames: usize) -> (Trajectory, f64) {
     let mut problem = Problem::new(&document).expect("a document without faults");
     problem.goals.truncate(frames);
     let motion = problem.plan();
-    for warning in Report::new(&problem.mechanism, &motion).warnings {
+    for warning in Report::new(&problem.mechanism, &problem.length_unit, &motion).warnings {
         let open = ["start-open", "start-moved"].contains(&warning.code);
         assert!(!open, "{name}: {}", warning.message);
     }
@@ -49,11 +51,11 @@ fn check(name: &str, frames: usize) -> (Trajectory, f64) {
 
     let mobility = generic_mobility(&kinds);
     assert_eq!(motion.mobility_rank, mobility, "mobility of {name}");
-    let size = problem.mechanism.size();
-    let near = problem.mechanism.scaled(1.0 / size);
-    let theta = problem.mechanism.in_unit(&motion.start, size);
+    let scaled = Scaled::new(&problem.mechanism, 1.0);
+    let mut tangent = Tangent::new(scaled.chains());
+    tangent.evaluate(scaled.chains(), &scaled.entered(&motion.start));
     let repeated = mobility.saturating_add_signed(-motion.mobility_count);
-    let sigma = SingularValues::default().smallest(near.chains(), &theta, repeated);
+    let sigma = SingularValues::default().smallest(tangent.jacobians(), repeated);
     assert!(sigma > SINGULAR, "{name} is nearly singular: {sigma:e}");
 
     well_shaped(name, &problem.mechanism, &motion.start);

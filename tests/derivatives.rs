@@ -5,6 +5,7 @@ mod common;
 use common::{Linkage, Random, assemblies, chain, goals, linkage};
 use nalgebra::{Matrix6, SVector, Vector3, Vector6};
 use std::f64::consts::{FRAC_PI_2, PI};
+use synthetica::math::metric::Metric;
 use synthetica::math::pose::{
     DualQuaternion, Pose, difference, dual_quaternion, from_dual_quaternion, metric, nearer_sign,
 };
@@ -13,7 +14,8 @@ use synthetica::model::dh::DhRow;
 use synthetica::model::joint::{Joint, JointKind, Stop};
 use synthetica::model::mechanism::Mechanism;
 use synthetica::motion::goal::Goal;
-use synthetica::plan::follow::{Settings, plan};
+use synthetica::plan::follow::{plan};
+use synthetica::plan::settings::{Settings};
 use synthetica::solve::objective::objective;
 use synthetica::solve::paper_matrix::{condition_rates, linearise, twist_of_rates};
 use synthetica::solve::tangent::Tangent;
@@ -382,11 +384,11 @@ fn second_derivative_of_the_distance() {
     for kinds in all {
         let l = linkage(&kinds, &mut random);
         let goals: Vec<Goal> = goals(&l, 5, &mut random);
-        let t = plan(&l.mechanism, &l.home, &goals, &Settings::default());
+        let t = plan(&l.mechanism, &l.home, &goals, &Settings::PAPER);
         for i in (0..5).filter(|&i| t.status[i].is_certified() && t.metric[i] > 1e-6) {
             let goal = goals[i].pose;
             let model = objective(&t.poses[i], &goal, 1.0);
-            let f = |pose: &Pose| metric(pose, &goal, 1.0);
+            let f = |pose: &Pose| Metric::PAPER.value(pose, &goal);
             let (c, s) = second_order_agrees(
                 &l.mechanism,
                 t.joints_at(i),

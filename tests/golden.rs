@@ -7,9 +7,11 @@ mod golden_checks;
 
 use golden::tasks;
 use nalgebra::Isometry3;
+use synthetica::math::metric::Metric;
 use synthetica::math::linalg::svd;
 use synthetica::math::pose::{dual_quaternion, metric};
-use synthetica::plan::follow::{Settings, plan};
+use synthetica::plan::follow::{plan};
+use synthetica::plan::settings::{Settings};
 use synthetica::solve::paper_matrix::{linearise, opening};
 
 #[test]
@@ -31,7 +33,7 @@ fn reference_closes_and_measures_the_same() {
             let pose: Isometry3<f64> = task.mechanism.chains()[0].pose(joints);
             let open = opening(&task.mechanism, joints, &pose);
             assert!(open <= 1e-9, "{}, frame {i}: open by {open:e}", task.name);
-            let ours = metric(&pose, &task.goals[i].pose, 1.0);
+            let ours = Metric::PAPER.value(&pose, &task.goals[i].pose);
             assert!(
                 (ours - f).abs() <= 1e-9,
                 "{}, frame {i}: f {ours} for {f}",
@@ -50,11 +52,11 @@ fn smallest_singular_value() {
             &task.mechanism,
             &task.start,
             &task.goals,
-            &Settings::default(),
+            &Settings::PAPER,
         );
         for i in 0..t.frames() {
             let q = dual_quaternion(&t.poses[i], 1.0);
-            let dense = svd(linearise(&task.mechanism, t.joints_at(i), &q).rows).sigma;
+            let dense = svd(linearise(task.mechanism.chains(), t.joints_at(i), &q).rows).sigma;
             let least = dense.last().expect("a matrix");
             // The root of an eigenvalue: an error of 1e-15 of the largest becomes 1e-15/σ.
             assert!(
@@ -65,7 +67,7 @@ fn smallest_singular_value() {
         }
         let on_branch = task.reference.iter().map(|(joints, _)| {
             let q = dual_quaternion(&task.mechanism.chains()[0].pose(joints), 1.0);
-            *svd(linearise(&task.mechanism, joints, &q).rows)
+            *svd(linearise(task.mechanism.chains(), joints, &q).rows)
                 .sigma
                 .last()
                 .expect("a matrix")

@@ -2,7 +2,8 @@
 
 use synthetica::document::problem::Problem;
 use synthetica::document::text;
-use synthetica::plan::follow::{Method, Settings, plan};
+use synthetica::plan::follow::{plan};
+use synthetica::plan::settings::{Method, Settings};
 use synthetica::solve::paper_matrix::SingularValues;
 
 const SAMPLES: [&str; 8] = [
@@ -125,7 +126,7 @@ fn the_matrix_has_the_rank_and_singular_values_of_the_planner() {
             if frame > 0 {
                 // Away from a start that may be singular.
                 let mobility =
-                    synthetica::solve::newton::Solver::new(&problem.mechanism, length, 1)
+                    synthetica::solve::newton::Settings::PAPER.solver(&problem.mechanism, 1.0)
                         .mobility(joints);
                 assert_eq!(a.columns - a.rank, mobility, "n − rank [A]");
             }

@@ -33,6 +33,7 @@ pub fn example(text: &str) -> Result<Document, Fault> {
             key_frames: vec![key_frame("begin", begin), key_frame("end", end)],
             interpolation: Interpolation::default(),
             frames: FRAMES,
+            reference: None,
             radius: None,
         },
         planner: PlannerEntry::default(),

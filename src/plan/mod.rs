@@ -1,4 +1,9 @@
 //! Many frames: where a motion starts, the branch followed, one configuration moved by hand.
 
+pub mod configuration;
+pub mod elsewhere;
 pub mod follow;
+pub mod leaps;
 pub mod modes;
+pub mod record;
+pub mod settings;

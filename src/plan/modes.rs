@@ -1,9 +1,11 @@
 //! Where a motion starts: the given joint values, or an assembly found from many seeds.
 
-use crate::math::pose::{self, Pose};
+use crate::math::pose::Pose;
 use crate::model::chain::Chain;
 use crate::model::mechanism::Mechanism;
-use crate::plan::follow::Settings;
+use crate::plan::settings::Settings;
+use crate::model::scaled::Scaled;
+use crate::solve::close_start::Start;
 use crate::solve::newton::{End, Solver};
 
 /// Random starts tried. On random linkages of every chain type a dozen find an assembly; the rest
@@ -24,7 +26,8 @@ pub fn find(
     first: &Pose,
     settings: &Settings,
 ) -> Vec<f64> {
-    let length = settings.metric_length;
+    let (size, metric) = (mechanism.size_or(1.0), settings.metric_for(mechanism, 1.0));
+    let solver = |m: &Mechanism| Solver::new(Scaled::new(m, size), &metric, ITERATIONS);
     // A chain with values says where the workpiece is; else the first goal does.
     let known = mechanism
         .chains()
@@ -40,11 +43,10 @@ pub fn find(
             Some(_) => None,
             None => Mechanism::new(vec![chain.clone()])
                 .ok()
-                .map(|m| Solver::new(&m, length, ITERATIONS)),
+                .map(|m| solver(&m)),
         })
         .collect();
-    let mut together = Solver::new(mechanism, length, ITERATIONS);
-    let size = mechanism.size();
+    let mut together = solver(mechanism);
     let mut best: Option<(f64, Vec<f64>)> = None;
     let mut last = Vec::new();
     for seed in 0..SEEDS {
@@ -64,14 +66,15 @@ pub fn find(
             }
         }
         last.clone_from(&joints);
-        if !together.assemble(&mut joints) {
+        let start = together.close_start(&mut joints, settings.dimension_tolerance);
+        if matches!(start, Start::Open { .. }) {
             continue;
         }
         let assembled = joints.clone();
         if together.solve(first, &mut joints, &assembled).end == End::Open {
             continue;
         }
-        let distance = pose::metric(&mechanism.chains()[0].pose(&joints), first, length);
+        let distance = metric.value(&mechanism.chains()[0].pose(&joints), first);
         // Equal up to rounding: the first one found stays.
         if best
             .as_ref()

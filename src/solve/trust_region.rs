@@ -1,7 +1,7 @@
 //! The longest safe step: a quadratic model's minimum within a radius, measured in joint motion.
 
 use crate::math::linalg;
-use crate::solve::tangent::Tangent;
+use crate::solve::tangent::Free;
 
 /// Slope, and curvature, as a share of the flat one, that are rounding.
 const LEVEL: f64 = 1e-2;
@@ -35,19 +35,18 @@ impl TrustRegion {
         }
     }
 
-    /// The model with this Hessian (lower triangle) and gradient along the tangent's free
-    /// directions.
-    pub fn prepare(&mut self, tangent: &Tangent, hessian: &[f64], slope: &[f64]) {
+    /// The model with this Hessian (lower triangle) and gradient along the free directions.
+    pub fn prepare(&mut self, free: &Free<'_>, hessian: &[f64], slope: &[f64]) {
         let n = slope.len();
         // M = I + Θᵀ Θ = L Lᵀ, then L⁻¹ H L⁻ᵀ = V Λ Vᵀ: step = L⁻ᵀ V s with |step|_M = |s|.
         self.metric.clear();
         self.metric.resize(n * n, 0.0);
         for i in 0..n {
             for j in i..n {
-                let dot: f64 = tangent
+                let dot: f64 = free
                     .rates(i)
                     .iter()
-                    .zip(tangent.rates(j))
+                    .zip(free.rates(j))
                     .map(|(a, b)| a * b)
                     .sum();
                 self.metric[i * n + j] = dot + if i == j { 1.0 } else { 0.0 };
@@ -75,7 +74,7 @@ impl TrustRegion {
         self.eigenvalues.extend(self.hessian.iter().step_by(n + 1));
         self.slopes.clear();
         self.rates.clear();
-        self.variables = tangent.variables();
+        self.variables = free.variables();
         self.rates.resize(n * self.variables, 0.0);
         for (vector, rates) in self
             .vectors
@@ -93,7 +92,7 @@ impl TrustRegion {
                     .sum(),
             );
             for (i, c) in self.coefficients.iter().enumerate() {
-                for (r, t) in rates.iter_mut().zip(tangent.rates(i)) {
+                for (r, t) in rates.iter_mut().zip(free.rates(i)) {
                     *r += c * t;
                 }
             }

@@ -1,12 +1,15 @@
 //! The planner's own iterations at one frame, one by one: the paper's projected gradient (Fig. 3) and
 //! Newton's method from the same position towards the same goal.
 
-use crate::math::pose::{self, Pose};
+use crate::math::metric::Target;
+use crate::math::pose::Pose;
 use crate::model::mechanism::Mechanism;
-use crate::plan::follow::{GRADIENT_ITERATIONS, Method, NEWTON_ITERATIONS, Settings};
+use crate::model::scaled::Scaled;
+use crate::plan::settings::{Method, Settings};
+use crate::solve::close::Closer;
+use crate::solve::close_start::Start;
 use crate::solve::gradient::{self, Arrival};
-use crate::solve::newton::{End, Solver};
-use crate::solve::paper_matrix::{self, SingularValues};
+use crate::solve::singular_values::SingularValues;
 
 /// Iterates that are kept one by one; of the later ones only those this much further on.
 const KEPT: usize = 60;
@@ -25,7 +28,7 @@ pub struct History {
     pub metric: Vec<f64>,
     /// |a| of Eq. 31; of Newton the norm of the gradient along the free directions.
     pub projected_gradient: Vec<f64>,
-    /// How far the loops are open, lengths and rad.
+    /// How far the loops are open, lengths as shares of the size or rad.
     pub closure_error: Vec<f64>,
     /// Smallest singular value of \[A\] that is not zero by dependent equations.
     pub sigma_min: Vec<f64>,
@@ -53,55 +56,53 @@ pub struct Trace {
 }
 
 /// Follows both methods towards `goal` from the joint values `from`, rad or lengths: those of the
-/// frame before, or a start. Empty histories where the loops cannot be closed.
+/// frame before, or a start; for a motion of this extent. Empty histories where the loops cannot be closed.
 ///
 /// # Panics
 /// When `from` does not have one value a joint variable.
-pub fn trace(mechanism: &Mechanism, settings: &Settings, goal: &Pose, from: &[f64]) -> Trace {
+pub fn trace(mechanism: &Mechanism, settings: &Settings, extent: f64, goal: &Pose, from: &[f64]) -> Trace {
     let mut from = from.to_vec();
     // A limit in the settings is meant for the method that they name.
-    let most = |method, own| match settings.max_iterations {
-        Some(most) if settings.method == method => most,
-        Some(_) | None => own,
+    let most = |method| {
+        let own = Settings { method, max_iterations: None, ..*settings };
+        if settings.method == method { settings.iterations() } else { own.iterations() }
     };
-    let length = settings.metric_length;
-    let newton_most = most(Method::Newton, NEWTON_ITERATIONS);
-    let mut solver = Solver::new(mechanism, length, newton_most);
+    let newton = Settings {
+        method: Method::Newton,
+        max_iterations: Some(most(Method::Newton)),
+        ..*settings
+    };
+    let mut solver = newton.solver(mechanism, extent);
     let mut trace = Trace {
         goal: *goal,
         gradient: History::default(),
         newton: History::default(),
         minimum: None,
     };
-    if !solver.assemble(&mut from) {
+    if matches!(solver.close_start(&mut from, settings.dimension_tolerance), Start::Open { .. }) {
         return trace;
     }
+    let scaled = solver.scaled().clone();
+    let mut closer = solver.closer().clone();
+    let rotation = mechanism.chains()[0].pose(&from).rotation;
+    let target = settings.metric_for(mechanism, extent).target(goal, &rotation);
+    let surplus = closer.mobility(&scaled, &scaled.entered(&from)).1;
 
-    let redundant = solver.redundancy(&from);
-    let reference = mechanism.scaled(1.0 / length);
-    let mut near = *goal;
-    near.translation.vector /= length;
-    let mut scaled = mechanism.in_unit(&from, length);
-    let mut history = Kept::new(mechanism, goal, length, &reference, redundant);
-    let most = most(Method::Gradient, GRADIENT_ITERATIONS);
-    let descent = gradient::descend(&reference, &near, &mut scaled, most, &mut |at| {
-        let joints = mechanism.in_unit(at.joints, 1.0 / length);
-        history.see(&joints, at.projected_gradient, at.arrival, false);
+    let mut kept = Kept::new(mechanism, &target, &scaled, closer.clone(), surplus);
+    let mut joints = from.clone();
+    let descent = gradient::descend(mechanism, &target, &mut joints, most(Method::Gradient), &mut |at| {
+        kept.see(&at.scaled.left(at.theta), at.projected_gradient, at.arrival, false);
     });
-    trace.gradient = history.end(descent.converged);
+    trace.gradient = kept.end(descent.converged);
 
-    let mut history = Kept::new(mechanism, goal, length, &reference, redundant);
-    let (solved, iterates) = solver.watch(goal, &mut from);
-    for at in &iterates {
-        history.see(
-            &at.joints,
-            at.projected_gradient,
-            Arrival::default(),
-            at.guarded,
-        );
-    }
-    let certified = matches!(solved.end, End::Minimum | End::MinimumAtLimit);
-    trace.newton = history.end(certified);
+    let mut kept = Kept::new(mechanism, &target, &scaled, closer, surplus);
+    let predicted = from.clone();
+    let solved = solver.solve_watched(goal, &mut from, &predicted, &mut |at| {
+        let joints = scaled.left(at.theta);
+        kept.see(&joints, at.projected_gradient, Arrival::default(), at.guarded);
+    });
+    let certified = solved.end.is_minimum();
+    trace.newton = kept.end(certified);
     trace.minimum = trace.newton.metric.last().copied().filter(|_| certified);
     trace
 }
@@ -109,12 +110,11 @@ pub fn trace(mechanism: &Mechanism, settings: &Settings, goal: &Pose, from: &[f6
 /// Collects a history: the last iterate is kept whatever its number.
 struct Kept<'a> {
     mechanism: &'a Mechanism,
-    goal: &'a Pose,
-    /// The metric's characteristic length.
-    length: f64,
-    /// The mechanism in units of the metric's length, and its dependent equations.
-    reference: &'a Mechanism,
-    redundant: usize,
+    target: &'a Target,
+    scaled: &'a Scaled,
+    closer: Closer,
+    /// Constraints that are surplus.
+    surplus: usize,
     singular_values: SingularValues,
     history: History,
     seen: usize,
@@ -123,19 +123,13 @@ struct Kept<'a> {
 }
 
 impl<'a> Kept<'a> {
-    fn new(
-        mechanism: &'a Mechanism,
-        goal: &'a Pose,
-        length: f64,
-        reference: &'a Mechanism,
-        redundant: usize,
-    ) -> Self {
+    fn new(mechanism: &'a Mechanism, target: &'a Target, scaled: &'a Scaled, closer: Closer, surplus: usize) -> Self {
         Self {
             mechanism,
-            goal,
-            length,
-            reference,
-            redundant,
+            target,
+            scaled,
+            closer,
+            surplus,
             singular_values: SingularValues::default(),
             history: History::default(),
             seen: 0,
@@ -163,22 +157,17 @@ impl<'a> Kept<'a> {
         arrival: Arrival,
         guarded: bool,
     ) {
-        let (mechanism, length) = (self.mechanism, self.length);
-        let pose = mechanism.chains()[0].pose(joints);
+        let pose = self.mechanism.chains()[0].pose(joints);
+        let theta = self.scaled.entered(joints);
         let history = &mut self.history;
         history
             .iteration
             .push(u32::try_from(number).unwrap_or(u32::MAX));
-        history.metric.push(pose::metric(&pose, self.goal, length));
-        history
-            .closure_error
-            .push(paper_matrix::opening(mechanism, joints, &pose));
+        history.metric.push(self.target.value(&pose));
+        history.closure_error.push(self.closer.closure(self.scaled, &theta).0);
         history.poses.push(pose);
-        let scaled = mechanism.in_unit(joints, length);
-        let chains = self.reference.chains();
-        let least = self
-            .singular_values
-            .smallest(chains, &scaled, self.redundant);
+        let values = &mut self.singular_values;
+        let least = self.closer.smallest_singular_value(self.scaled, &theta, self.surplus, values);
         history.sigma_min.push(least);
         history.joints.push(joints.to_vec());
         history.projected_gradient.push(gradient);

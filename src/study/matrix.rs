@@ -1,9 +1,11 @@
 //! The paper's matrix \[A\] at one position, with its singular values.
 
 use crate::math::linalg::svd;
+use crate::math::metric::{Metric, MetricKind};
 use crate::math::pose;
 use crate::model::chain::Chain;
 use crate::model::mechanism::Mechanism;
+use crate::model::scaled::Scaled;
 use crate::solve::paper_matrix::linearise;
 use serde::Serialize;
 
@@ -30,16 +32,21 @@ pub struct Matrix {
     pub rank: usize,
 }
 
-/// \[A\] at these joint values, the workpiece where the first chain puts it.
-/// `length` is the metric's characteristic length.
+/// \[A\] at these joint values, the workpiece where the first chain puts it, as `metric` measures: in units of its
+/// length, and about its point, which for [`MetricKind::Pose`] is the workpiece's own origin.
 ///
 /// # Panics
 /// When there is not one value a joint variable.
-pub fn matrix(mechanism: &Mechanism, joints: &[f64], length: f64) -> Matrix {
-    let reference = mechanism.scaled(1.0 / length);
-    let scaled = mechanism.in_unit(joints, length);
-    let q = pose::dual_quaternion(&reference.chains()[0].pose(&scaled), 1.0);
-    let rows = linearise(&reference, &scaled, &q).rows;
+pub fn matrix(mechanism: &Mechanism, joints: &[f64], metric: &Metric) -> Matrix {
+    let about = match metric.kind {
+        MetricKind::Pose => mechanism.chains()[0].pose(joints).translation.vector,
+        MetricKind::DualQuaternion => metric.origin,
+    };
+    let scaled = Scaled::about(mechanism, metric.length, &about);
+    let theta = scaled.entered(joints);
+    let chains = scaled.chains();
+    let q = pose::dual_quaternion(&chains[0].pose(&theta), 1.0);
+    let rows = linearise(chains, &theta, &q).rows;
     let (m, n) = (rows.len(), rows[0].len());
     let values = rows.concat();
     let mut singular_values = svd(rows).sigma;
@@ -50,7 +57,7 @@ pub fn matrix(mechanism: &Mechanism, joints: &[f64], length: f64) -> Matrix {
         values,
         rows: m,
         columns: n,
-        freedoms: reference.chains().iter().map(Chain::freedoms).collect(),
+        freedoms: chains.iter().map(Chain::freedoms).collect(),
         rank: singular_values.iter().filter(|s| **s > threshold).count(),
         singular_values,
         threshold,

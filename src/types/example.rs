@@ -9,7 +9,9 @@ use crate::math::pose::{FrameCoordinates, Pose};
 use crate::model::chain::{Chain, MAX_FREEDOMS};
 use crate::model::joint::JointKind;
 use crate::model::mechanism::{MAX_CHAINS, Mechanism};
-use crate::solve::paper_matrix::SingularValues;
+use crate::model::scaled::Scaled;
+use crate::solve::singular_values::SingularValues;
+use crate::solve::tangent::Tangent;
 use crate::types::enumerate::letters;
 use crate::types::leg::{LENGTHS, LINKS, Leg, Variation, base, links, rounded};
 use crate::types::mobility::{chain_singular_values, generic_mobility, mobility};
@@ -190,12 +192,13 @@ impl Example {
         if mobility(&self.mechanism, &self.start) != mobility_of_type {
             return 0.0;
         }
-        let size = self.mechanism.size();
-        let near = self.mechanism.scaled(1.0 / size);
-        let theta = self.mechanism.in_unit(&self.start, size);
+        let scaled = Scaled::new(&self.mechanism, 1.0);
+        let theta = scaled.entered(&self.start);
         // Equations that repeat others in every linkage of the type.
         let repeated = mobility_of_type.saturating_add_signed(-self.mechanism.mobility_count());
-        let sigma = SingularValues::default().smallest(near.chains(), &theta, repeated);
+        let mut tangent = Tangent::new(scaled.chains());
+        tangent.evaluate(scaled.chains(), &theta);
+        let sigma = SingularValues::default().smallest(tangent.jacobians(), repeated);
         self.shape(ranks).min(sigma / FAR_FROM_SINGULAR)
     }
 

@@ -11,6 +11,8 @@ use crate::model::chain::{Chain, ChainState};
 use crate::model::dh::DhRow;
 use crate::model::joint::{Joint, JointKind, Stop};
 use crate::model::mechanism::Mechanism;
+use crate::model::scaled::Scaled;
+use crate::solve::dependent::Dependence;
 use crate::solve::tangent::Tangent;
 use std::f64::consts::PI;
 
@@ -64,13 +66,11 @@ pub fn generic_rank(kinds: &[JointKind]) -> usize {
 /// When there is not one value a joint variable.
 pub(crate) fn mobility(mechanism: &Mechanism, joints: &[f64]) -> usize {
     // Ranks are decided in units of the size, as the planner does.
-    let size = mechanism.size();
-    let near = mechanism.scaled(1.0 / size);
-    let theta = mechanism.in_unit(joints, size);
-    let mut tangent = Tangent::new(near.chains());
-    tangent.evaluate(near.chains(), &theta);
-    tangent.factor(&vec![Stop::None; theta.len()], None, 0);
-    tangent.freedoms()
+    let scaled = Scaled::new(mechanism, 1.0);
+    let theta = scaled.entered(joints);
+    let mut tangent = Tangent::new(scaled.chains());
+    tangent.evaluate(scaled.chains(), &theta);
+    tangent.factor(&vec![Stop::None; theta.len()], Dependence::FOUND).freedoms()
 }
 
 /// Singular values of the chain's Jacobian at the joint values `theta`, largest first, lengths in the
