@@ -8,13 +8,17 @@ use synthetica::document::problem::Problem;
 use synthetica::document::report::Report;
 use synthetica::math::linalg::svd;
 use synthetica::model::chain::ChainState;
+use synthetica::model::joint::Joint;
 use synthetica::model::mechanism::Mechanism;
+use synthetica::model::scaled::Scaled;
 use synthetica::motion::trajectory::{Status, Trajectory};
-use synthetica::solve::paper_matrix::SingularValues;
+use synthetica::solve::singular_values::SingularValues;
+use synthetica::solve::tangent::Tangent;
 use synthetica::types::enumerate::{
     MAX_CHAIN_CONSTRAINTS, MAX_CONSTRAINTS, assembly_categories, chain, chain_count, letters,
 };
-use synthetica::types::example::{chains_of, links};
+use synthetica::types::example::chains_of;
+use synthetica::types::leg::links;
 use synthetica::types::mobility::{generic_mobility, generic_rank};
 
 /// Least singular value of the loop equations at a start, in units of the size: the bound below which a
@@ -38,7 +42,7 @@ fn check(name: &str, frames: usize) -> (Trajectory, f64) {
     let mut problem = Problem::new(&document).expect("a document without faults");
     problem.goals.truncate(frames);
     let motion = problem.plan();
-    for warning in Report::new(&problem.mechanism, &motion).warnings {
+    for warning in Report::new(&problem.mechanism, &problem.length_unit, &motion).warnings {
         let open = ["start-open", "start-moved"].contains(&warning.code);
         assert!(!open, "{name}: {}", warning.message);
     }
@@ -47,11 +51,11 @@ fn check(name: &str, frames: usize) -> (Trajectory, f64) {
 
     let mobility = generic_mobility(&kinds);
     assert_eq!(motion.mobility_rank, mobility, "mobility of {name}");
-    let size = problem.mechanism.size();
-    let near = problem.mechanism.scaled(1.0 / size);
-    let theta = problem.mechanism.in_unit(&motion.start, size);
+    let scaled = Scaled::new(&problem.mechanism, 1.0);
+    let mut tangent = Tangent::new(scaled.chains());
+    tangent.evaluate(scaled.chains(), &scaled.entered(&motion.start));
     let repeated = mobility.saturating_add_signed(-motion.mobility_count);
-    let sigma = SingularValues::default().smallest(near.chains(), &theta, repeated);
+    let sigma = SingularValues::default().smallest(tangent.jacobians(), repeated);
     assert!(sigma > SINGULAR, "{name} is nearly singular: {sigma:e}");
 
     well_shaped(name, &problem.mechanism, &motion.start);
@@ -80,7 +84,7 @@ fn well_shaped(name: &str, mechanism: &Mechanism, start: &[f64]) {
         chain.evaluate(theta, &mut state);
         let columns = &state.jacobian[..chain.freedoms()];
         let sigma = svd(columns.iter().map(|c| c.as_slice().to_vec()).collect()).sigma;
-        let kinds: Vec<_> = chain.joints().iter().map(|joint| joint.kind()).collect();
+        let kinds: Vec<_> = chain.joints().iter().map(Joint::kind).collect();
         let least = sigma[generic_rank(&kinds) - 1];
         assert!(least > DEPENDENT, "{name}: dependent joints, {least:e}");
     }

@@ -215,7 +215,11 @@ impl Planning {
                 continue;
             }
             let (from, to) = (self.goals[first], self.goals[first + 1]);
+            // Which joints were held at the frame is not known any more; those that are now belong to a later one.
+            let holding = self.solver.holding().clone();
+            self.solver.clear_holding();
             let Some(way) = leaps::trace(&mut self.solver, self.t.joints_at(first), &from, &to) else {
+                self.solver.set_holding(holding);
                 continue;
             };
             let scaled = self.solver.scaled();
@@ -223,12 +227,14 @@ impl Planning {
             let leaps = way.leaps.iter().map(|leap| Leap { first, ..*leap });
             if other.moved_scaled < leaps::LEAP {
                 self.leaps.extend(leaps);
+                self.solver.set_holding(holding);
                 continue;
             }
             if self.settings.method == Method::Gradient {
                 // Its own branch is kept; that it left the one before is told.
                 let whole = Leap::between(scaled, self.t.joints_at(first), self.t.joints_at(first + 1));
                 self.leaps.push(Leap { first, time: to.time, ..whole });
+                self.solver.set_holding(holding);
                 continue;
             }
             self.leaps.retain(|leap| leap.first < first);
