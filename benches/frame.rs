@@ -19,8 +19,7 @@ use synthetica::math::pose;
 use synthetica::model::mechanism::Mechanism;
 use synthetica::motion::goal::Goal;
 use synthetica::plan::follow::{plan, predict};
-use synthetica::plan::settings::{Settings};
-use synthetica::solve::newton::Solver;
+use synthetica::plan::settings::{Settings, extent};
 use synthetica::solve::paper_matrix::linearise;
 
 /// Rounds of which the median is taken.
@@ -98,11 +97,11 @@ fn row(name: &str, mechanism: &Mechanism, start: &[f64], goals: &[Goal]) {
 
 /// The frames as the planner solves them, without its report.
 fn frames_alone(mechanism: &Mechanism, start: &[f64], goals: &[Goal]) {
-    let mut solver = Settings::PAPER.solver(mechanism, 1.0);
+    let mut solver = Settings::PAPER.solver(mechanism, extent(goals));
     let mut joints = start.to_vec();
     let mut predicted = start.to_vec();
     let mut history: Vec<f64> = Vec::with_capacity(start.len() * goals.len());
-    solver.assemble(&mut joints);
+    solver.close_start(&mut joints, Settings::PAPER.dimension_tolerance);
     for (frame, goal) in goals.iter().enumerate() {
         predict(&history, frame, &joints, &mut predicted);
         black_box(solver.solve(&goal.pose, &mut joints, &predicted));

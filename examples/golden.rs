@@ -12,8 +12,8 @@ use serde::Serialize;
 use std::process::ExitCode;
 use std::time::Instant;
 use synthetica::motion::trajectory::Status;
-use synthetica::plan::follow::{plan};
-use synthetica::plan::settings::{Settings};
+use synthetica::plan::follow::plan;
+use synthetica::plan::settings::Settings;
 
 const CLOSURE: f64 = 1e-10;
 const METRIC: f64 = 1e-9;

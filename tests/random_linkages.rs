@@ -6,8 +6,8 @@ use common::{Linkage, Random, assemblies, goals, linkage};
 use std::ops::Range;
 use synthetica::motion::goal::Goal;
 use synthetica::motion::trajectory::{Status, Trajectory};
-use synthetica::plan::follow::{plan};
-use synthetica::plan::settings::{Settings};
+use synthetica::plan::follow::plan;
+use synthetica::plan::settings::Settings;
 use synthetica::model::scaled::CLOSED;
 
 /// The share of frames that must end as certified optima.

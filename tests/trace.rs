@@ -2,7 +2,7 @@
 
 use synthetica::document::problem::Problem;
 use synthetica::document::text;
-use synthetica::plan::follow::{plan};
+use synthetica::plan::follow::plan;
 use synthetica::plan::settings::{Method, Settings};
 use synthetica::solve::paper_matrix::SingularValues;
 

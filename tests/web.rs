@@ -7,8 +7,8 @@ mod golden;
 use js_sys::{Float64Array, Reflect};
 use synthetica::bind::wasm::{self, Session};
 use synthetica::bind::wasm_study;
-use synthetica::plan::follow::{plan};
-use synthetica::plan::settings::{Settings};
+use synthetica::plan::follow::plan;
+use synthetica::plan::settings::Settings;
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
 

@@ -6,7 +6,7 @@ use synthetica::model::mechanism::Mechanism;
 use synthetica::model::scaled::Scaled;
 use synthetica::motion::goal::Goal;
 use synthetica::motion::trajectory::{Status, Trajectory, Warning};
-use synthetica::plan::follow::{plan};
+use synthetica::plan::follow::plan;
 use synthetica::plan::settings::{Method, Settings};
 use synthetica::model::scaled::CLOSED;
 

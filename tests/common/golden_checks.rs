@@ -2,7 +2,7 @@
 
 use super::golden::{Task, tasks};
 use synthetica::motion::trajectory::{Status, Trajectory};
-use synthetica::plan::follow::{plan};
+use synthetica::plan::follow::plan;
 use synthetica::plan::settings::{Method, Settings};
 use synthetica::solve::gradient;
 
