@@ -12,7 +12,8 @@ use serde::Serialize;
 use std::process::ExitCode;
 use std::time::Instant;
 use synthetica::motion::trajectory::Status;
-use synthetica::plan::follow::{Settings, plan};
+use synthetica::plan::follow::plan;
+use synthetica::plan::settings::Settings;
 
 const CLOSURE: f64 = 1e-10;
 const METRIC: f64 = 1e-9;
@@ -115,7 +116,7 @@ fn solve(task: &Task) -> Answer {
             &task.mechanism,
             &task.start,
             &task.goals,
-            &Settings::default(),
+            &Settings::PAPER,
         );
         (
             t,

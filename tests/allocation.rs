@@ -7,7 +7,8 @@ use common::{Random, assemblies, goals, linkage};
 use stats_alloc::{INSTRUMENTED_SYSTEM, Region, StatsAlloc};
 use std::alloc::System;
 use synthetica::model::mechanism::Mechanism;
-use synthetica::solve::newton::Solver;
+use synthetica::plan::settings::Settings;
+use synthetica::solve::close_start::Start;
 
 #[global_allocator]
 static GLOBAL: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
@@ -19,10 +20,10 @@ fn allocations(
     start: &[f64],
     goals: &[synthetica::motion::goal::Goal],
 ) -> usize {
-    let mut solver = Solver::new(mechanism, 1.0, 500);
+    let mut solver = Settings::PAPER.solver(mechanism, 1.0);
     let mut joints = start.to_vec();
     let mut predicted = start.to_vec();
-    assert!(solver.assemble(&mut joints));
+    assert_eq!(solver.close_start(&mut joints, 0.0), Start::Closed);
     let mut run = |joints: &mut Vec<f64>| {
         for goal in goals {
             predicted.copy_from_slice(joints);

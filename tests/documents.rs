@@ -15,7 +15,7 @@ use synthetica::document::schema::Document;
 use synthetica::document::text::{MAX_TEXT, parse};
 use synthetica::model::chain::Chain;
 use synthetica::model::joint::JointKind;
-use synthetica::plan::follow::Settings;
+use synthetica::plan::settings::Settings;
 
 /// A document with every field: two chains, every kind of joint, times, limits, starts.
 const WHOLE: &str = r#"{
@@ -433,7 +433,7 @@ fn numbers_out_of_bounds_are_refused() {
         (with("/motion/frames", json!(1_000_000_000)), OutOfRange, "motion.frames", "1000000000", "2 to 10000"),
         (with("/motion/radius", json!(0)), OutOfRange, "motion.radius", "Motion, radius: 0", "null"),
         (with("/motion/radius", json!(-20)), OutOfRange, "motion.radius", "-20", "positive length"),
-        (with("/motion/radius", json!(1)), OutOfRange, "motion.radius", "1 is", "1.5"),
+        (with("/motion/radius", json!(0.5)), OutOfRange, "motion.radius", "0.5 is", "not below 0.5339, half"),
         (with("/motion/radius", huge.clone()), OutOfRange, "motion.radius", "1e308", "a length"),
         (with("/planner/metric_length", json!(0)), OutOfRange, "planner.metric_length", "Planner, metric length: 0", "0.000001"),
         (with("/planner/metric_length", json!(-1)), OutOfRange, "planner.metric_length", "-1", "length"),

@@ -23,7 +23,8 @@ use synthetica::model::joint::{Joint, Limits};
 use synthetica::model::mechanism::Mechanism;
 use synthetica::motion::goal::Goal;
 use synthetica::motion::trajectory::{Status, Warning};
-use synthetica::plan::follow::{Settings, plan};
+use synthetica::plan::follow::plan;
+use synthetica::plan::settings::Settings;
 use synthetica::solve::paper_matrix::closed;
 
 const X: [f64; 3] = [1.0, 0.0, 0.0];

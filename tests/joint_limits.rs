@@ -9,6 +9,7 @@ mod checks;
 
 use by_axes::{Line, limited};
 use checks::{NEWTON, at, between, goals, is_certified, is_honest, mechanism};
+use synthetica::math::metric::Metric;
 use synthetica::math::pose::Pose;
 use synthetica::model::joint::{Limits, Stop};
 use synthetica::model::mechanism::Mechanism;
@@ -246,7 +247,7 @@ fn several_limits_at_once() {
             let best = (0..21_usize.pow(3)).map(|code| {
                 let joint = |k: u32| -0.25 + 0.0225 * (code / 21_usize.pow(k) % 21) as f64;
                 let pose: Pose = m.chains()[0].pose(&[joint(0), joint(1), joint(2)]);
-                synthetica::math::pose::metric(&pose, &path[i].pose, 1.0)
+                Metric::PAPER.value(&pose, &path[i].pose)
             });
             let best = best.fold(f64::INFINITY, f64::min);
             assert!(

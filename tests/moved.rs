@@ -13,7 +13,8 @@ use synthetica::model::chain::Chain;
 use synthetica::model::joint::Limits;
 use synthetica::model::mechanism::Mechanism;
 use synthetica::motion::trajectory::{Status, Trajectory};
-use synthetica::plan::follow::{Settings, plan};
+use synthetica::plan::follow::plan;
+use synthetica::plan::settings::Settings;
 use synthetica::solve::drive::{Obstacle, drive};
 use synthetica::solve::objective::objective;
 use synthetica::solve::paper_matrix::{CLOSED, closed, opening};
@@ -622,7 +623,7 @@ fn random_linkages_are_explained() {
         let linkage = linkage(kinds, &mut random);
         let goals = goals(&linkage, 5, &mut random);
         let m = &linkage.mechanism;
-        let motion = plan(m, &linkage.home, &goals, &Settings::default());
+        let motion = plan(m, &linkage.home, &goals, &Settings::PAPER);
         for frame in [1, 3] {
             if !motion.status[frame].is_certified() {
                 continue;

@@ -5,6 +5,7 @@ mod golden;
 
 use serde_json::Value;
 use std::collections::BTreeSet;
+use synthetica::math::metric::Metric;
 use synthetica::document::problem::Problem;
 use synthetica::document::report::Report;
 use synthetica::document::schema::{Document, FrameEntry, RowEntry};
@@ -13,7 +14,7 @@ use synthetica::math::pose::metric;
 use synthetica::model::joint::JointKind;
 use synthetica::motion::trajectory::{Status, Trajectory, Warning};
 use synthetica::plan::follow::plan;
-use synthetica::solve::paper_matrix::CLOSED;
+use synthetica::model::scaled::CLOSED;
 
 /// File names and texts.
 macro_rules! files {
@@ -318,7 +319,7 @@ fn the_papers_samples_are_the_golden_motions() {
         assert_eq!(motion.frames(), step * (task.goals.len() - 1) + 1, "{file}");
         let sparse = plan(&task.mechanism, &task.start, &task.goals, &problem.settings);
         for (i, goal) in task.goals.iter().enumerate() {
-            let apart = |a, b| metric(a, b, 1.0).sqrt();
+            let apart = |a, b| Metric::PAPER.value(a, b).sqrt();
             let [goals, poses] = [
                 apart(&problem.goals[step * i].pose, &goal.pose),
                 apart(&motion.poses[step * i], &sparse.poses[i]),

@@ -13,6 +13,7 @@ use checks::{
     GRADIENT, NEWTON, at, between, both_ways, goals, is_certified, is_honest, is_reached, mechanism,
 };
 use std::f64::consts::FRAC_PI_2;
+use synthetica::math::metric::Metric;
 use synthetica::math::linalg::svd;
 use synthetica::math::pose::{Pose, dual_quaternion};
 use synthetica::model::joint::{Joint, JointKind};
@@ -274,7 +275,7 @@ fn is_local_minimum(m: &Mechanism, joints: &[f64], goal: &Goal, f: f64) {
                     * ((code / 3_usize.pow(u32::try_from(i).expect("four joints"))) % 3) as f64
                     - step;
             });
-            let mut solver = synthetica::solve::newton::Solver::new(m, 1.0, 100);
+            let mut solver = synthetica::solve::newton::Settings::PAPER.solver(m, 1.0);
             if !solver.assemble(&mut near) {
                 continue;
             }
@@ -286,7 +287,7 @@ fn is_local_minimum(m: &Mechanism, joints: &[f64], goal: &Goal, f: f64) {
                 .fold(0.0, f64::max);
             if far < 2.0 * step {
                 let other =
-                    synthetica::math::pose::metric(&m.chains()[0].pose(&near), &goal.pose, 1.0);
+                    Metric::PAPER.value(&m.chains()[0].pose(&near), &goal.pose);
                 assert!(
                     other >= f - 1e-10,
                     "{joints:?}: f {f}, but {other} at {near:?}"
@@ -338,7 +339,7 @@ fn singular_values_after_a_singular_start() {
         is_honest("flat parallelogram", &t, 4);
         for i in 0..4 {
             let q = dual_quaternion(&t.poses[i], 1.0);
-            let sigma = svd(linearise(&m, t.joints_at(i), &q).rows).sigma;
+            let sigma = svd(linearise(m.chains(), t.joints_at(i), &q).rows).sigma;
             // 14 equations, 4 + 8 unknowns, one freedom: three equations depend on the others.
             let least = sigma[10];
             assert!(

@@ -1,13 +1,15 @@
 //! The start that is found where none is given, and a given one outside its limits.
 
+use nalgebra::Vector3;
 use serde_json::Value;
+use synthetica::document::chain_report::chain;
 use synthetica::document::problem::Problem;
-use synthetica::document::report::{self, Report};
+use synthetica::document::report::Report;
 use synthetica::document::schema::Document;
-use synthetica::math::pose::metric;
+use synthetica::math::metric::Metric;
+use synthetica::model::scaled::{CLOSED, Scaled};
 use synthetica::motion::trajectory::{Status, Warning};
 use synthetica::plan::given::{OutsideLimit, outside_limits};
-use synthetica::solve::paper_matrix::{closed, opening};
 
 /// tests/fixtures/README.md says what they are.
 const FAR: &str = include_str!("fixtures/starts.jsonl");
@@ -38,15 +40,24 @@ fn documents() -> impl Iterator<Item = (String, Value)> {
 
 /// How far from closed the joints are, in units of what is published as closed.
 fn openness(problem: &Problem, joints: &[f64]) -> f64 {
-    let pose = problem.mechanism.chains()[0].pose(joints);
-    opening(&problem.mechanism, joints, &pose) / closed(problem.mechanism.size())
+    let scaled = Scaled::new(&problem.mechanism, 1.0);
+    scaled.closure_error(&scaled.entered(joints)) / CLOSED
+}
+
+fn size(problem: &Problem) -> f64 {
+    problem.mechanism.size().expect("a linkage with lengths")
+}
+
+/// Joint values with lengths in multiples of `unit`.
+fn in_lengths(problem: &Problem, joints: &[f64], unit: f64) -> Vec<f64> {
+    Scaled::about(&problem.mechanism, unit, &Vector3::zeros()).entered(joints)
 }
 
 /// The lengths of the sliders: the joint values with what their rows add.
 fn lengths(problem: &Problem, document: &Value, joints: &[f64]) -> Vec<f64> {
     let mut values = joints.iter();
     let mut list = Vec::new();
-    let chains = problem.mechanism.chains().iter().map(report::chain);
+    let chains = problem.mechanism.chains().iter().map(chain);
     for (i, chain) in chains.enumerate() {
         let rows: Vec<&Value> = (document["chains"][i]["joints"].as_array().expect("joints"))
             .iter()
@@ -87,19 +98,17 @@ fn two_hundred_assemblies_are_found_from_afar() {
     let least: Vec<f64> = serde_json::from_str(NEAREST).expect("numbers");
     assert_eq!(least.len(), 200);
     let (mut open, mut farther) = (Vec::new(), Vec::new());
-    for ((case, document), least) in documents().zip(least) {
+    for ((case, mut document), least) in documents().zip(least) {
+        document["planner"]["metric"] = "dual-quaternion".into();
         let problem = problem(&document);
         let joints = problem.find_start();
         if !(openness(&problem, &joints) <= 1.0) {
-            open.push(case);
+            let error = openness(&problem, &joints) * CLOSED;
+            open.push(format!("{case}: open by {error:e}"));
             continue;
         }
         let pose = problem.mechanism.chains()[0].pose(&joints);
-        let f = metric(
-            &pose,
-            &problem.goals[0].pose,
-            problem.settings.metric_length,
-        );
+        let f = Metric::PAPER.value(&pose, &problem.goals[0].pose);
         if f > least + 1e-6 {
             farther.push(format!("{case}: {f} in place of {least}"));
         }
@@ -114,7 +123,7 @@ fn sliders_have_positive_lengths() {
     for (name, text) in [("3RPS", TRIPOD), ("Exechon", EXECHON)] {
         let mut document = json(text);
         let given = problem(&document);
-        let rounding = -1e-9 * given.mechanism.size();
+        let rounding = -1e-9 * size(&given);
         let joints = given.find_start();
         assert!(joints.iter().all(|x| *x > -1e-6), "{name}: {joints:?}");
         for length in lengths(&given, &document, &joints) {
@@ -174,18 +183,23 @@ fn the_start_is_the_same_in_every_unit() {
     let field = [TRIPOD, EXECHON, DELTA, CRANK].map(|text| ("field".to_owned(), json(text)));
     for (case, document) in field.into_iter().chain(documents().take(12)) {
         let given = problem(&document);
-        let size = given.mechanism.size();
-        let start = given.mechanism.in_unit(&given.find_start(), size);
-        for factor in [1e3, 1e-3, 1024.0, 1.0 / 1024.0] {
+        let size = size(&given);
+        let start = in_lengths(&given, &given.find_start(), size);
+        for (factor, exact) in [
+            (1e3, false),
+            (1e-3, false),
+            (1024.0, true),
+            (1.0 / 1024.0, true),
+        ] {
             let mut other = document.clone();
             in_unit(&mut other, factor);
             let other = problem(&other);
             let found = other.find_start();
-            if factor.log2().fract() == 0.0 {
-                let back = other.mechanism.in_unit(&found, factor);
+            if exact {
+                let back = in_lengths(&other, &found, factor);
                 assert_eq!(back, given.find_start(), "{case}, times {factor}");
             }
-            let found = other.mechanism.in_unit(&found, factor * size);
+            let found = in_lengths(&other, &found, factor * size);
             for (a, b) in start.iter().zip(&found) {
                 assert!((a - b).abs() <= 1e-9, "{case}, times {factor}: {a} and {b}");
             }
@@ -266,7 +280,7 @@ fn a_start_outside_its_limits_is_told() {
     let motion = limited.plan();
     let told = |w: &&Warning| matches!(w, Warning::StartOutsideLimits { .. });
     assert_eq!(motion.warnings.iter().filter(told).count(), 2);
-    let report = Report::new(&limited.mechanism, &motion);
+    let report = Report::new(&limited.mechanism, "m", &motion);
     let messages: Vec<&str> = (report.warnings.iter())
         .filter(|w| w.code == "start-outside-limits")
         .map(|w| &w.message[..])
@@ -274,8 +288,8 @@ fn a_start_outside_its_limits_is_told() {
     assert_eq!(
         messages,
         [
-            "The start of chain 1, θ1, -67.9674°, is above its largest value, -68.5°: it is moved there.",
-            "The start of chain 1, d4, 0.0554957, is below its smallest value, 0.1 (in the unit of length): it is moved there.",
+            "The start of θ₁ of RRRC, −67.97°, is above its largest value, −68.5°: it is moved there.",
+            "The start of d₄ of RRRC, 0.0555 m, is below its smallest value, 0.1 m: it is moved there.",
         ]
     );
     // Also where the start of another chain is to be found.

@@ -128,7 +128,7 @@ fn columns(document: &Document, report: &Report, t: &Trajectory) -> Vec<Column> 
 /// A line of headings, then a line a frame. Angles in degrees, lengths in the document's unit, as the
 /// headings say; every number with all its digits, empty where there is none.
 pub fn csv(document: &Document, mechanism: &Mechanism, t: &Trajectory) -> String {
-    let columns = columns(document, &Report::new(mechanism, t), t);
+    let columns = columns(document, &Report::new(mechanism, &document.length_unit, t), t);
     let line = |fields: Vec<String>| fields.join(",") + "\n";
     let headings = columns.iter().map(|column| quoted(&column.heading()));
     let mut text = line(headings.collect());
@@ -145,7 +145,7 @@ pub fn csv(document: &Document, mechanism: &Mechanism, t: &Trajectory) -> String
 /// # Panics
 /// Never: texts and plain data become JSON.
 pub fn json(document: &Document, mechanism: &Mechanism, t: &Trajectory) -> String {
-    let report = Report::new(mechanism, t);
+    let report = Report::new(mechanism, &document.length_unit, t);
     let list: Vec<String> = columns(document, &report, t)
         .iter()
         .map(|column| {

@@ -1,5 +1,12 @@
 //! Rigid displacements, screws, and small dense linear algebra; knows no linkage.
 
+pub mod cholesky;
+pub mod lanczos;
 pub mod linalg;
+pub mod metric;
 pub mod pose;
+pub mod qr;
+pub mod random;
 pub mod screw;
+pub mod svd;
+pub mod symmetric;

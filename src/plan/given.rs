@@ -23,7 +23,7 @@ pub fn outside_limits(mechanism: &Mechanism, start: &[f64]) -> Vec<OutsideLimit>
     /// as given.
     const ROUNDING: f64 = 1e-6;
     assert_eq!(start.len(), mechanism.variables(), "one value a variable");
-    let size = mechanism.size();
+    let size = mechanism.size_or(1.0);
     let kinds = (mechanism.chains().iter()).flat_map(|c| c.turns().zip(c.limits()));
     let values = start.iter().enumerate().zip(kinds);
     values

@@ -1,7 +1,12 @@
 //! Many frames: where a motion starts, the branch followed, one configuration moved by hand.
 
+pub mod configuration;
+pub mod elsewhere;
 pub mod follow;
 pub mod given;
-mod inner;
+pub mod leaps;
 pub mod modes;
+mod one_chain;
+pub mod record;
 mod seeds;
+pub mod settings;

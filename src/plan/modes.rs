@@ -10,16 +10,17 @@
 //! All lengths are in units of the mechanism's size, so that the same linkage in another unit of length
 //! has the same start.
 
-use crate::math::pose::{self, Pose};
-use crate::model::chain::Chain;
+use crate::math::metric::{Metric, MetricKind};
+use crate::math::pose::Pose;
+use crate::math::random::Random;
 use crate::model::mechanism::Mechanism;
-use crate::plan::follow::Settings;
+use crate::model::scaled::Scaled;
 use crate::plan::given::outside_limits;
-use crate::plan::inner::relax;
-use crate::plan::seeds::{Assembly, Random, Shape, Variable};
+use crate::plan::one_chain::{Part, mean, relax};
+use crate::plan::seeds::{Assembly, Shape, Variable};
+use crate::plan::settings::Settings;
+use crate::solve::close_start::Start;
 use crate::solve::newton::{End, Solver};
-use nalgebra::{Quaternion, UnitQuaternion, Vector3};
-use std::ops::Range;
 
 /// Linear systems that one chain or assembly may take here: it need not be certified.
 const ITERATIONS: usize = 100;
@@ -52,7 +53,6 @@ const ROUNDS: usize = 2;
 const SAME_POSE: f64 = 1e-6;
 /// Joint motion, rad or sizes, below which two configurations are the same.
 const SAME: f64 = 1e-3;
-
 /// Joint values (rad or lengths) for a mechanism of which some chains have none: the assembly that comes
 /// nearest to `first`, or, where some chains have values, to the pose that they give the workpiece.
 /// Among assemblies equally near, sliders of positive length (offset and variable together) are
@@ -67,37 +67,35 @@ pub fn find(
     mechanism: &Mechanism,
     given: &[Option<Vec<f64>>],
     first: &Pose,
+    extent: f64,
     settings: &Settings,
 ) -> Vec<f64> {
     assert_eq!(given.len(), mechanism.chains().len(), "one entry a chain");
     if given.iter().all(Option::is_some) {
         return given.iter().flatten().flatten().copied().collect();
     }
-    let unit = mechanism.size();
     let chains = mechanism.chains().iter().zip(given);
     let whole: Vec<f64> = chains
         .flat_map(|(chain, values)| values.clone().unwrap_or(vec![0.0; chain.freedoms()]))
         .collect();
-    let mut goal = *first;
-    goal.translation.vector /= unit;
-    let mut search = Search::new(mechanism, given, &whole, goal, settings.metric_length);
-    let mut joints = mechanism.in_unit(&search.run(), 1.0 / unit);
+    let scaled = Scaled::new(mechanism, extent);
+    let metric = settings
+        .metric_for(mechanism, extent)
+        .within(scaled.unit(), scaled.origin());
+    let settings = Settings {
+        metric_length: Some(metric.length),
+        metric_origin: Some(metric.origin),
+        max_iterations: Some(ITERATIONS),
+        ..*settings
+    };
+    let mut search = Search::new(mechanism, given, &whole, first, &scaled, settings);
+    let mut joints = scaled.left(&search.run());
     for outside in outside_limits(mechanism, &whole) {
         if search.variables[outside.variable].held {
             joints[outside.variable] = outside.value;
         }
     }
     joints
-}
-
-/// A chain on its own.
-struct Part {
-    chain: Chain,
-    solver: Solver,
-    /// Its variables among those of the mechanism.
-    range: Range<usize>,
-    /// Were its values given?
-    held: bool,
 }
 
 struct Search {
@@ -107,26 +105,33 @@ struct Search {
     /// Given values, and 0 or what is nearest to it within the limits.
     start: Vec<f64>,
     goal: Pose,
-    /// The metric's length.
-    length: f64,
+    metric: Metric,
+    /// How far rounded dimensions may contradict each other.
+    tolerance: f64,
     /// The most that rotations or a translation by the size count in the metric.
     scale: f64,
 }
 
 impl Search {
-    /// `whole` has any values for the chains that have none; `length` is in the mechanism's unit.
+    /// `whole` has any values for the chains that have none; the lengths of `settings` are in units of the size.
     fn new(
         mechanism: &Mechanism,
         given: &[Option<Vec<f64>>],
         whole: &[f64],
-        first: Pose,
-        length: f64,
+        first: &Pose,
+        scaled: &Scaled,
+        settings: Settings,
     ) -> Self {
-        let unit = mechanism.size();
-        let length = length / unit;
-        let scaled = mechanism.scaled(1.0 / unit);
-        let mut start = mechanism.in_unit(whole, unit);
-        let mut goal = first;
+        let alone = Settings {
+            metric: MetricKind::Pose,
+            metric_length: Some(1.0),
+            ..settings
+        };
+        let near = Mechanism::new(scaled.chains().to_vec()).expect("as many chains as before");
+        let metric = settings.metric_for(&near, 1.0);
+        let unit = scaled.unit();
+        let mut start = scaled.entered(whole);
+        let mut goal = scaled.enter_pose(first);
         let (mut parts, mut variables) = (Vec::new(), Vec::new());
         let chains = scaled.chains().iter().zip(mechanism.chains()).zip(given);
         for ((chain, unscaled), values) in chains {
@@ -139,7 +144,7 @@ impl Search {
             let one = Mechanism::new(vec![chain.clone()]).expect("one chain is a mechanism");
             parts.push(Part {
                 chain: chain.clone(),
-                solver: Solver::new(&one, 1.0, ITERATIONS),
+                solver: alone.solver(&one, 1.0),
                 range,
                 held,
             });
@@ -150,13 +155,14 @@ impl Search {
             }
         }
         Self {
-            together: Solver::new(&scaled, length, ITERATIONS),
+            together: settings.solver(&near, 1.0),
             parts,
             variables,
             start,
             goal,
-            length,
-            scale: (0.25 / (length * length)).max(1.0),
+            metric,
+            tolerance: settings.dimension_tolerance,
+            scale: (0.25 / (metric.length * metric.length)).max(1.0),
         }
     }
 
@@ -170,7 +176,7 @@ impl Search {
         for seed in 0..most {
             let enough = best.as_ref().is_some_and(|best| {
                 let waited = seed >= SEEDS && seed - nearest > PATIENCE;
-                waited || (best.reached && seed >= SEEDS_REACHED)
+                waited || (best.exact && best.reached && seed >= SEEDS_REACHED)
             });
             if enough {
                 break;
@@ -197,7 +203,7 @@ impl Search {
 
     /// The best assembly with all joints moved at random, but for those with given values.
     fn hop(&self, seed: usize, best: &[f64]) -> Vec<f64> {
-        let mut random = Random::new(seed);
+        let mut random = Random::new(seed as u64);
         let pairs = best.iter().zip(&self.start).zip(&self.variables);
         pairs
             .map(|((x, start), variable)| {
@@ -214,7 +220,7 @@ impl Search {
     /// A seed drawn anew (the first one is 0 for all, as drawn in the tables), with the chains brought
     /// together: near the goal, or every other time near where a random chain has the workpiece.
     fn gathered(&mut self, seed: usize) -> Vec<f64> {
-        let mut random = Random::new(seed);
+        let mut random = Random::new(seed as u64);
         let draw = seed / DRAWN;
         let mut joints = self.start.clone();
         if seed > 0 {
@@ -259,31 +265,31 @@ impl Search {
     /// made use of for its shape, unless `best` is nearer.
     fn close(&mut self, mut joints: Vec<f64>, best: Option<&Assembly>) -> Option<Assembly> {
         // The second time it is closed but for the rounding.
+        let mut exact = true;
         for _ in 0..2 {
             for (x, variable) in joints.iter_mut().zip(&self.variables) {
                 *x = variable.rounded(*x);
             }
-            if !self.together.assemble(&mut joints) {
-                return None;
-            }
+            exact = self.closes(&mut joints)?;
         }
         let assembled = joints.clone();
         let solved = self.together.solve(&self.goal, &mut joints, &assembled);
         if solved.end == End::Open {
             return None;
         }
-        let found = self.judge(joints, solved.reached);
+        let found = self.judge(joints, exact, solved.reached);
         if best.is_some_and(|best| best.nearer(&found)) {
             return Some(found);
         }
         let mut joints = found.joints.clone();
         for part in &self.parts {
             if !part.held {
-                relax(&part.chain, &found.pose, &mut joints[part.range.clone()]);
+                relax(&part.chain, &mut joints[part.range.clone()]);
             }
         }
-        let relaxed =
-            (self.together.assemble(&mut joints)).then(|| self.judge(joints, found.reached));
+        let relaxed = self
+            .closes(&mut joints)
+            .map(|exact| self.judge(joints, exact, found.reached));
         // It is at the same pose but for rounding.
         Some(
             relaxed
@@ -292,15 +298,25 @@ impl Search {
         )
     }
 
-    fn judge(&self, mut joints: Vec<f64>, reached: bool) -> Assembly {
+    /// Whether all loops close, but for the misfit of rounded dimensions (false) or exactly; none if they do not.
+    fn closes(&mut self, joints: &mut [f64]) -> Option<bool> {
+        match self.together.close_start(joints, self.tolerance) {
+            Start::Closed => Some(true),
+            Start::Rounded => Some(false),
+            Start::Open { .. } => None,
+        }
+    }
+
+    fn judge(&self, mut joints: Vec<f64>, exact: bool, reached: bool) -> Assembly {
         for (x, variable) in joints.iter_mut().zip(&self.variables) {
             *x = variable.wrapped(*x);
         }
         let first = &self.parts[0];
         let pose = first.chain.pose(&joints[first.range.clone()]);
         Assembly {
-            distance: pose::metric(&pose, &self.goal, self.length) / self.scale,
+            distance: self.metric.value(&pose, &self.goal) / self.scale,
             shape: Shape::new(&self.variables, &joints),
+            exact,
             reached,
             pose,
             joints,
@@ -340,14 +356,18 @@ impl Search {
                 own = variables.iter().map(draw).collect();
             }
             part.go(&best.pose, &mut own);
-            let away = pose::metric(&part.chain.pose(&own), &best.pose, 1.0);
+            let by_size = Metric {
+                kind: MetricKind::Pose,
+                ..Metric::PAPER
+            };
+            let away = by_size.value(&part.chain.pose(&own), &best.pose);
             if !(away <= SAME_POSE) {
                 continue;
             }
             for (x, variable) in own.iter_mut().zip(variables) {
                 *x = variable.wrapped(*x);
             }
-            relax(&part.chain, &best.pose, &mut own);
+            relax(&part.chain, &mut own);
             let present = Shape::new(variables, &best.joints[range.clone()]);
             let better = Shape::new(variables, &own).before(&present);
             if seen.iter().any(|s| is_same(s, &own)) || (best.reached && !better) {
@@ -369,30 +389,6 @@ impl Search {
     }
 }
 
-impl Part {
-    /// From the joint values `own` to the pose nearest to `target`, by the size as the metric's length.
-    fn go(&mut self, target: &Pose, own: &mut [f64]) {
-        // Puts the values within the limits, and forgets the joints that were held at limits before.
-        self.solver.assemble(own);
-        let from = own.to_vec();
-        self.solver.solve(target, own, &from);
-    }
-}
-
 fn is_same(a: &[f64], b: &[f64]) -> bool {
     a.iter().zip(b).all(|(a, b)| (a - b).abs() <= SAME)
-}
-
-/// The mean of the positions and of the quaternions, whose signs are chosen one after another.
-fn mean(ends: &[Pose]) -> Pose {
-    let mut translation = Vector3::zeros();
-    let mut sum = Quaternion::new(0.0, 0.0, 0.0, 0.0);
-    for end in ends {
-        translation += end.translation.vector / ends.len() as f64;
-        let rotation = *end.rotation.quaternion();
-        let away = rotation.coords.dot(&sum.coords) < 0.0;
-        sum += if away { -rotation } else { rotation };
-    }
-    // With these signs the sum is no shorter than the first one.
-    Pose::from_parts(translation.into(), UnitQuaternion::from_quaternion(sum))
 }

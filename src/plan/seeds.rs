@@ -2,6 +2,7 @@
 //! in units of the mechanism's size.
 
 use crate::math::pose::Pose;
+use crate::math::random::Random;
 use crate::model::chain::Chain;
 use crate::model::joint::{Limits, Moves};
 use std::f64::consts::{PI, TAU};
@@ -116,6 +117,8 @@ pub struct Assembly {
     pub joints: Vec<f64>,
     /// The workpiece.
     pub pose: Pose,
+    /// Do the loops close exactly, without a misfit of rounded dimensions?
+    pub exact: bool,
     /// Is the goal met?
     pub reached: bool,
     /// ½‖q − g‖² over the most that rotations or a translation by the size count in it.
@@ -125,6 +128,10 @@ pub struct Assembly {
 
 impl Assembly {
     pub fn nearer(&self, other: &Self) -> bool {
+        // Dimensions that contradict each other by chance, near a singular position, are no rounded ones.
+        if self.exact != other.exact {
+            return self.exact;
+        }
         let less = self.distance < other.distance - EQUAL * other.distance.max(1.0);
         (self.reached && !other.reached) || (self.reached == other.reached && less)
     }
@@ -147,22 +154,4 @@ fn offsets(chain: &Chain) -> Vec<f64> {
         }
     }
     list
-}
-
-/// SplitMix64 (Steele, Lea, Flood 2014): a few lines, and the same numbers everywhere.
-pub struct Random(u64);
-
-impl Random {
-    pub fn new(seed: usize) -> Self {
-        Self(seed as u64)
-    }
-
-    /// From 0 up to 1.
-    pub fn unit(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
-    }
 }

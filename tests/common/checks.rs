@@ -3,20 +3,24 @@
 use synthetica::math::pose::{FrameCoordinates, Pose};
 use synthetica::model::chain::Chain;
 use synthetica::model::mechanism::Mechanism;
+use synthetica::model::scaled::Scaled;
 use synthetica::motion::goal::Goal;
 use synthetica::motion::trajectory::{Status, Trajectory, Warning};
-use synthetica::plan::follow::{Method, Settings, plan};
-use synthetica::solve::paper_matrix::CLOSED;
+use synthetica::plan::follow::plan;
+use synthetica::plan::settings::{Method, Settings};
+use synthetica::model::scaled::CLOSED;
 
-pub const NEWTON: Settings = Settings {
-    method: Method::Newton,
-    metric_length: 1.0,
-    max_iterations: None,
-};
+pub const NEWTON: Settings = Settings::PAPER;
 pub const GRADIENT: Settings = Settings {
     method: Method::Gradient,
     ..NEWTON
 };
+
+/// How far the loops are open, as it is published.
+pub fn open(mechanism: &Mechanism, joints: &[f64]) -> f64 {
+    let scaled = Scaled::new(mechanism, 1.0);
+    scaled.closure_error(&scaled.entered(joints))
+}
 
 /// The chains' linkage.
 pub fn mechanism(chains: Vec<Chain>) -> Mechanism {

@@ -1,11 +1,14 @@
-//! The inner freedom of a chain: it is moved to small joint values while the workpiece stands still.
+//! One chain on its own, in the search of a start: it goes to a pose, and its inner freedoms are moved to small joint
+//! values while the workpiece stands still.
 //!
 //! Where a chain can move so, one pose has a continuum of joint values, and which of them a search comes to
 //! hangs on its rounding. The least sum of squares is one of them.
 
 use crate::math::pose::{Pose, difference};
 use crate::model::chain::{Chain, ChainState, MAX_FREEDOMS};
-use nalgebra::{SMatrix, SVector, SymmetricEigen, Vector6};
+use crate::solve::newton::Solver;
+use nalgebra::{Quaternion, SMatrix, SVector, SymmetricEigen, UnitQuaternion, Vector3, Vector6};
+use std::ops::Range;
 
 /// One entry a freedom, the rest 0.
 type Values = SVector<f64, MAX_FREEDOMS>;
@@ -24,13 +27,48 @@ const CLOSED: f64 = 1e-12;
 /// Share of a step at which the search ends.
 const SMALLEST_SHARE: f64 = 1e-3;
 
-/// Moves the joint values `own`, lengths in sizes, along the inner freedoms of `chain` at `pose` to the least sum
-/// of squares that is next to them; they stay within their limits.
-pub fn relax(chain: &Chain, pose: &Pose, own: &mut [f64]) {
+/// A chain on its own.
+pub struct Part {
+    pub chain: Chain,
+    pub solver: Solver,
+    /// Its variables among those of the mechanism.
+    pub range: Range<usize>,
+    /// Were its values given?
+    pub held: bool,
+}
+
+impl Part {
+    /// From the joint values `own` to the pose nearest to `target`, by the size as the metric's length.
+    pub fn go(&mut self, target: &Pose, own: &mut [f64]) {
+        // Puts the values within the limits, and forgets the joints that were held at limits before.
+        let _ = self.solver.close_start(own, 0.0);
+        let from = own.to_vec();
+        self.solver.solve(target, own, &from);
+    }
+}
+
+/// Where chains that end apart may meet: the mean of the positions and of the quaternions, whose signs are chosen one after another.
+pub fn mean(ends: &[Pose]) -> Pose {
+    let mut translation = Vector3::zeros();
+    let mut sum = Quaternion::new(0.0, 0.0, 0.0, 0.0);
+    for end in ends {
+        translation += end.translation.vector / ends.len() as f64;
+        let rotation = *end.rotation.quaternion();
+        let away = rotation.coords.dot(&sum.coords) < 0.0;
+        sum += if away { -rotation } else { rotation };
+    }
+    // With these signs the sum is no shorter than the first one.
+    Pose::from_parts(translation.into(), UnitQuaternion::from_quaternion(sum))
+}
+
+/// Moves the joint values `own`, lengths in sizes, along the inner freedoms of `chain` to the least sum of squares
+/// that is next to them; the workpiece stands still, and they stay within their limits.
+pub fn relax(chain: &Chain, own: &mut [f64]) {
     let n = chain.freedoms();
     let mut values = Values::zeros();
     values.as_mut_slice()[..n].copy_from_slice(own);
     let mut here = Tangent::new(chain, &values);
+    let pose = here.pose;
     let mut share = 1.0;
     for _ in 0..STEPS {
         let step = -here.still(&values);
@@ -38,7 +76,7 @@ pub fn relax(chain: &Chain, pose: &Pose, own: &mut [f64]) {
             break;
         }
         let mut trial = values + step * share;
-        let there = close(chain, pose, &mut trial).filter(|there| {
+        let there = close(chain, &pose, &mut trial).filter(|there| {
             let falls = trial.norm_squared() < values.norm_squared() * (1.0 - 1e-12);
             falls || there.still(&trial).norm() < 0.999 * step.norm()
         });
