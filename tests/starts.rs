@@ -6,7 +6,6 @@ use synthetica::document::chain_report::chain;
 use synthetica::document::problem::Problem;
 use synthetica::document::report::Report;
 use synthetica::document::schema::Document;
-use synthetica::math::metric::Metric;
 use synthetica::model::scaled::{CLOSED, Scaled};
 use synthetica::motion::trajectory::{Status, Warning};
 use synthetica::plan::given::{OutsideLimit, outside_limits};
@@ -91,15 +90,15 @@ fn in_unit(value: &mut Value, factor: f64) {
     }
 }
 
-/// All are found, and nearly all of them nearest: ½‖q − g‖² is compared with the least that 2,000 seeds a case
-/// found, with 3 other settings of the same search (from ourselves; a dozen seeds miss a quarter of them).
+/// All are found, and nearly all of them nearest: f, in the default metric with a length of 1, is compared with the
+/// least that 1,400 seeds a case found (from ourselves: the same search, 800 and 600 other seeds). A dozen seeds miss a
+/// quarter of them.
 #[test]
 fn two_hundred_assemblies_are_found_from_afar() {
     let least: Vec<f64> = serde_json::from_str(NEAREST).expect("numbers");
     assert_eq!(least.len(), 200);
     let (mut open, mut farther) = (Vec::new(), Vec::new());
-    for ((case, mut document), least) in documents().zip(least) {
-        document["planner"]["metric"] = "dual-quaternion".into();
+    for ((case, document), least) in documents().zip(least) {
         let problem = problem(&document);
         let joints = problem.find_start();
         if !(openness(&problem, &joints) <= 1.0) {
@@ -108,14 +107,17 @@ fn two_hundred_assemblies_are_found_from_afar() {
             continue;
         }
         let pose = problem.mechanism.chains()[0].pose(&joints);
-        let f = Metric::PAPER.value(&pose, &problem.goals[0].pose);
+        let f = problem
+            .settings
+            .metric_for(&problem.mechanism, 1.0)
+            .value(&pose, &problem.goals[0].pose);
         if f > least + 1e-6 {
             farther.push(format!("{case}: {f} in place of {least}"));
         }
     }
     assert!(open.is_empty(), "not found: {open:#?}");
     println!("{} are farther", farther.len());
-    assert!(farther.len() <= 10, "{farther:#?}");
+    assert!(farther.len() <= 6, "{farther:#?}");
 }
 
 #[test]
