@@ -223,6 +223,6 @@ pub fn longest(step: &[f64]) -> f64 {
     step.iter().fold(0.0, |m: f64, s| if s.abs() <= m { m } else { s.abs() })
 }
 
-pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
+pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
