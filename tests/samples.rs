@@ -10,7 +10,6 @@ use synthetica::document::problem::Problem;
 use synthetica::document::report::Report;
 use synthetica::document::schema::{Document, FrameEntry, RowEntry};
 use synthetica::document::text;
-use synthetica::math::pose::metric;
 use synthetica::model::joint::JointKind;
 use synthetica::motion::trajectory::{Status, Trajectory, Warning};
 use synthetica::plan::follow::plan;
@@ -203,7 +202,7 @@ fn chains_and_mobilities() {
         ("spacecraft.json", "ET", 5, 5),
     ];
     for (sample, expected) in samples().zip(expected) {
-        let report = Report::new(&sample.problem.mechanism, &sample.motion);
+        let report = Report::new(&sample.problem.mechanism, "", &sample.motion);
         let kinds: Vec<&str> = report.chains.iter().map(|c| c.kind.as_str()).collect();
         let found = (
             sample.file,
