@@ -211,7 +211,9 @@ impl Planning {
         while self.checked + 1 < known {
             let first = self.checked;
             self.checked += 1;
-            if !self.closed || !leaps::is_suspicious(&self.t, self.solver.scaled(), first) {
+            // A switch to a finite pose is told already.
+            let told = self.leaps.iter().any(|leap| leap.first == first);
+            if !self.closed || told || !leaps::is_suspicious(&self.t, self.solver.scaled(), first) {
                 continue;
             }
             let (from, to) = (self.goals[first], self.goals[first + 1]);

@@ -17,6 +17,8 @@ pub const LEAP: f64 = 0.02;
 const FINE: f64 = 0.5 * LEAP;
 /// Shortest step, as a share of the interval.
 const SHORTEST: f64 = 1e-6;
+/// Slope along a leap, in units of the stationary one, above which it leads downhill.
+const SLOPE: f64 = 10.0;
 /// Joint motion in one interval that is always looked at.
 const LARGE: f64 = 0.3;
 /// Steps in one interval: 40 rad of joint motion, and room for a dozen leaps. Beyond, the interval is left as it was
@@ -101,7 +103,8 @@ pub fn trace(solver: &mut Solver, joints: &[f64], from: &Goal, to: &Goal) -> Opt
         let mut trial = at.clone();
         let predicted: Vec<f64> = at.iter().zip(&rate).map(|(x, r)| x + r * (next - done)).collect();
         let holding = solver.holding().clone();
-        let solved = solver.solve(&between(from, to, next), &mut trial, &predicted);
+        let goal = between(from, to, next);
+        let solved = solver.solve(&goal, &mut trial, &predicted);
         let leap = Leap::between(solver.scaled(), &at, &trial);
         if !solved.end.is_minimum() || !(leap.moved_scaled <= FINE) {
             if step > SHORTEST {
@@ -114,7 +117,10 @@ pub fn trace(solver: &mut Solver, joints: &[f64], from: &Goal, to: &Goal) -> Opt
             if !solved.end.is_minimum() {
                 return None;
             }
-            if leap.moved_scaled > LEAP {
+            // In a valley that is nearly flat the answer is known to within the stationary slope only; a move that does
+            // not lower the distance by more than that slope allows is no leap.
+            let fall = solver.value(&goal, &at) - solved.value;
+            if leap.moved_scaled > LEAP && fall > SLOPE * solver.tolerances().stationary * leap.moved_scaled {
                 let time = from.time + next * (to.time - from.time);
                 leaps.push(Leap { time, ..leap });
             }

@@ -233,6 +233,12 @@ impl Solver {
         solved
     }
 
+    /// f of the position `joints` against a goal, of which the nearer rotation is taken.
+    pub fn value(&self, goal: &Pose, joints: &[f64]) -> f64 {
+        let pose = self.scaled.chains()[0].pose(&self.scaled.entered(joints));
+        self.metric.value(&pose, &self.scaled.enter_pose(goal))
+    }
+
     /// The goal as the metric measures towards it from a position before.
     fn target(&self, goal: &Pose, theta: &[f64]) -> Target {
         let before = self.scaled.chains()[0].pose(theta).rotation;

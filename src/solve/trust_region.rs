@@ -15,6 +15,8 @@ pub struct TrustRegion {
     flat: f64,
     eigenvalues: Vec<f64>,
     slopes: Vec<f64>,
+    /// Slope of each that is rounding: a direction in which a small twist costs large joint motions has small slopes.
+    levels: Vec<f64>,
     /// Joint rates of each basis direction.
     rates: Vec<f64>,
     variables: usize,
@@ -73,6 +75,7 @@ impl TrustRegion {
         self.eigenvalues.clear();
         self.eigenvalues.extend(self.hessian.iter().step_by(n + 1));
         self.slopes.clear();
+        self.levels.clear();
         self.rates.clear();
         self.variables = free.variables();
         self.rates.resize(n * self.variables, 0.0);
@@ -91,6 +94,8 @@ impl TrustRegion {
                     .map(|(a, b)| a * b)
                     .sum(),
             );
+            let twist = self.coefficients.iter().map(|x| x * x).sum::<f64>().sqrt();
+            self.levels.push(LEVEL * self.flat * twist);
             for (i, c) in self.coefficients.iter().enumerate() {
                 for (r, t) in rates.iter_mut().zip(free.rates(i)) {
                     *r += c * t;
@@ -162,10 +167,10 @@ impl TrustRegion {
     /// s = −(Λ + shift)⁻¹ slope; its length.
     fn shifted(&mut self, shift: f64) -> f64 {
         self.step.clear();
-        for (&eigenvalue, &slope) in self.eigenvalues.iter().zip(&self.slopes) {
+        for ((&eigenvalue, &slope), &level) in self.eigenvalues.iter().zip(&self.slopes).zip(&self.levels) {
             let curvature = eigenvalue + shift;
             // Rounding in a direction that does not matter is not followed.
-            let level = curvature < self.flat && slope.abs() <= LEVEL * self.flat;
+            let level = curvature < self.flat && slope.abs() <= level;
             self.step.push(if level {
                 0.0
             } else {
