@@ -324,13 +324,13 @@ fn standing_still() {
 }
 
 /// A slider that would have to run hundreds of sizes far: that is no answer, and the frame after it
-/// finds the linkage where it was.
+/// finds the linkage where it was. The size is 1, the hand's length.
 #[test]
 fn slider_that_runs_away() {
     let c = chain(
         "RP",
         &[(ORIGIN, Z), (ORIGIN, X)],
-        &at(0.0, 0.0, 0.0, 0.0, 0.0, 0.0),
+        &at(1.0, 0.0, 0.0, 0.0, 0.0, 0.0),
     );
     let m = mechanism(vec![c]);
     for far in [
@@ -340,7 +340,7 @@ fn slider_that_runs_away() {
         let t = plan(
             &m,
             &[0.0, 0.3],
-            &goals(&[far, at(0.5, 0.1, 0.0, 0.0, 0.0, 0.2)]),
+            &goals(&[far, at(1.5, 0.1, 0.0, 0.0, 0.0, 0.2)]),
             &NEWTON,
         );
         is_honest("RP far away", &t, 2);

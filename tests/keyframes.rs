@@ -915,7 +915,7 @@ fn the_reference_point_of_a_document() {
     for (reference, place, code) in [
         ("[0, 0]", "motion.reference", "WrongCount"),
         ("[0, 0, 0, 0]", "motion.reference", "WrongCount"),
-        ("[0, 0, 1e7]", "motion.reference[2]", "OutOfRange"),
+        ("[0, 0, 1e13]", "motion.reference[2]", "OutOfRange"),
         (r#"[0, "0", 0]"#, "motion.reference[1]", "WrongType"),
         ("0", "motion.reference", "WrongType"),
     ] {

@@ -366,7 +366,7 @@ fn limits_are_named() {
         .expect("a posture");
     let sentence = posture.obstacle.expect("its limit is 140°");
     assert!(
-        sentence.contains("θ₂ of ") && sentence.ends_with("ends at its own limit of 140.0°."),
+        sentence.contains("θ₂ of ") && sentence.ends_with("ends at its own limit of 140°."),
         "{sentence}"
     );
     // Another joint's limit: the first slider of the 3RPS with a limit on the second, close by.

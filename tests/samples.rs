@@ -139,8 +139,11 @@ fn every_frame_is_closed_and_certified() {
 fn goals_are_partly_out_of_reach() {
     for Sample { file, motion, .. } in samples() {
         assert_eq!(motion.status[0], Status::Reached, "{file}");
-        let far =
-            |frame: usize| motion.translation_gap[frame] > 0.02 && motion.metric[frame] > 1e-3;
+        // Under the metric `pose` a linkage that translates freely falls short in its rotation alone.
+        let far = |frame: usize| {
+            let seen = motion.translation_gap[frame] > 0.02 || motion.rotation_gap[frame] > 0.1;
+            seen && motion.metric[frame] > 1e-3
+        };
         assert!((0..motion.frames()).any(far), "{file}");
     }
 }

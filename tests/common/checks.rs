@@ -123,11 +123,12 @@ pub fn is_certified(name: &str, t: &Trajectory, frames: usize) {
     for (i, status) in t.status.iter().enumerate() {
         assert!(
             status.is_certified(),
-            "{name}, frame {i}: {status:?}, projected gradient {:e}, f {}, {} iterations, {:?}",
+            "{name}, frame {i}: {status:?}, projected gradient {:e}, f {}, {} iterations, {:?}, {:?}",
             t.projected_gradient[i],
             t.metric[i],
             t.iterations[i],
             t.joints_at(i),
+            t.warnings,
         );
     }
 }
