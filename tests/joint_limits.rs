@@ -297,7 +297,7 @@ fn start_outside_the_limits() {
     is_certified("arm from outside", &t, 5);
     keeps_limits("arm from outside", &m, &t);
     assert!(
-        matches!(t.warnings[..], [Warning::StartMoved { moved, variable: 1 }] if (moved - 0.2).abs() < 1e-9),
+        matches!(t.warnings[..], [Warning::StartOutsideLimits { variable: 1, value: 0.0, limit }] if (limit - 0.2).abs() < 1e-12),
         "{:?}",
         t.warnings
     );

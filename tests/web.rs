@@ -225,6 +225,14 @@ fn a_trace_is_both_courses_and_the_matrix() {
         assert_eq!(told.as_deref(), Some("motion.frames"));
     }
     assert_eq!(place(session.matrix(&[])).as_deref(), Some("joints"));
+    let told = [
+        session.trace(1.0, &[f64::NAN; 15]).map(drop),
+        session.matrix(&[f64::NAN; 15]).map(drop),
+    ];
+    assert_eq!(
+        told.map(place),
+        [0; 2].map(|_| Some("joints[0]".to_owned()))
+    );
 }
 
 #[wasm_bindgen_test]

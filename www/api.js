@@ -40,6 +40,7 @@ const ask = (call, ...args) => desk.ask({ asker: desk, latest: false, call, args
  */
 export class Session {
   #text;
+  /** @type {object} */
   #asker;
   #closed = false;
 

@@ -47,10 +47,13 @@ impl Session {
     /// A `Fault` where the frame or the joint values are at fault.
     pub fn trace(&self, frame: f64, joints: &[f64]) -> Result<JsTrace, JsValue> {
         let problem = self.open.problem();
-        let frame = self.open.frame(frame);
-        let trace = frame
-            .and_then(|frame| iterations::trace(problem, frame, joints))
-            .map_err(|fault| refusal(&fault))?;
+        let trace = self.open.frame(frame).and_then(|frame| {
+            if !joints.is_empty() {
+                self.open.check_joints(joints)?;
+            }
+            iterations::trace(problem, frame, joints)
+        });
+        let trace = trace.map_err(|fault| refusal(&fault))?;
         let object = Object::new();
         let set =
             |name: &str, value: &JsValue| Reflect::set(&object, &name.into(), value).map(drop);
@@ -66,7 +69,8 @@ impl Session {
     /// # Errors
     /// A `Fault` where the joint values are at fault.
     pub fn matrix(&self, joints: &[f64]) -> Result<JsMatrix, JsValue> {
-        let matrix = iterations::matrix(self.open.problem(), joints);
+        let checked = self.open.check_joints(joints);
+        let matrix = checked.and_then(|()| iterations::matrix(self.open.problem(), joints));
         to_js(&matrix.map_err(|fault| refusal(&fault))?).map(JsCast::unchecked_into)
     }
 

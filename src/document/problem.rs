@@ -73,6 +73,7 @@ impl Problem {
             &self.mechanism,
             &self.start,
             &self.goals[0].pose,
+            self.extent(),
             &self.settings,
         )
     }

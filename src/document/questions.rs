@@ -148,7 +148,7 @@ impl Problem {
             .collect()
     }
 
-    fn check_joints(&self, joints: &[f64]) -> Result<(), Fault> {
+    pub(crate) fn check_joints(&self, joints: &[f64]) -> Result<(), Fault> {
         let turns = self.turns();
         if joints.len() != turns.len() {
             let accepted = format!("{}, one for each joint variable", turns.len());

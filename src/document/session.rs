@@ -125,6 +125,14 @@ impl Session {
         self.problem.explain(joints, goal)
     }
 
+    /// Are these joint values of this document's mechanism?
+    ///
+    /// # Errors
+    /// When there is not one finite joint value a joint variable.
+    pub fn check_joints(&self, joints: &[f64]) -> Result<(), Fault> {
+        self.problem.check_joints(joints)
+    }
+
     /// A frame's index from a number that may be none, as JavaScript has them.
     ///
     /// # Errors
@@ -189,6 +197,16 @@ mod tests {
         let fault = session.variable(-1.0).expect_err("no variable");
         assert_eq!(fault.accepted, "a whole number from 0 to 7");
         assert!(fault.message.contains("-1 is out of range"), "{fault}");
+    }
+
+    #[test]
+    fn joint_values_are_counted_and_finite() {
+        let session = Session::open(SAMPLE).expect("a sample");
+        assert_eq!(session.check_joints(&[0.0; 8]), Ok(()));
+        for joints in [&[][..], &[0.0; 7], &[f64::NAN; 8], &[f64::INFINITY; 8]] {
+            let fault = session.check_joints(joints).expect_err("no joint values");
+            assert!(fault.place.starts_with("joints"), "{fault}");
+        }
     }
 
     #[test]

@@ -38,6 +38,17 @@ pub fn warning(warning: &Warning, wording: &Wording<'_>) -> WarningReport {
             ),
             None,
         ),
+        Warning::StartOutsideLimits { variable, value, limit } => say(
+            "start-outside-limits",
+            format!(
+                "The start of {}, {}, is {} value, {}: it is moved there.",
+                wording.variable(variable),
+                wording.amount(variable, value),
+                if value < limit { "below its smallest" } else { "above its largest" },
+                wording.amount(variable, limit)
+            ),
+            None,
+        ),
         Warning::StartOpen { error } => say(
             "start-open",
             format!(

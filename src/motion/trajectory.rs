@@ -60,6 +60,8 @@ pub struct Neighbours {
 pub enum Warning {
     /// The start's loops were open, and were closed by moving a joint variable by `moved` (rad or a length).
     StartMoved { moved: f64, variable: usize },
+    /// A given start value (rad or a length) was beyond this limit of the joint variable, and was moved to it.
+    StartOutsideLimits { variable: usize, value: f64, limit: f64 },
     /// The start's loops could not be closed; `error` is how far they are open, lengths as shares of the size.
     StartOpen { error: f64 },
     /// The start is nearly closed, open by `error`, but closes only where a joint variable has moved by `leap` (rad or

@@ -70,7 +70,7 @@ fn step(solver: &mut Solver, theta: &mut Vec<f64>, random: &mut Random) {
 /// Whether another assembly has a finite certified pose that is closer than `value`.
 pub fn another_assembly(mechanism: &Mechanism, goal: &Pose, settings: &Settings, extent: f64, value: f64) -> bool {
     let free = vec![None; mechanism.chains().len()];
-    let found = modes::find(mechanism, &free, goal, settings);
+    let found = modes::find(mechanism, &free, goal, extent, settings);
     let mut solver = settings.solver(mechanism, extent);
     let mut joints = found.clone();
     if matches!(

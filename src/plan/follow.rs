@@ -6,6 +6,7 @@ use crate::model::scaled::CLOSED;
 use crate::motion::goal::Goal;
 use crate::motion::trajectory::{Trajectory, Warning};
 use crate::plan::elsewhere;
+use crate::plan::given;
 use crate::plan::leaps::{self, Leap};
 use crate::plan::record::{begin, measure_singular, record};
 use crate::plan::settings::{Method, Settings, extent};
@@ -72,6 +73,7 @@ impl Planning {
         let mut solver = settings.solver(mechanism, extent);
         let mut t = begin(mechanism, &solver, extent, settings);
         let mut joints = start.to_vec();
+        given::move_within_limits(mechanism, &mut joints, &mut t.warnings);
         let mut closed = close_start(&mut solver, &mut joints, settings, &mut t.warnings);
         t.mobility_rank = solver.mobility(&joints).0;
         if closed && t.mobility_rank.cast_signed() != t.mobility_count {

@@ -3,7 +3,9 @@
 pub mod configuration;
 pub mod elsewhere;
 pub mod follow;
+pub mod given;
 pub mod leaps;
 pub mod modes;
 pub mod record;
+mod seeds;
 pub mod settings;
