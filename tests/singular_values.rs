@@ -11,7 +11,8 @@ use synthetica::math::linalg::svd;
 use synthetica::math::pose::{DualQuaternion, dual_quaternion};
 use synthetica::model::chain::ChainState;
 use synthetica::model::mechanism::Mechanism;
-use synthetica::solve::newton::Solver;
+use synthetica::model::scaled::Scaled;
+use synthetica::plan::settings::Settings;
 use synthetica::solve::paper_matrix::{condition_rates, twist_of_rates};
 use synthetica::solve::singular_values::SingularValues;
 
@@ -65,12 +66,6 @@ fn compare(
         .fold(2.0, |m: f64, c| m.max(c.norm()));
     if expected > 1e-7 * scale {
         let error = (found - expected).abs() / expected;
-        if error > 1e-6 {
-            let q = dual_quaternion(&random.pose(0.0, 3.0), 1.0);
-            let s = svd(dense(jacobians, &q)).sigma;
-            println!("{:e}", 0.0 + s[0]);
-            println!("{:?}", &s[s.len() - 5 - redundant..]);
-        }
         assert!(
             error <= 1e-6,
             "{what}, {redundant} redundant: {found:e} for {expected:e}, {error:e}"
@@ -87,21 +82,24 @@ fn compare(
 
 /// Jacobians at joint values, lengths in units of the size.
 fn jacobians(mechanism: &Mechanism, joints: &[f64]) -> Jacobians {
-    let size = mechanism.size();
-    let scaled = mechanism.scaled(1.0 / size);
-    let joints = mechanism.in_unit(joints, size);
+    let scaled = Scaled::new(mechanism, 1.0);
+    let theta = scaled.entered(joints);
     let mut state = ChainState::default();
+    let mut first = 0;
     scaled
-        .split(&joints)
-        .map(|(chain, theta)| {
-            chain.evaluate(theta, &mut state);
-            state.jacobian[..theta.len()].to_vec()
+        .chains()
+        .iter()
+        .map(|chain| {
+            chain.evaluate(&theta[first..], &mut state);
+            first += chain.freedoms();
+            state.jacobian[..chain.freedoms()].to_vec()
         })
         .collect()
 }
 
 fn redundancy(mechanism: &Mechanism, joints: &[f64]) -> usize {
-    Solver::new(mechanism, 1.0, 1).redundancy(joints)
+    let (_, surplus) = Settings::PAPER.solver(mechanism, 1.0).mobility(joints);
+    surplus
 }
 
 #[test]
