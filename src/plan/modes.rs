@@ -20,7 +20,7 @@ use crate::plan::given::outside_limits;
 use crate::plan::seeds::{EQUAL, Shape, Variable};
 use crate::plan::settings::Settings;
 use crate::solve::close_start::Start;
-use crate::solve::newton::{End, Solver};
+use crate::solve::solver::{End, Solver};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use std::ops::Range;
 
@@ -81,7 +81,9 @@ pub fn find(
         .flat_map(|(chain, values)| values.clone().unwrap_or(vec![0.0; chain.freedoms()]))
         .collect();
     let scaled = Scaled::new(mechanism, extent);
-    let metric = settings.metric_for(mechanism, extent).within(scaled.unit(), scaled.origin());
+    let metric = settings
+        .metric_for(mechanism, extent)
+        .within(scaled.unit(), scaled.origin());
     let settings = Settings {
         metric_length: Some(metric.length),
         metric_origin: Some(metric.origin),
@@ -293,7 +295,10 @@ impl Search {
 
     /// The closed assembly next to `joints`, moved to its pose nearest to the goal.
     fn close(&mut self, mut joints: Vec<f64>) -> Option<Assembly> {
-        if matches!(self.together.close_start(&mut joints, self.tolerance), Start::Open { .. }) {
+        if matches!(
+            self.together.close_start(&mut joints, self.tolerance),
+            Start::Open { .. }
+        ) {
             return None;
         }
         let assembled = joints.clone();
@@ -348,7 +353,10 @@ impl Search {
                 own = variables.iter().map(draw).collect();
             }
             part.go(&best.pose, &mut own);
-            let by_size = Metric { kind: MetricKind::Pose, ..Metric::PAPER };
+            let by_size = Metric {
+                kind: MetricKind::Pose,
+                ..Metric::PAPER
+            };
             let away = by_size.value(&part.chain.pose(&own), &best.pose);
             if !(away <= SAME_POSE) {
                 continue;

@@ -94,7 +94,9 @@ impl Tangent {
 
     /// The Jacobian's columns of each chain at the last evaluation.
     pub fn jacobians(&self) -> impl Iterator<Item = &[Vector6<f64>]> {
-        self.chains.iter().map(|chain| &chain.state.jacobian[..chain.freedoms])
+        self.chains
+            .iter()
+            .map(|chain| &chain.state.jacobian[..chain.freedoms])
     }
 
     /// Factors the constraints at the last evaluation; joints held at a stop stand still.
@@ -112,7 +114,12 @@ impl Tangent {
     /// How many combinations of the constraints are within this distance of dependence at the last evaluation.
     pub fn surplus_within(&mut self, stops: &[Stop], distance: f64) -> usize {
         self.stack(stops);
-        dependent::surplus_within(&self.forms(), self.unknowns, self.chains[0].constraints(), distance)
+        dependent::surplus_within(
+            &self.forms(),
+            self.unknowns,
+            self.chains[0].constraints(),
+            distance,
+        )
     }
 
     /// Puts the chains' constraints together.
@@ -245,7 +252,11 @@ impl<'a> Factored<'a> {
                 rest = others;
                 all.push(chain.combine(own));
             }
-            let misfit = all.iter().zip(&self.0.chains).map(|(w, chain)| w.dot(&chain.open)).sum();
+            let misfit = all
+                .iter()
+                .zip(&self.0.chains)
+                .map(|(w, chain)| w.dot(&chain.open))
+                .sum();
             (all, misfit)
         };
         combination.dropped().map(wrenches).collect()
@@ -281,7 +292,9 @@ impl<'a> Factored<'a> {
         (rank..order.len())
             .map(|dependent| {
                 // B z = 0 with z = 1 for the dependent constraint and −R11⁻¹ R12 for the others.
-                let mut z: Vec<f64> = (0..rank).map(|row| -stacked.entry(row, dependent)).collect();
+                let mut z: Vec<f64> = (0..rank)
+                    .map(|row| -stacked.entry(row, dependent))
+                    .collect();
                 stacked.solve_r(&mut z);
                 let mut multipliers = vec![0.0; order.len()];
                 for (&c, z) in order.iter().zip(z) {
@@ -361,8 +374,12 @@ impl<'a> Free<'a> {
         let rank = tangent.stacked.rank();
         tangent.scratch.clear();
         tangent.scratch.extend_from_slice(gradient.as_slice());
-        tangent.scratch.resize(tangent.unknowns.max(tangent.constraints), 0.0);
-        tangent.stacked.apply_qt(&mut tangent.scratch[..tangent.unknowns]);
+        tangent
+            .scratch
+            .resize(tangent.unknowns.max(tangent.constraints), 0.0);
+        tangent
+            .stacked
+            .apply_qt(&mut tangent.scratch[..tangent.unknowns]);
         tangent.stacked.solve_r(&mut tangent.scratch[..rank]);
         let order = &tangent.stacked.order()[..rank];
         let place = |column: usize| order.iter().position(|&c| c == column);
@@ -417,7 +434,9 @@ impl<'a> Held<'a> {
         let chains = &self.0.0.chains;
         let after = chains.partition_point(|c| c.first <= variable);
         let chain = &chains[after - 1];
-        chain.wrench.dot(&chain.state.jacobian[variable - chain.first])
+        chain
+            .wrench
+            .dot(&chain.state.jacobian[variable - chain.first])
     }
 
     /// See [`Factored::internal_wrenches`].
@@ -464,7 +483,8 @@ impl<'a> Held<'a> {
             let own = chain.first..chain.first + chain.freedoms;
             for i in 0..n {
                 let bent = bent(&k, &self.0.rates(i)[own.clone()]);
-                let along = |rates: &[f64]| -> f64 { rates.iter().zip(&bent).map(|(r, b)| r * b).sum() };
+                let along =
+                    |rates: &[f64]| -> f64 { rates.iter().zip(&bent).map(|(r, b)| r * b).sum() };
                 for j in i..n {
                     reduced[i * n + j] += along(&self.0.rates(j)[own.clone()]);
                 }
@@ -478,10 +498,7 @@ impl<'a> Held<'a> {
 
 /// K Δθ for a symmetric K given by its upper triangle.
 #[inline]
-fn bent(
-    k: &[[f64; MAX_FREEDOMS]; MAX_FREEDOMS],
-    rates: &[f64],
-) -> [f64; MAX_FREEDOMS] {
+fn bent(k: &[[f64; MAX_FREEDOMS]; MAX_FREEDOMS], rates: &[f64]) -> [f64; MAX_FREEDOMS] {
     let mut bent = [0.0; MAX_FREEDOMS];
     for j in 0..rates.len() {
         bent[j] += k[j][j] * rates[j];
