@@ -11,7 +11,7 @@
 //! has the same start.
 
 use crate::math::metric::{Metric, MetricKind};
-use crate::math::pose::Pose;
+use crate::math::pose::{Pose, mean};
 use crate::math::random::Random;
 use crate::model::chain::Chain;
 use crate::model::mechanism::Mechanism;
@@ -21,7 +21,6 @@ use crate::plan::seeds::{EQUAL, Shape, Variable};
 use crate::plan::settings::Settings;
 use crate::solve::close_start::Start;
 use crate::solve::solver::{End, Solver};
-use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use std::ops::Range;
 
 /// Linear systems that one chain or assembly may take here: it need not be certified.
@@ -397,18 +396,4 @@ impl Part {
 
 fn is_same(a: &[f64], b: &[f64]) -> bool {
     a.iter().zip(b).all(|(a, b)| (a - b).abs() <= SAME)
-}
-
-/// The mean of the positions and of the quaternions, whose signs are chosen one after another.
-fn mean(ends: &[Pose]) -> Pose {
-    let mut translation = Vector3::zeros();
-    let mut sum = Quaternion::new(0.0, 0.0, 0.0, 0.0);
-    for end in ends {
-        translation += end.translation.vector / ends.len() as f64;
-        let rotation = *end.rotation.quaternion();
-        let away = rotation.coords.dot(&sum.coords) < 0.0;
-        sum += if away { -rotation } else { rotation };
-    }
-    // With these signs the sum is no shorter than the first one.
-    Pose::from_parts(translation.into(), UnitQuaternion::from_quaternion(sum))
 }

@@ -7,8 +7,9 @@ use crate::math::linalg;
 use crate::model::joint::Stop;
 use crate::model::scaled::{SOLVED, Scaled};
 use crate::solve::dependent::Dependence;
+use crate::solve::free::Free;
 use crate::solve::singular_values::SingularValues;
-use crate::solve::tangent::{Free, Tangent};
+use crate::solve::tangent::Tangent;
 
 /// Corrections near a closed position: quadratic convergence needs three or four.
 const CORRECTIONS: usize = 12;

@@ -6,6 +6,7 @@ pub mod close_start;
 pub mod dependent;
 mod direct;
 pub mod drive;
+pub mod free;
 pub mod gradient;
 mod guarded;
 pub mod limits;

@@ -1,7 +1,7 @@
 //! The longest safe step: a quadratic model's minimum within a radius, measured in joint motion.
 
 use crate::math::linalg;
-use crate::solve::tangent::Free;
+use crate::solve::free::Free;
 
 /// Slope, and curvature, as a share of the flat one, that are rounding.
 const LEVEL: f64 = 1e-2;
