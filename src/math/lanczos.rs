@@ -3,14 +3,20 @@
 /// The residual that a result is left with, as a share of the eigenvalue: some eigenvalue is within
 /// that distance of the result, and callers promise six digits of its root. As a rule the error is the
 /// residual's square over the gap to the next eigenvalue, hence far less.
-const RESIDUAL: f64 = 1e-9;
+const RESIDUAL: f64 = 1e-10;
 /// How much less the residual may be than it is guessed to be.
-const GUESS: f64 = 10.0;
+const GUESS: f64 = 2.0;
+/// Steps after which the guess is corrected.
+const CORRECTED: usize = 4;
 /// Steps an unknown. In exact arithmetic one each is the end; rounding may cost some more where many
 /// eigenvalues are close. A guard only: of 18 unknowns 9 are the most seen.
 const STEPS: usize = 3;
 /// Step of Newton's method that is the last: its convergence is quadratic.
 const CHANGE: f64 = 1e-10;
+/// Factor by which a guess is raised that is too low for Newton's method: guesses are not far off.
+const RAISED: f64 = 1.1;
+/// Any number; it chooses the vector that all calls begin with.
+const SEED: u64 = 2003;
 /// Newton steps for an eigenvalue of the tridiagonal matrix, a guard only: five are the most seen.
 const NEWTON_STEPS: usize = 40;
 
@@ -39,7 +45,7 @@ impl Lanczos {
             vector.clear();
             vector.resize(order, 0.0);
         }
-        scatter(&mut self.work, 0);
+        scatter(&mut self.work);
         let mut beside = dot(&self.work, &self.work).sqrt();
         // The largest eigenvalue of T, and the residual: M times T's eigenvector is the eigenvalue times
         // it, but for its last entry times what comes beside it.
@@ -76,10 +82,11 @@ impl Lanczos {
             } else {
                 (alpha + above, beside * last)
             };
-            if !(residual > GUESS * RESIDUAL * theta) || steps == STEPS * order {
+            let end = steps == STEPS * order;
+            if !(residual > GUESS * RESIDUAL * theta) || steps.is_multiple_of(CORRECTED) || end {
                 let last = self.find_largest(&mut theta);
                 residual = beside * last;
-                if !(residual > RESIDUAL * theta) || steps == STEPS * order {
+                if !(residual > RESIDUAL * theta) || end {
                     return theta;
                 }
             }
@@ -92,31 +99,39 @@ impl Lanczos {
     fn find_largest(&self, theta: &mut f64) -> f64 {
         let n = self.diagonal.len();
         let mut last = 1.0;
+        let mut from_above = false;
         for _ in 0..NEWTON_STEPS {
-            // Pivots of θ − T from the last row up: the first row is that of the first vector, which has
-            // its part in the eigenvector, so that no pivot before comes near 0. Newton's method on
-            // their product, the determinant.
+            // Pivots of θ − T from the last row up, all positive above the eigenvalues. The first row is
+            // that of the first vector, which has its part in the eigenvector: without it the rows have
+            // no eigenvalue as large, so that at the largest one only the last pivot is 0.
             let mut pivot = *theta - self.diagonal[n - 1];
             let (mut slope, mut product, mut sum) = (1.0, 1.0, 1.0 / pivot);
-            let mut above = pivot > 0.0;
+            let mut others_positive = true;
             for (alpha, beside) in self.diagonal.iter().zip(&self.beside).rev() {
+                others_positive &= pivot > 0.0;
                 let ratio = beside / pivot;
                 product *= ratio;
                 slope = 1.0 + ratio * ratio * slope;
                 pivot = *theta - alpha - beside * ratio;
-                above &= pivot > 0.0;
                 sum += slope / pivot;
             }
             last = product.abs() / slope.sqrt();
+            // Newton's method on the product of the pivots, the determinant. It comes from above, or
+            // from near below by one step.
             let step = -1.0 / sum;
-            if step >= 0.0 || above {
+            let above = others_positive && pivot > 0.0;
+            if !above && from_above {
+                // Passed by rounding.
+                break;
+            }
+            from_above = above;
+            if above || (others_positive && step >= 0.0) {
                 *theta += step;
                 if step.abs() <= CHANGE * *theta {
                     break;
                 }
             } else {
-                // Too low a guess. From above the method does not fail, and no eigenvalue is negative.
-                *theta = self.diagonal.iter().sum();
+                *theta *= RAISED;
             }
         }
         last
@@ -124,16 +139,14 @@ impl Lanczos {
 }
 
 /// Numbers in ±½ without any pattern that a linkage's symmetry could answer, the same in every call: a
-/// vector to begin with. Different `seed`s give different ones.
-pub fn scatter(out: &mut [f64], seed: u64) {
-    // A linear congruence (Knuth's MMIX); the first numbers of small seeds would be alike.
-    let next = |x: u64| {
-        x.wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407)
-    };
-    let mut state = next(next(seed));
+/// vector to begin with.
+pub fn scatter(out: &mut [f64]) {
+    // A linear congruence (Knuth's MMIX).
+    let mut state = SEED;
     for x in out {
-        state = next(state);
+        state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
         // The upper 53 bits, which a double holds.
         *x = (state >> 11) as f64 / (1_u64 << 53) as f64 - 0.5;
     }

@@ -59,11 +59,10 @@ impl LoopFactor {
         self.ends.push(self.columns.len());
     }
 
-    /// Adds rows below Bᵀ, of [`LoopFactor::equations`] entries each, times `factor`, once all chains
-    /// are there.
-    pub fn add_rows(&mut self, rows: &[f64], factor: f64) {
-        debug_assert_eq!(rows.len() % self.equations(), 0);
-        self.added.extend(rows.iter().map(|x| x * factor));
+    /// Adds a row below Bᵀ, `row` times `factor`, of one entry an equation, once all chains are there.
+    pub fn add_row(&mut self, row: &[f64], factor: f64) {
+        debug_assert_eq!(row.len(), self.equations());
+        self.added.extend(row.iter().map(|x| x * factor));
     }
 
     /// Columns of Bᵀ, order of R.
