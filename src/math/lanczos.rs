@@ -7,12 +7,12 @@ const RESIDUAL: f64 = 1e-10;
 /// How much less the residual may be than it is guessed to be.
 const GUESS: f64 = 2.0;
 /// Steps after which the guess is corrected.
-const CORRECTED: usize = 4;
+const CORRECTED: usize = 6;
 /// Steps an unknown. In exact arithmetic one each is the end; rounding may cost some more where many
 /// eigenvalues are close. A guard only: of 18 unknowns 9 are the most seen.
 const STEPS: usize = 3;
 /// Step of Newton's method that is the last: its convergence is quadratic.
-const CHANGE: f64 = 1e-10;
+const CHANGE: f64 = 1e-8;
 /// Factor by which a guess is raised that is too low for Newton's method: guesses are not far off.
 const RAISED: f64 = 1.1;
 /// Any number; it chooses the vector that all calls begin with.

@@ -192,13 +192,16 @@ impl LoopFactor {
                     rest[c] -= sum * added[first + c];
                 }
             }
-            for (p, row) in block.rows.iter().enumerate() {
-                let x = rest[p];
-                for c in 0..WIDTH {
-                    rest[c] -= x * row[c];
-                }
-                for (m, sum) in self.sums.iter_mut().enumerate() {
-                    *sum += x * self.tied[(first + p) * added + m];
+            let rows = &block.rows;
+            take_forward::<0>(&mut rest, rows);
+            take_forward::<1>(&mut rest, rows);
+            take_forward::<2>(&mut rest, rows);
+            take_forward::<3>(&mut rest, rows);
+            take_forward::<4>(&mut rest, rows);
+            take_forward::<5>(&mut rest, rows);
+            for (m, sum) in self.sums.iter_mut().enumerate() {
+                for p in 0..LOOP {
+                    *sum += rest[p] * self.tied[(first + p) * added + m];
                 }
             }
             for c in 0..LOOP {
@@ -223,12 +226,12 @@ impl LoopFactor {
                     rest[p] -= x * block.columns[LOOP + c][p];
                 }
             }
-            for c in (0..LOOP).rev() {
-                let x = rest[c];
-                for p in 0..LOOP {
-                    rest[p] -= x * block.columns[c][p];
-                }
-            }
+            let columns = &block.columns;
+            take_back::<5>(&mut rest, columns);
+            take_back::<4>(&mut rest, columns);
+            take_back::<3>(&mut rest, columns);
+            take_back::<2>(&mut rest, columns);
+            take_back::<1>(&mut rest, columns);
             for c in 0..LOOP {
                 later[c] += rest[c];
             }
@@ -240,9 +243,27 @@ impl LoopFactor {
     }
 }
 
+/// Takes row P times unknown P from what is behind it. With a constant the loop unrolls, and the
+/// numbers stay in registers: each step waits for the one before.
+#[inline(always)]
+fn take_forward<const P: usize>(rest: &mut [f64; WIDTH], rows: &[[f64; WIDTH]; LOOP]) {
+    let x = rest[P];
+    for c in P + 1..WIDTH {
+        rest[c] -= x * rows[P][c];
+    }
+}
+
+/// Takes column P times unknown P from what is before it.
+#[inline(always)]
+fn take_back<const P: usize>(rest: &mut [f64; LOOP], columns: &[[f64; LOOP]; WIDTH]) {
+    let x = rest[P];
+    for p in 0..P {
+        rest[p] -= x * columns[P][p];
+    }
+}
+
 /// Reflects so that column `p` of the `others` becomes 0, T of these rows with them. The column is not
 /// used again, and holds what the reflection leaves there.
-#[inline(always)]
 fn reflect(
     p: usize,
     pivot: &mut [f64; WIDTH],
