@@ -11,7 +11,7 @@ mod checks;
 use by_axes::{Line, chain};
 use checks::{at, between, both_ways, has_mobility, mechanism};
 use synthetica::math::metric::Metric;
-use synthetica::math::pose::{Pose, metric};
+use synthetica::math::pose::Pose;
 use synthetica::model::chain::Chain;
 
 const X: [f64; 3] = [1.0, 0.0, 0.0];

@@ -2,9 +2,9 @@
 
 use synthetica::document::problem::Problem;
 use synthetica::document::text;
+use synthetica::math::metric::MetricKind;
 use synthetica::plan::follow::plan;
 use synthetica::plan::settings::{Method, Settings};
-use synthetica::solve::paper_matrix::SingularValues;
 
 const SAMPLES: [&str; 8] = [
     include_str!("../www/mechanisms/2tpr.json"),
@@ -107,8 +107,10 @@ fn the_matrix_has_the_rank_and_singular_values_of_the_planner() {
     for text in SAMPLES {
         let problem = problem(text, Method::Newton);
         let motion = problem.plan();
-        let length = problem.settings.metric_length;
-        let reference = problem.mechanism.scaled(1.0 / length);
+        // In the unit and about the point of the published singular values.
+        let mut published = problem.clone();
+        published.settings.metric = MetricKind::Pose;
+        published.settings.metric_length = problem.mechanism.size();
         for frame in 0..motion.frames() {
             let joints = motion.joints_at(frame);
             let a = problem.matrix(joints).expect("joint values");
@@ -119,16 +121,21 @@ fn the_matrix_has_the_rank_and_singular_values_of_the_planner() {
             let squares = |values: &[f64]| values.iter().map(|x| x * x).sum::<f64>();
             let (all, by_sigma) = (squares(&a.values), squares(&a.singular_values));
             assert!((all - by_sigma).abs() < 1e-12 * all, "Frobenius norm");
-            let least = a.singular_values[a.rank - 1];
-            let smallest =
-                SingularValues::default().smallest(reference.chains(), joints, a.rows - a.rank);
-            assert!((least - smallest).abs() < 1e-6, "{least:e} {smallest:e}");
+            let b = published.matrix(joints).expect("joint values");
+            assert_eq!(a.rank, b.rank);
+            let (least, smallest) = (b.singular_values[b.rank - 1], motion.sigma_min[frame]);
+            assert!(
+                (least - smallest).abs() < 1e-9 * least,
+                "{least:e} {smallest:e}"
+            );
             if frame > 0 {
                 // Away from a start that may be singular.
-                let mobility =
-                    synthetica::solve::newton::Settings::PAPER.solver(&problem.mechanism, 1.0)
-                        .mobility(joints);
+                let mut solver = problem
+                    .settings
+                    .solver(&problem.mechanism, problem.extent());
+                let (mobility, surplus) = solver.mobility(joints);
                 assert_eq!(a.columns - a.rank, mobility, "n − rank [A]");
+                assert_eq!(a.rows - a.rank, surplus, "equations that depend on others");
             }
         }
     }

@@ -12,15 +12,16 @@
 
 use crate::math::metric::{Metric, MetricKind};
 use crate::math::pose::Pose;
+use crate::math::pose::mean;
 use crate::math::random::Random;
 use crate::model::mechanism::Mechanism;
 use crate::model::scaled::Scaled;
 use crate::plan::given::outside_limits;
-use crate::plan::one_chain::{Part, mean, relax};
+use crate::plan::one_chain::{Part, relax};
 use crate::plan::seeds::{Assembly, Shape, Variable};
 use crate::plan::settings::Settings;
 use crate::solve::close_start::Start;
-use crate::solve::newton::{End, Solver};
+use crate::solve::solver::{End, Solver};
 
 /// Linear systems that one chain or assembly may take here: it need not be certified.
 const ITERATIONS: usize = 100;

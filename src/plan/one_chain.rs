@@ -6,8 +6,8 @@
 
 use crate::math::pose::{Pose, difference};
 use crate::model::chain::{Chain, ChainState, MAX_FREEDOMS};
-use crate::solve::newton::Solver;
-use nalgebra::{Quaternion, SMatrix, SVector, SymmetricEigen, UnitQuaternion, Vector3, Vector6};
+use crate::solve::solver::Solver;
+use nalgebra::{SMatrix, SVector, SymmetricEigen, Vector6};
 use std::ops::Range;
 
 /// One entry a freedom, the rest 0.
@@ -45,20 +45,6 @@ impl Part {
         let from = own.to_vec();
         self.solver.solve(target, own, &from);
     }
-}
-
-/// Where chains that end apart may meet: the mean of the positions and of the quaternions, whose signs are chosen one after another.
-pub fn mean(ends: &[Pose]) -> Pose {
-    let mut translation = Vector3::zeros();
-    let mut sum = Quaternion::new(0.0, 0.0, 0.0, 0.0);
-    for end in ends {
-        translation += end.translation.vector / ends.len() as f64;
-        let rotation = *end.rotation.quaternion();
-        let away = rotation.coords.dot(&sum.coords) < 0.0;
-        sum += if away { -rotation } else { rotation };
-    }
-    // With these signs the sum is no shorter than the first one.
-    Pose::from_parts(translation.into(), UnitQuaternion::from_quaternion(sum))
 }
 
 /// Moves the joint values `own`, lengths in sizes, along the inner freedoms of `chain` to the least sum of squares
