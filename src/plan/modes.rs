@@ -11,8 +11,7 @@
 //! steps, so that the same linkage in another unit of length has the same start.
 
 use crate::math::metric::{Metric, MetricKind};
-use crate::math::pose::Pose;
-use crate::math::pose::mean;
+use crate::math::pose::{Pose, mean};
 use crate::math::random::Random;
 use crate::model::mechanism::Mechanism;
 use crate::model::scaled::Scaled;
@@ -33,8 +32,8 @@ const USUAL_VARIABLES: usize = 30;
 /// Seeds tried for any linkage.
 const FEWEST_SEEDS: usize = 32;
 /// Seeds that look for the nearest assembly where none meets the goal, and how many of them must be
-/// tried since the last nearer one. Of 200 random linkages
-/// with a goal 1.5 sizes and 2.5 rad off, 2 have a nearer assembly that this does not find and 1,400 seeds do.
+/// tried since the last nearer one. Of 200 random linkages with a goal 1.5 sizes and 2.5 rad off, 2 have
+/// a nearer assembly that this does not find and 1,400 seeds do.
 const SEEDS: usize = 96;
 const PATIENCE: usize = 48;
 /// Seeds where an assembly meets the goal: none is nearer, and its chains are looked at one by one.
