@@ -18,8 +18,8 @@ use std::time::Instant;
 use synthetica::math::pose;
 use synthetica::model::mechanism::Mechanism;
 use synthetica::motion::goal::Goal;
-use synthetica::plan::follow::{Settings, plan, predict};
-use synthetica::solve::newton::Solver;
+use synthetica::plan::follow::{plan, predict};
+use synthetica::plan::settings::{Settings, extent};
 use synthetica::solve::paper_matrix::linearise;
 
 /// Rounds of which the median is taken.
@@ -60,13 +60,13 @@ fn main() {
 }
 
 fn row(name: &str, mechanism: &Mechanism, start: &[f64], goals: &[Goal]) {
-    let settings = Settings::default();
+    let settings = Settings::PAPER;
     let motion = plan(mechanism, start, goals, &settings);
     let matrices: Vec<DMatrix<f64>> = (0..motion.frames())
         .step_by(motion.frames() / 33)
         .map(|i| {
             let q = pose::dual_quaternion(&motion.poses[i], 1.0);
-            let rows = linearise(mechanism, motion.joints_at(i), &q).rows;
+            let rows = linearise(mechanism.chains(), motion.joints_at(i), &q).rows;
             DMatrix::from_fn(rows.len(), rows[0].len(), |i, j| rows[i][j])
         })
         .collect();
@@ -97,11 +97,11 @@ fn row(name: &str, mechanism: &Mechanism, start: &[f64], goals: &[Goal]) {
 
 /// The frames as the planner solves them, without its report.
 fn frames_alone(mechanism: &Mechanism, start: &[f64], goals: &[Goal]) {
-    let mut solver = Solver::new(mechanism, 1.0, 500);
+    let mut solver = Settings::PAPER.solver(mechanism, extent(goals));
     let mut joints = start.to_vec();
     let mut predicted = start.to_vec();
     let mut history: Vec<f64> = Vec::with_capacity(start.len() * goals.len());
-    solver.assemble(&mut joints);
+    solver.close_start(&mut joints, Settings::PAPER.dimension_tolerance);
     for (frame, goal) in goals.iter().enumerate() {
         predict(&history, frame, &joints, &mut predicted);
         black_box(solver.solve(&goal.pose, &mut joints, &predicted));

@@ -12,7 +12,8 @@ use serde::Serialize;
 use std::process::ExitCode;
 use std::time::Instant;
 use synthetica::motion::trajectory::Status;
-use synthetica::plan::follow::{Settings, plan};
+use synthetica::plan::follow::plan;
+use synthetica::plan::settings::Settings;
 
 const CLOSURE: f64 = 1e-10;
 const METRIC: f64 = 1e-9;
@@ -111,12 +112,7 @@ fn solve(task: &Task) -> Answer {
     let mut microseconds = [0.0; RUNS];
     let run = || {
         let clock = Instant::now();
-        let t = plan(
-            &task.mechanism,
-            &task.start,
-            &task.goals,
-            &Settings::default(),
-        );
+        let t = plan(&task.mechanism, &task.start, &task.goals, &Settings::PAPER);
         (
             t,
             clock.elapsed().as_secs_f64() * 1e6 / task.goals.len() as f64,

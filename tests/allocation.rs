@@ -8,7 +8,8 @@ use stats_alloc::{INSTRUMENTED_SYSTEM, Region, StatsAlloc};
 use std::alloc::System;
 use synthetica::model::chain::ChainState;
 use synthetica::model::mechanism::Mechanism;
-use synthetica::solve::newton::Solver;
+use synthetica::plan::settings::Settings;
+use synthetica::solve::close_start::Start;
 use synthetica::solve::singular_values::SingularValues;
 
 #[global_allocator]
@@ -21,10 +22,10 @@ fn allocations(
     start: &[f64],
     goals: &[synthetica::motion::goal::Goal],
 ) -> usize {
-    let mut solver = Solver::new(mechanism, 1.0, 500);
+    let mut solver = Settings::PAPER.solver(mechanism, 1.0);
     let mut joints = start.to_vec();
     let mut predicted = start.to_vec();
-    assert!(solver.assemble(&mut joints));
+    assert_eq!(solver.close_start(&mut joints, 0.0), Start::Closed);
     let mut run = |joints: &mut Vec<f64>| {
         for goal in goals {
             predicted.copy_from_slice(joints);

@@ -9,7 +9,7 @@ use std::path::PathBuf;
 use std::process::{Command, Output, Stdio};
 use synthetica::document::{problem::Problem, schema, text};
 use synthetica::exchange::export;
-use synthetica::types::enumerate;
+use synthetica::types::tables::tables;
 
 const SAMPLES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/www/mechanisms");
 
@@ -324,10 +324,7 @@ fn tables_and_lists_are_those_of_the_library() {
         "{text}"
     );
     let whole: Value = serde_json::from_str(&printed(&["enumerate", "--json"])).expect("JSON");
-    assert_eq!(
-        whole,
-        serde_json::to_value(enumerate::tables()).expect("JSON")
-    );
+    assert_eq!(whole, serde_json::to_value(tables()).expect("JSON"));
     for (table, list) in [("chains", "classes"), ("assemblies", "assemblies")] {
         assert!(text.contains(printed(&["enumerate", table]).trim_end()));
         let part: Value =

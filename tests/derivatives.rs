@@ -5,18 +5,21 @@ mod common;
 use common::{Linkage, Random, assemblies, chain, goals, linkage};
 use nalgebra::{Matrix6, SVector, Vector3, Vector6};
 use std::f64::consts::{FRAC_PI_2, PI};
+use synthetica::math::metric::Metric;
 use synthetica::math::pose::{
-    DualQuaternion, Pose, difference, dual_quaternion, from_dual_quaternion, metric, nearer_sign,
+    DualQuaternion, Pose, difference, dual_quaternion, from_dual_quaternion,
 };
 use synthetica::model::chain::{Chain, ChainState};
 use synthetica::model::dh::DhRow;
 use synthetica::model::joint::{Joint, JointKind, Stop};
 use synthetica::model::mechanism::Mechanism;
 use synthetica::motion::goal::Goal;
-use synthetica::plan::follow::{Settings, plan};
+use synthetica::plan::follow::plan;
+use synthetica::plan::settings::Settings;
+use synthetica::solve::dependent::Dependence;
 use synthetica::solve::objective::objective;
 use synthetica::solve::paper_matrix::{condition_rates, linearise, twist_of_rates};
-use synthetica::solve::tangent::Tangent;
+use synthetica::solve::tangent::{Free, Tangent};
 use synthetica::types::enumerate;
 
 /// Step of first central differences: h² and 1e-16/h are then both some 1e-11.
@@ -141,7 +144,8 @@ fn rates_of_dual_quaternions() {
         let pose = random.pose(2.0, PI);
         let q = dual_quaternion(&pose, 1.0);
         let xi = Vector6::from_fn(|_, _| random.between(-1.0, 1.0));
-        let at = |h: f64| nearer_sign(&q, dual_quaternion(&moved(&pose, &(xi * h)), 1.0));
+        // So near that the quaternion keeps its sign.
+        let at = |h: f64| dual_quaternion(&moved(&pose, &(xi * h)), 1.0);
         let rate = (at(H) - at(-H)) / (2.0 * H);
         assert!((twist_of_rates(&q) * rate - xi).norm() < 1e-9);
         assert!((condition_rates(&q) * rate).norm() < 1e-9);
@@ -166,7 +170,14 @@ fn dual_quaternions_come_back() {
         for q in [q, -q] {
             assert!(difference(&from_dual_quaternion(&q, length), &pose).norm() < 1e-13);
         }
-        assert!(metric(&pose, &pose, length) < 1e-28);
+        assert!(
+            Metric {
+                length,
+                ..Metric::PAPER
+            }
+            .value(&pose, &pose)
+                < 1e-28
+        );
     }
 }
 
@@ -178,7 +189,7 @@ fn dense_matrix_is_the_derivative_of_the_residual() {
     for kinds in assemblies(&mut random) {
         let Linkage { mechanism, home } = linkage(&kinds, &mut random);
         let q = dual_quaternion(&mechanism.chains()[0].pose(&home), 1.0);
-        let linear = linearise(&mechanism, &home, &q);
+        let linear = linearise(mechanism.chains(), &home, &q);
         assert_eq!(linear.rows.len(), 6 * mechanism.chains().len() + 2);
         assert!(
             linear.residual.iter().all(|e| e.abs() < 1e-13),
@@ -191,7 +202,7 @@ fn dense_matrix_is_the_derivative_of_the_residual() {
             let at = |h: f64| {
                 let theta: Vec<f64> = home.iter().zip(&dr).map(|(t, d)| t + h * d).collect();
                 let dq = DualQuaternion::from_column_slice(&dr[home.len()..]);
-                linearise(&mechanism, &theta, &(q + dq * h)).residual
+                linearise(mechanism.chains(), &theta, &(q + dq * h)).residual
             };
             let (ahead, back) = (at(H), at(-H));
             for (i, row) in linear.rows.iter().enumerate() {
@@ -227,8 +238,9 @@ fn on_closed_path(
             break;
         }
         last = open;
-        tangent.factor(&stops, None, 0);
-        tangent.close(&mut correction, &mut step);
+        tangent
+            .factor(&stops, Dependence::FOUND)
+            .close(&mut correction, &mut step);
         at.iter_mut().zip(&step).for_each(|(t, s)| *t += s);
     }
     let astray = at
@@ -269,19 +281,21 @@ fn bend(
 fn second_order_agrees(
     m: &Mechanism,
     theta: &[f64],
-    gradient: &dyn Fn(&Tangent) -> Vector6<f64>,
+    gradient: &dyn Fn(&Free<'_>) -> Vector6<f64>,
     hessian: &Matrix6<f64>,
     f: &dyn Fn(&Pose) -> f64,
 ) -> (usize, usize) {
     let mut tangent = Tangent::new(m.chains());
     tangent.evaluate(m.chains(), theta);
-    tangent.factor(&vec![Stop::None; theta.len()], None, 0);
-    tangent.span();
-    tangent.balance(&gradient(&tangent));
-    let n = tangent.freedoms();
+    let free = tangent
+        .factor(&vec![Stop::None; theta.len()], Dependence::FOUND)
+        .free();
+    let pull = gradient(&free);
+    let held = free.hold(&pull);
+    let n = held.free().count();
     let (mut reduced, mut mixed) = (Vec::new(), Vec::new());
-    tangent.reduced_hessian(hessian, None, &mut reduced, &mut mixed);
-    let rates: Vec<Vec<f64>> = (0..n).map(|i| tangent.rates(i).to_vec()).collect();
+    held.reduced_hessian(hessian, None, &mut reduced, &mut mixed);
+    let rates: Vec<Vec<f64>> = (0..n).map(|i| held.free().rates(i).to_vec()).collect();
     let entry = |i: usize, j: usize| reduced[i.min(j) * n + i.max(j)];
     let (mut compared, mut singular) = (0, 0);
     for i in 0..n {
@@ -323,10 +337,9 @@ fn curvature_of_the_constraints() {
         let wanted = Vector6::from_fn(|_, _| random.between(-1.0, 1.0));
         let start = mechanism.chains()[0].pose(&home);
         // What is left of a random wrench across all free twists: the part that the loops can hold.
-        let held = |tangent: &Tangent| {
+        let held = |free: &Free<'_>| {
             let mut basis: Vec<Vector6<f64>> = Vec::new();
-            for i in 0..tangent.freedoms() {
-                let mut t = tangent.twist(i);
+            for mut t in free.twists() {
                 for _ in 0..2 {
                     basis.iter().for_each(|b| t -= b * b.dot(&t));
                 }
@@ -342,9 +355,10 @@ fn curvature_of_the_constraints() {
         };
         let mut tangent = Tangent::new(mechanism.chains());
         tangent.evaluate(mechanism.chains(), &home);
-        tangent.factor(&vec![Stop::None; home.len()], None, 0);
-        tangent.span();
-        let wrench = held(&tangent);
+        let free = tangent
+            .factor(&vec![Stop::None; home.len()], Dependence::FOUND)
+            .free();
+        let wrench = held(&free);
         // 2 sin(φ/2) times the axis is ω to third order: no second derivative of its own.
         let work = |pose: &Pose| wrench.dot(&difference(pose, &start));
         let (c, s) = second_order_agrees(&mechanism, &home, &held, &Matrix6::zeros(), &work);
@@ -382,11 +396,12 @@ fn second_derivative_of_the_distance() {
     for kinds in all {
         let l = linkage(&kinds, &mut random);
         let goals: Vec<Goal> = goals(&l, 5, &mut random);
-        let t = plan(&l.mechanism, &l.home, &goals, &Settings::default());
+        let t = plan(&l.mechanism, &l.home, &goals, &Settings::PAPER);
         for i in (0..5).filter(|&i| t.status[i].is_certified() && t.metric[i] > 1e-6) {
             let goal = goals[i].pose;
-            let model = objective(&t.poses[i], &goal, 1.0);
-            let f = |pose: &Pose| metric(pose, &goal, 1.0);
+            let target = Metric::PAPER.target(&goal, &t.poses[i].rotation);
+            let model = objective(&t.poses[i], &target);
+            let f = |pose: &Pose| target.value(pose);
             let (c, s) = second_order_agrees(
                 &l.mechanism,
                 t.joints_at(i),

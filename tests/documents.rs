@@ -5,6 +5,7 @@
     reason = "numbers read from a text are the ones that stand there"
 )]
 
+use nalgebra::Vector3;
 use serde_json::{Value, json};
 use std::fs;
 use std::time::Instant;
@@ -13,9 +14,10 @@ use synthetica::document::fault::{Fault, FaultCode};
 use synthetica::document::problem::{Problem, start_values};
 use synthetica::document::schema::Document;
 use synthetica::document::text::{MAX_TEXT, parse};
+use synthetica::math::metric::MetricKind;
 use synthetica::model::chain::Chain;
 use synthetica::model::joint::JointKind;
-use synthetica::plan::follow::Settings;
+use synthetica::plan::settings::Settings;
 
 /// A document with every field: two chains, every kind of joint, times, limits, starts.
 const WHOLE: &str = r#"{
@@ -35,9 +37,12 @@ const WHOLE: &str = r#"{
   ],
   "motion": {
     "key_frames": [{"name": "rest", "x": 1, "time": 0}, {"x": 1.5, "roll": 20, "time": 2}, {"name": "lift", "y": 1, "time": 3}],
-    "interpolation": "sclerp", "frames": 9, "radius": 40
+    "interpolation": "sclerp", "frames": 9, "reference": [0.5, 0, 0.25], "radius": 40
   },
-  "planner": {"method": "gradient", "metric_length": 2, "max_iterations": 100}
+  "planner": {
+    "method": "gradient", "metric": "dual-quaternion", "metric_length": 2, "metric_origin": [1, 2, 3],
+    "dimension_tolerance": 0.001, "max_iterations": 100
+  }
 }"#;
 
 fn read(text: &str) -> Result<Problem, Fault> {
@@ -114,7 +119,13 @@ fn a_whole_document_becomes_a_problem() {
     );
     assert_eq!(problem.goals.len(), 9);
     assert_eq!(problem.goals[8].time, 3.0);
-    assert_eq!(problem.settings.metric_length, 2.0);
+    assert_eq!(problem.settings.metric_length, Some(2.0));
+    assert_eq!(problem.settings.metric, MetricKind::DualQuaternion);
+    assert_eq!(
+        problem.settings.metric_origin,
+        Some(Vector3::new(1.0, 2.0, 3.0))
+    );
+    assert_eq!(problem.settings.dimension_tolerance, 0.001);
     assert_eq!(problem.settings.max_iterations, Some(100));
     assert!((chains[0].base().rotation.angle().to_degrees() - 30.0).abs() < 1e-12);
 }
@@ -332,7 +343,7 @@ fn texts_that_are_no_document_are_refused() {
         ("[]".into(), WrongType, "", "a list", "object"),
         ("3".into(), WrongType, "", "the number 3", "object"),
         ("{}".into(), MissingField, "version", "Version", "1"),
-        (WHOLE[..WHOLE.len() - 40].into(), Syntax, "", "Line 20, column 40. The document: this is not JSON, EOF", "JSON"),
+        (WHOLE[..WHOLE.len() - 40].into(), Syntax, "", "Line 22, column 21. The document: this is not JSON, EOF", "JSON"),
         (format!("{WHOLE} {{}}"), Syntax, "", "trailing", "JSON"),
         (format!("{WHOLE}\0"), Syntax, "", "trailing", "JSON"),
         (WHOLE.replacen("\"x\": 1,", "\"x\": NaN,", 1), Syntax, "", "Line 5, column", "JSON"),
@@ -407,6 +418,8 @@ fn fields_that_are_wrong_are_refused() {
         (with("/chains/0/joints/0/type", json!({"R": null})), WrongType, "chains[0].joints[0].type", "an object", "one of R, P, C, T, S, E"),
         (with("/motion/interpolation", json!("linear")), UnknownValue, "motion.interpolation", "linear", "bezier, sclerp, straight"),
         (with("/planner/method", json!("magic")), UnknownValue, "planner.method", "magic", "newton, gradient"),
+        (with("/planner/metric", json!("paper")), UnknownValue, "planner.metric", "paper", "pose, dual-quaternion"),
+        (with("/planner/metric_origin", json!(0)), WrongType, "planner.metric_origin", "the number 0", "a list"),
     ];
     cases.into_iter().for_each(check);
 }
@@ -433,21 +446,28 @@ fn numbers_out_of_bounds_are_refused() {
         (with("/motion/frames", json!(1_000_000_000)), OutOfRange, "motion.frames", "1000000000", "2 to 10000"),
         (with("/motion/radius", json!(0)), OutOfRange, "motion.radius", "Motion, radius: 0", "null"),
         (with("/motion/radius", json!(-20)), OutOfRange, "motion.radius", "-20", "positive length"),
-        (with("/motion/radius", json!(1)), OutOfRange, "motion.radius", "1 is", "1.5"),
+        (with("/motion/radius", json!(0.5)), OutOfRange, "motion.radius", "0.5 is", "not below 0.5731, half"),
         (with("/motion/radius", huge.clone()), OutOfRange, "motion.radius", "1e308", "a length"),
-        (with("/planner/metric_length", json!(0)), OutOfRange, "planner.metric_length", "Planner, metric length: 0", "0.000001"),
+        (with("/planner/metric_length", json!(0)), OutOfRange, "planner.metric_length", "Planner, metric length: 0", "from 1e-12 to 1e12, or null"),
         (with("/planner/metric_length", json!(-1)), OutOfRange, "planner.metric_length", "-1", "length"),
-        (with("/planner/metric_length", huge), OutOfRange, "planner.metric_length", "Planner", "length"),
+        (with("/planner/metric_length", huge.clone()), OutOfRange, "planner.metric_length", "Planner", "length"),
+        (with("/planner/metric_origin", json!([0, 1e13, 0])), OutOfRange, "planner.metric_origin[1]", "Planner", "a length"),
+        (with("/planner/dimension_tolerance", json!(-1e-9)), OutOfRange, "planner.dimension_tolerance", "-1e-9", "from 0 to 0.01"),
+        (with("/planner/dimension_tolerance", huge), OutOfRange, "planner.dimension_tolerance", "1e308", "from 0 to 0.01"),
         (with("/planner/max_iterations", json!(0)), OutOfRange, "planner.max_iterations", "max iterations: 0", "from 1"),
         (with("/planner/max_iterations", json!(1_000_000)), OutOfRange, "planner.max_iterations", "1000000", "100000"),
     ];
     cases.into_iter().for_each(check);
     // Each bound itself is accepted.
     for (pointer, value) in [
-        ("/chains/0/base/x", json!(-1e6)),
+        ("/chains/0/base/x", json!(-1e12)),
         ("/chains/0/base/roll", json!(1e6)),
-        ("/motion/radius", json!(1e6)),
-        ("/planner/metric_length", json!(1e-6)),
+        ("/motion/radius", json!(1e12)),
+        ("/planner/metric_length", json!(1e-12)),
+        ("/planner/metric_length", json!(1e12)),
+        ("/planner/metric_origin", json!([1e12, -1e12, 0])),
+        ("/planner/dimension_tolerance", json!(0)),
+        ("/planner/dimension_tolerance", json!(0.01)),
         ("/planner/max_iterations", json!(100_000)),
         ("/motion/frames", json!(10_000)),
         ("/motion/frames", json!(2)),

@@ -1,22 +1,29 @@
 //! The linkage moved by hand: pulled by its workpiece, driven by one joint, and explained where it stands.
 
+#[allow(dead_code, reason = "each test file wants some of it")]
+#[path = "common/checks.rs"]
+mod checks;
 mod common;
 
+use checks::open;
 use common::{Linkage, Random, assemblies, goals, linkage};
 use nalgebra::{Quaternion, Translation3, UnitQuaternion, Vector3, Vector6};
 use std::fs;
 use synthetica::document::problem::Problem;
 use synthetica::document::questions::Posture;
 use synthetica::document::text;
-use synthetica::math::pose::{Pose, metric};
+use synthetica::math::metric::Metric;
+use synthetica::math::pose::Pose;
 use synthetica::model::chain::Chain;
 use synthetica::model::joint::Limits;
 use synthetica::model::mechanism::Mechanism;
+use synthetica::model::scaled::{CLOSED, Scaled};
 use synthetica::motion::trajectory::{Status, Trajectory};
-use synthetica::plan::follow::{Settings, plan};
-use synthetica::solve::drive::{Obstacle, drive};
+use synthetica::plan::follow::plan;
+use synthetica::plan::settings::{Settings, extent};
+use synthetica::solve::close_start::Start;
+use synthetica::solve::drive::{self, Driven, Obstacle};
 use synthetica::solve::objective::objective;
-use synthetica::solve::paper_matrix::{CLOSED, closed, opening};
 use synthetica::study::why::{Insight, explain};
 
 /// Every document of www/mechanisms, by name.
@@ -61,8 +68,22 @@ fn numbers(pose: &Pose) -> Vec<f64> {
     numbers
 }
 
-fn open_by(mechanism: &Mechanism, joints: &[f64]) -> f64 {
-    opening(mechanism, joints, &mechanism.chains()[0].pose(joints))
+/// Drives one joint of a linkage that is closed at `joints`.
+fn drive(m: &Mechanism, joints: &mut [f64], variable: usize, value: f64) -> Driven {
+    let mut solver = Settings::PAPER.solver(m, 1.0);
+    assert_eq!(solver.close_start(joints, 0.0), Start::Closed);
+    let (scaled, closer, _) = solver.parts();
+    drive::drive(scaled, closer, joints, variable, value)
+}
+
+/// The length that stands for 1 rad of a turning joint.
+fn size(m: &Mechanism) -> f64 {
+    m.size().expect("a linkage with lengths")
+}
+
+/// Joint values with lengths as shares of the size.
+fn in_sizes(m: &Mechanism, joints: &[f64]) -> Vec<f64> {
+    Scaled::new(m, 1.0).entered(joints)
 }
 
 fn limits_kept(mechanism: &Mechanism, joints: &[f64]) -> bool {
@@ -106,8 +127,7 @@ fn pulled_along_the_goals_the_linkage_makes_the_planned_motion() {
 
 /// The lengths of a mechanism's joint values in its size, angles as they are.
 fn distance(mechanism: &Mechanism, a: &[f64], b: &[f64]) -> f64 {
-    let unit = |x: &[f64]| mechanism.in_unit(x, mechanism.size());
-    largest_difference(&unit(a), &unit(b))
+    largest_difference(&in_sizes(mechanism, a), &in_sizes(mechanism, b))
 }
 
 #[test]
@@ -162,12 +182,12 @@ fn what_stops_a_joint_is_a_fact() {
         for variable in 0..motion.variables {
             for side in [-1.0, 1.0] {
                 let from = motion.joints_at(motion.frames() / 3);
-                let far = if turns[variable] { 3.5 } else { 3.0 * m.size() };
+                let far = if turns[variable] { 3.5 } else { 3.0 * size(m) };
                 let mut joints = from.to_vec();
                 let value = from[variable] + side * far;
                 let driven = drive(m, &mut joints, variable, value);
                 let case = format!("{name}, variable {variable} by {}", side * far);
-                assert!(open_by(m, &joints) <= closed(m.size()), "{case}");
+                assert!(open(m, &joints) <= CLOSED, "{case}");
                 assert!(limits_kept(m, &joints), "{case}: {joints:?}");
                 let Some(obstacle) = driven.obstacle else {
                     assert_eq!(joints[variable].to_bits(), value.to_bits(), "{case}");
@@ -180,7 +200,7 @@ fn what_stops_a_joint_is_a_fact() {
                     "{case}: {obstacle:?} at {got}"
                 );
                 // Just before, it still goes.
-                let before = got - side * 1e-4 * if turns[variable] { 1.0 } else { m.size() };
+                let before = got - side * 1e-4 * if turns[variable] { 1.0 } else { size(m) };
                 if (before - from[variable]) * side > 0.0 {
                     let mut again = from.to_vec();
                     let short = drive(m, &mut again, variable, before);
@@ -213,7 +233,7 @@ fn what_stops_a_joint_is_a_fact() {
                         for joint in held {
                             let (l, x) = (limits[joint], joints[joint]);
                             if l == Limits::NONE {
-                                assert!(x.abs() > 19.0 * m.size(), "{case}: {x}");
+                                assert!(x.abs() > 19.0 * size(m), "{case}: {x}");
                                 continue;
                             }
                             assert!(
@@ -251,13 +271,13 @@ fn largest_rate(mechanism: &Mechanism, joints: &[f64], variable: usize) -> f64 {
 /// Orthonormal joint rates that keep the loops closed, lengths in units of the size: the null space
 /// of the differences of the chains' Jacobians.
 fn null_space(mechanism: &Mechanism, joints: &[f64]) -> Vec<Vec<f64>> {
-    let scaled = mechanism.scaled(1.0 / mechanism.size());
-    let theta = mechanism.in_unit(joints, mechanism.size());
+    let scaled = Scaled::new(mechanism, 1.0);
+    let theta = scaled.entered(joints);
     let n = theta.len();
     let mut columns: Vec<Vec<f64>> = Vec::new();
-    for (i, (chain, own)) in scaled.split(&theta).enumerate() {
+    for (i, chain) in scaled.chains().iter().enumerate() {
         let mut state = synthetica::model::chain::ChainState::default();
-        chain.evaluate(own, &mut state);
+        chain.evaluate(&theta[columns.len()..], &mut state);
         for column in &state.jacobian[..chain.freedoms()] {
             let mut c = vec![0.0; 6 * scaled.chains().len()];
             for (j, part) in c.chunks_exact_mut(6).enumerate() {
@@ -287,20 +307,20 @@ fn the_other_joints_follow_at_the_least_rates() {
         let m = &problem.mechanism;
         let from = motion.joints_at(motion.frames() / 2);
         let rates = null_space(m, from);
-        let here = m.in_unit(from, m.size());
+        let here = in_sizes(m, from);
         for variable in 0..motion.variables {
             let speed: f64 = rates.iter().map(|r| r[variable] * r[variable]).sum();
             if speed < 1e-2 {
                 continue;
             }
             let turns = m.chains().iter().flat_map(Chain::turns).nth(variable);
-            let unit = if turns == Some(true) { 1.0 } else { m.size() };
+            let unit = if turns == Some(true) { 1.0 } else { size(m) };
             let mut joints = from.to_vec();
             let driven = drive(m, &mut joints, variable, from[variable] + STEP * unit);
             if driven.obstacle.is_some() {
                 continue;
             }
-            let there = m.in_unit(&joints, m.size());
+            let there = in_sizes(m, &joints);
             for k in 0..motion.variables {
                 let least: f64 = rates.iter().map(|r| r[k] * r[variable]).sum::<f64>() / speed;
                 let moved = (there[k] - here[k]) / STEP;
@@ -346,7 +366,7 @@ fn limits_are_named() {
         .expect("a posture");
     let sentence = posture.obstacle.expect("its limit is 140°");
     assert!(
-        sentence.contains("θ₂ of ") && sentence.ends_with("ends at its own limit of 140.0°."),
+        sentence.contains("θ₂ of ") && sentence.ends_with("ends at its own limit of 140°."),
         "{sentence}"
     );
     // Another joint's limit: the first slider of the 3RPS with a limit on the second, close by.
@@ -392,9 +412,9 @@ fn random_linkages_are_driven_closed() {
             let mut joints = home.clone();
             let value = home[variable] + random.between(-0.8, 0.8);
             let end = drive(&m, &mut joints, variable, value);
-            let open = open_by(&m, &joints);
+            let open = open(&m, &joints);
             let case = format!("{kinds:?}, variable {variable}: {end:?}");
-            assert!(open <= closed(m.size()), "{case}: open by {open:e}");
+            assert!(open <= CLOSED, "{case}: open by {open:e}");
             assert!(end.obstacle != Some(Obstacle::TooFar), "{case}");
             driven += 1;
             met += usize::from(end.obstacle.is_none());
@@ -403,8 +423,10 @@ fn random_linkages_are_driven_closed() {
     assert!(10 * met > 5 * driven, "{met} of {driven}");
 }
 
-fn metric_of(problem: &Problem) -> f64 {
-    problem.settings.metric_length
+fn metric_of(problem: &Problem) -> Metric {
+    problem
+        .settings
+        .metric_for(&problem.mechanism, problem.extent())
 }
 
 fn moved(pose: &Pose, twist: &Vector6<f64>, share: f64) -> Pose {
@@ -423,25 +445,26 @@ fn is_consistent(
     m: &Mechanism,
     joints: &[f64],
     goal: &Pose,
-    length: f64,
+    metric: &Metric,
     insight: &Insight,
 ) {
     let reached = m.chains()[0].pose(joints);
     for k in 0..6 {
         let sum = insight.free_part[k] + insight.blocked_part[k];
         assert!(
-            (sum - insight.gap[k]).abs() <= 1e-12 * (1.0 + m.size()),
+            (sum - insight.gap[k]).abs() <= 1e-12 * (1.0 + size(m)),
             "{case}"
         );
     }
     // The chains' wrenches are the gradient but for the projected one.
-    let gradient = objective(&reached, goal, length).gradient;
+    let target = metric.target(goal, &reached.rotation);
+    let gradient = objective(&reached, &target).gradient;
     let mut sum = Vector6::zeros();
     for hold in &insight.chains {
         sum += Vector6::from_column_slice(&hold.wrench);
     }
     let mut rest = gradient - sum;
-    rest.fixed_rows_mut::<3>(0).scale_mut(m.size());
+    rest.fixed_rows_mut::<3>(0).scale_mut(size(m));
     assert!(
         rest.norm() <= insight.projected_gradient + 1e-8 * (1.0 + gradient.norm()),
         "{case}: {rest} left, {:e} projected",
@@ -470,7 +493,7 @@ fn planned_frames_are_explained() {
             let case = format!("{name}, frame {frame}");
             let (joints, goal) = (motion.joints_at(frame), &motion.goals[frame]);
             let insight = problem.explain(joints, &numbers(goal)).expect("an insight");
-            is_consistent(&case, m, joints, goal, metric_of(&problem), &insight);
+            is_consistent(&case, m, joints, goal, &metric_of(&problem), &insight);
             assert!(
                 insight.projected_gradient < 1e-6,
                 "{case}: {:e}",
@@ -513,13 +536,8 @@ fn freedoms_can_be_followed() {
         for screw in &insight.freedoms {
             let goal = moved(&pose, &Vector6::from(screw.twist), STEP);
             let pulled = problem.pull(joints, &numbers(&goal)).expect("a posture");
-            let off = (2.0
-                * metric(
-                    &pulled.frame.poses[0],
-                    &goal,
-                    problem.settings.metric_length,
-                ))
-            .sqrt();
+            // In a unit of length that is the same for all.
+            let off = (2.0 * Metric::default().value(&pulled.frame.poses[0], &goal)).sqrt();
             assert!(
                 off < 30.0 * STEP * STEP,
                 "{name}: {screw:?} is left by {off:e}"
@@ -622,16 +640,19 @@ fn random_linkages_are_explained() {
         let linkage = linkage(kinds, &mut random);
         let goals = goals(&linkage, 5, &mut random);
         let m = &linkage.mechanism;
-        let motion = plan(m, &linkage.home, &goals, &Settings::default());
+        let motion = plan(m, &linkage.home, &goals, &Settings::PAPER);
         for frame in [1, 3] {
             if !motion.status[frame].is_certified() {
                 continue;
             }
             let joints = motion.joints_at(frame);
             let goal = &goals[frame].pose;
-            let insight = explain(m, joints, goal, 1.0);
+            let mut solver = Settings::PAPER.solver(m, extent(&goals));
+            let mut closed = joints.to_vec();
+            assert_eq!(solver.close_start(&mut closed, 0.0), Start::Closed);
+            let insight = explain(&mut solver, joints, goal);
             let case = format!("{kinds:?}, frame {frame}");
-            is_consistent(&case, m, joints, goal, 1.0, &insight);
+            is_consistent(&case, m, joints, goal, &Metric::PAPER, &insight);
             assert!(
                 insight.projected_gradient < 1e-6,
                 "{case}: {:e}",

@@ -9,11 +9,11 @@ use synthetica::document::problem::Problem;
 use synthetica::document::report::Report;
 use synthetica::document::schema::{Document, FrameEntry, RowEntry};
 use synthetica::document::text;
-use synthetica::math::pose::metric;
+use synthetica::math::metric::Metric;
 use synthetica::model::joint::JointKind;
+use synthetica::model::scaled::CLOSED;
 use synthetica::motion::trajectory::{Status, Trajectory, Warning};
 use synthetica::plan::follow::plan;
-use synthetica::solve::paper_matrix::CLOSED;
 
 /// File names and texts.
 macro_rules! files {
@@ -139,8 +139,11 @@ fn every_frame_is_closed_and_certified() {
 fn goals_are_partly_out_of_reach() {
     for Sample { file, motion, .. } in samples() {
         assert_eq!(motion.status[0], Status::Reached, "{file}");
-        let far =
-            |frame: usize| motion.translation_gap[frame] > 0.02 && motion.metric[frame] > 1e-3;
+        // Under the metric `pose` a linkage that translates freely falls short in its rotation alone.
+        let far = |frame: usize| {
+            let seen = motion.translation_gap[frame] > 0.02 || motion.rotation_gap[frame] > 0.1;
+            seen && motion.metric[frame] > 1e-3
+        };
         assert!((0..motion.frames()).any(far), "{file}");
     }
 }
@@ -202,7 +205,7 @@ fn chains_and_mobilities() {
         ("spacecraft.json", "ET", 5, 5),
     ];
     for (sample, expected) in samples().zip(expected) {
-        let report = Report::new(&sample.problem.mechanism, &sample.motion);
+        let report = Report::new(&sample.problem.mechanism, "", &sample.motion);
         let kinds: Vec<&str> = report.chains.iter().map(|c| c.kind.as_str()).collect();
         let found = (
             sample.file,
@@ -318,7 +321,7 @@ fn the_papers_samples_are_the_golden_motions() {
         assert_eq!(motion.frames(), step * (task.goals.len() - 1) + 1, "{file}");
         let sparse = plan(&task.mechanism, &task.start, &task.goals, &problem.settings);
         for (i, goal) in task.goals.iter().enumerate() {
-            let apart = |a, b| metric(a, b, 1.0).sqrt();
+            let apart = |a, b| Metric::PAPER.value(a, b).sqrt();
             let [goals, poses] = [
                 apart(&problem.goals[step * i].pose, &goal.pose),
                 apart(&motion.poses[step * i], &sparse.poses[i]),

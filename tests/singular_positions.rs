@@ -7,20 +7,23 @@ mod by_axes;
 #[allow(dead_code, reason = "each test file wants some of it")]
 #[path = "common/checks.rs"]
 mod checks;
+#[path = "common/dense.rs"]
+mod dense;
 
 use by_axes::{Line, chain};
 use checks::{
     GRADIENT, NEWTON, at, between, both_ways, goals, is_certified, is_honest, is_reached, mechanism,
 };
 use std::f64::consts::FRAC_PI_2;
-use synthetica::math::linalg::svd;
-use synthetica::math::pose::{Pose, dual_quaternion};
+use synthetica::math::metric::Metric;
+use synthetica::math::pose::Pose;
 use synthetica::model::joint::{Joint, JointKind};
 use synthetica::model::mechanism::Mechanism;
 use synthetica::motion::goal::Goal;
 use synthetica::motion::trajectory::Status;
 use synthetica::plan::follow::plan;
-use synthetica::solve::paper_matrix::linearise;
+use synthetica::plan::settings::Settings;
+use synthetica::solve::close_start::Start;
 
 const X: [f64; 3] = [1.0, 0.0, 0.0];
 const Y: [f64; 3] = [0.0, 1.0, 0.0];
@@ -274,8 +277,8 @@ fn is_local_minimum(m: &Mechanism, joints: &[f64], goal: &Goal, f: f64) {
                     * ((code / 3_usize.pow(u32::try_from(i).expect("four joints"))) % 3) as f64
                     - step;
             });
-            let mut solver = synthetica::solve::newton::Solver::new(m, 1.0, 100);
-            if !solver.assemble(&mut near) {
+            let mut solver = Settings::PAPER.solver(m, 1.0);
+            if solver.close_start(&mut near, 0.0) != Start::Closed {
                 continue;
             }
             // Only neighbours count: the corrections may lead elsewhere.
@@ -285,8 +288,7 @@ fn is_local_minimum(m: &Mechanism, joints: &[f64], goal: &Goal, f: f64) {
                 .map(|(a, b)| (a - b).abs())
                 .fold(0.0, f64::max);
             if far < 2.0 * step {
-                let other =
-                    synthetica::math::pose::metric(&m.chains()[0].pose(&near), &goal.pose, 1.0);
+                let other = Metric::PAPER.value(&m.chains()[0].pose(&near), &goal.pose);
                 assert!(
                     other >= f - 1e-10,
                     "{joints:?}: f {f}, but {other} at {near:?}"
@@ -337,8 +339,7 @@ fn singular_values_after_a_singular_start() {
         );
         is_honest("flat parallelogram", &t, 4);
         for i in 0..4 {
-            let q = dual_quaternion(&t.poses[i], 1.0);
-            let sigma = svd(linearise(&m, t.joints_at(i), &q).rows).sigma;
+            let sigma = dense::singular_values(&m, t.joints_at(i));
             // 14 equations, 4 + 8 unknowns, one freedom: three equations depend on the others.
             let least = sigma[10];
             assert!(

@@ -6,14 +6,15 @@ mod by_axes;
 mod common;
 
 use common::{Random, assemblies, linkage};
-use nalgebra::Vector6;
+use nalgebra::{Vector3, Vector6};
 use synthetica::document::problem::Problem;
 use synthetica::document::text;
 use synthetica::math::linalg::svd;
 use synthetica::math::pose::{DualQuaternion, Pose, dual_quaternion};
 use synthetica::model::chain::{Chain, ChainState};
 use synthetica::model::mechanism::Mechanism;
-use synthetica::solve::newton::Solver;
+use synthetica::model::scaled::Scaled;
+use synthetica::plan::settings::Settings;
 use synthetica::solve::paper_matrix::{condition_rates, twist_of_rates};
 use synthetica::solve::singular_values::SingularValues;
 
@@ -83,21 +84,24 @@ fn compare(
 
 /// Jacobians at joint values, lengths in units of the size.
 fn jacobians(mechanism: &Mechanism, joints: &[f64]) -> Jacobians {
-    let size = mechanism.size();
-    let scaled = mechanism.scaled(1.0 / size);
-    let joints = mechanism.in_unit(joints, size);
+    let scaled = Scaled::new(mechanism, 1.0);
+    let theta = scaled.entered(joints);
     let mut state = ChainState::default();
+    let mut first = 0;
     scaled
-        .split(&joints)
-        .map(|(chain, theta)| {
-            chain.evaluate(theta, &mut state);
-            state.jacobian[..theta.len()].to_vec()
+        .chains()
+        .iter()
+        .map(|chain| {
+            chain.evaluate(&theta[first..], &mut state);
+            first += chain.freedoms();
+            state.jacobian[..chain.freedoms()].to_vec()
         })
         .collect()
 }
 
 fn redundancy(mechanism: &Mechanism, joints: &[f64]) -> usize {
-    Solver::new(mechanism, 1.0, 1).redundancy(joints)
+    let (_, surplus) = Settings::PAPER.solver(mechanism, 1.0).mobility(joints);
+    surplus
 }
 
 #[test]
@@ -335,8 +339,9 @@ fn no_unit_and_no_place() {
         let linkage = linkage(&kinds, &mut random);
         let own = jacobians(&linkage.mechanism, &linkage.home);
         let own = values.smallest(own.iter().map(Vec::as_slice), 0);
-        let larger = linkage.mechanism.scaled(1024.0);
-        let joints = linkage.mechanism.in_unit(&linkage.home, 1.0 / 1024.0);
+        let in_small_units = Scaled::about(&linkage.mechanism, 1.0 / 1024.0, &Vector3::zeros());
+        let joints = in_small_units.entered(&linkage.home);
+        let larger = Mechanism::new(in_small_units.chains().to_vec()).expect("a mechanism");
         let larger = jacobians(&larger, &joints);
         let larger = values.smallest(larger.iter().map(Vec::as_slice), 0);
         assert_eq!(own.to_bits(), larger.to_bits());

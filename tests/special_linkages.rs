@@ -10,7 +10,8 @@ mod checks;
 
 use by_axes::{Line, chain};
 use checks::{at, between, both_ways, has_mobility, mechanism};
-use synthetica::math::pose::{Pose, metric};
+use synthetica::math::metric::Metric;
+use synthetica::math::pose::Pose;
 use synthetica::model::chain::Chain;
 
 const X: [f64; 3] = [1.0, 0.0, 0.0];
@@ -43,7 +44,7 @@ fn examine(name: &str, chains: Vec<Chain>, count: isize, rank: usize) {
     has_mobility(name, &t, count, rank);
     // It does move, and comes back to where it began.
     assert!(
-        metric(&t.poses[5], &home, 1.0) > 1e-4,
+        Metric::PAPER.value(&t.poses[5], &home) > 1e-4,
         "{name} stands still"
     );
     assert!(

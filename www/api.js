@@ -10,7 +10,11 @@
  * @typedef {import('./types.js').Matrix} Matrix
  * @typedef {import('./types.js').Enumeration} Enumeration
  *
- * @typedef {{signal?: AbortSignal}} Options `signal` ends the wait, and the planning where a worker does it
+ * @typedef {import('./types.js').Progress} Progress
+ *
+ * @typedef {{signal?: AbortSignal}} Options `signal` ends wait and planning
+ * @typedef {Options & {stop?: AbortSignal, onProgress?: (progress: Progress) => void}} PlanOptions `stop` ends the planning
+ *   with what there is so far, a motion whose `partial` is true; `onProgress` is told how far the planning is
  */
 import { Desk } from './desk.js';
 import { DocumentFault } from './faults.js';
@@ -21,27 +25,144 @@ export { DocumentFault, PlannerFailure } from './faults.js';
 /** A program may ask for what takes minutes, and waits for all that it asked for. */
 const desk = new Desk(Infinity);
 
-/** @param {import('./planner.calls.js').Call} call @param {unknown[]} args @param {Options} [options] @returns {Promise<any>} */
-async function ask(call, args, { signal } = {}) {
-  signal?.throwIfAborted();
-  return desk.ask({ asker: desk, latest: false, call, args, signal });
-}
-
 /** Written anew each time: a program may have changed it. @param {MechanismDocument | string} document */
 const written = (document) => (typeof document === 'string' ? document : JSON.stringify(document));
 
 /** @param {ArrayLike<number>} numbers */
 const column = (numbers) => Float64Array.from(numbers);
 
+/** @param {import('./planner.calls.js').Call} call @param {...unknown} args @returns {Promise<any>} */
+const ask = (call, ...args) => desk.ask({ asker: desk, latest: false, call, args });
+
+/**
+ * A document as it was when it was opened, of which many questions are asked. It is read and checked once. What is asked
+ * of two sessions is answered side by side; one function after the other asks as if of one session.
+ */
+export class Session {
+  #text;
+  /** @type {object} */
+  #asker;
+  #closed = false;
+
+  /**
+   * For `open`, which checks the document too.
+   * @param {string} text
+   * @param {object} [asker] whose plans wait for each other
+   */
+  constructor(text, asker) {
+    this.#text = text;
+    this.#asker = asker ?? this;
+  }
+
+  /** The closest reachable motion; made once. @param {PlanOptions} [options] @returns {Promise<Motion>} */
+  plan(options) {
+    return this.#ask('plan', [], options);
+  }
+
+  /** The document with every default written out. @returns {Promise<MechanismDocument>} */
+  async normalise() {
+    return JSON.parse(await this.#ask('text', []));
+  }
+
+  /** The document with the start that the planner uses written into it. @returns {Promise<MechanismDocument>} */
+  async findStart() {
+    return JSON.parse(await this.#ask('find_start', []));
+  }
+
+  /**
+   * The closest reachable pose to one goal, from joint values along their branch.
+   * @param {ArrayLike<number>} joints rad or lengths, chain by chain
+   * @param {ArrayLike<number>} goal x y z, then the rotation's quaternion x y z w
+   * @returns {Promise<Posture>}
+   */
+  pull(joints, goal) {
+    return this.#ask('pull', [column(joints), column(goal)]);
+  }
+
+  /**
+   * One joint variable driven to a value; the loops stay closed and the other joints follow.
+   * @param {ArrayLike<number>} joints rad or lengths, chain by chain
+   * @param {number} variable counted from 0 through all chains
+   * @param {number} value rad or length
+   * @returns {Promise<Posture>}
+   */
+  drive(joints, variable, value) {
+    return this.#ask('drive', [column(joints), variable, value]);
+  }
+
+  /**
+   * What holds the workpiece at a position against the pull of a goal, and what leaves it free.
+   * @param {ArrayLike<number>} joints rad or lengths, chain by chain
+   * @param {ArrayLike<number>} goal x y z, then the rotation's quaternion x y z w
+   * @returns {Promise<Insight>}
+   */
+  explain(joints, goal) {
+    return this.#ask('explain', [column(joints), column(goal)]);
+  }
+
+  /**
+   * The iterations of both methods at one frame.
+   * @param {number} frame counted from 0
+   * @param {ArrayLike<number>} [joints] those of the frame before; without them the document's start
+   * @returns {Promise<Trace>}
+   */
+  trace(frame, joints = []) {
+    return this.#ask('trace', [frame, column(joints)]);
+  }
+
+  /** The matrix [A] at a position, with its singular values. @param {ArrayLike<number>} joints rad or lengths, chain by chain @returns {Promise<Matrix>} */
+  matrix(joints) {
+    return this.#ask('matrix', [column(joints)]);
+  }
+
+  /**
+   * The planned motion as text for other programs.
+   * @param {'csv' | 'json' | 'mjcf'} format `mjcf` is a model for MuJoCo
+   * @param {Pick<PlanOptions, 'signal' | 'onProgress'>} [options]
+   * @returns {Promise<string>}
+   */
+  exportMotion(format, options) {
+    return this.#ask('export_motion', [format], options);
+  }
+
+  /** Frees what the planner keeps of it; nothing more can be asked. */
+  close() {
+    this.#closed = true;
+    desk.close(this.#asker, this.#text);
+  }
+
+  /** @param {import('./planner.calls.js').Call} call @param {unknown[]} args @param {PlanOptions} [options] @returns {Promise<any>} */
+  async #ask(call, args, { signal, stop, onProgress } = {}) {
+    if (this.#closed) throw new Error('the session is closed');
+    signal?.throwIfAborted();
+    return desk.ask({ asker: this.#asker, latest: false, call, args, text: this.#text, signal, stop, onProgress });
+  }
+}
+
+/** @param {MechanismDocument | string} document */
+const once = (document) => new Session(written(document), desk);
+
+/**
+ * A document that is asked about more than once.
+ * @param {MechanismDocument | string} document an object or its text
+ * @returns {Promise<Session>}
+ * @throws {DocumentFault} where the document is at fault
+ */
+export async function open(document) {
+  const session = new Session(written(document));
+  await session.normalise();
+  return session;
+}
+
 /**
  * The closest reachable motion.
  * @param {MechanismDocument | string} document an object or its text
- * @param {Options} [options]
+ * @param {PlanOptions} [options]
  * @returns {Promise<Motion>}
  * @throws {DocumentFault} where the document is at fault; so do all functions that take one
  */
-export function plan(document, options) {
-  return ask('plan', [written(document)], options);
+export async function plan(document, options) {
+  return once(document).plan(options);
 }
 
 /**
@@ -60,12 +181,12 @@ export async function check(document) {
 
 /** The document with every default written out. @param {MechanismDocument | string} document @returns {Promise<MechanismDocument>} */
 export async function normalise(document) {
-  return JSON.parse(await ask('normalise', [written(document)]));
+  return once(document).normalise();
 }
 
 /** The document with the start that the planner uses written into it. @param {MechanismDocument | string} document @returns {Promise<MechanismDocument>} */
 export async function findStart(document) {
-  return JSON.parse(await ask('find_start', [written(document)]));
+  return once(document).findStart();
 }
 
 /**
@@ -75,8 +196,8 @@ export async function findStart(document) {
  * @param {ArrayLike<number>} goal x y z, then the rotation's quaternion x y z w
  * @returns {Promise<Posture>}
  */
-export function pull(document, joints, goal) {
-  return ask('pull', [written(document), column(joints), column(goal)]);
+export async function pull(document, joints, goal) {
+  return once(document).pull(joints, goal);
 }
 
 /**
@@ -87,8 +208,8 @@ export function pull(document, joints, goal) {
  * @param {number} value rad or length
  * @returns {Promise<Posture>}
  */
-export function drive(document, joints, variable, value) {
-  return ask('drive', [written(document), column(joints), variable, value]);
+export async function drive(document, joints, variable, value) {
+  return once(document).drive(joints, variable, value);
 }
 
 /**
@@ -98,8 +219,8 @@ export function drive(document, joints, variable, value) {
  * @param {ArrayLike<number>} goal x y z, then the rotation's quaternion x y z w
  * @returns {Promise<Insight>}
  */
-export function explain(document, joints, goal) {
-  return ask('explain', [written(document), column(joints), column(goal)]);
+export async function explain(document, joints, goal) {
+  return once(document).explain(joints, goal);
 }
 
 /**
@@ -109,8 +230,8 @@ export function explain(document, joints, goal) {
  * @param {ArrayLike<number>} [joints] those of the frame before; without them the document's start
  * @returns {Promise<Trace>}
  */
-export function trace(document, frame, joints = []) {
-  return ask('trace', [written(document), frame, column(joints)]);
+export async function trace(document, frame, joints = []) {
+  return once(document).trace(frame, joints);
 }
 
 /**
@@ -118,19 +239,19 @@ export function trace(document, frame, joints = []) {
  * @param {MechanismDocument | string} document @param {ArrayLike<number>} joints rad or lengths, chain by chain
  * @returns {Promise<Matrix>}
  */
-export function matrix(document, joints) {
-  return ask('matrix', [written(document), column(joints)]);
+export async function matrix(document, joints) {
+  return once(document).matrix(joints);
 }
 
 /**
  * The planned motion as text for other programs.
  * @param {MechanismDocument | string} document
  * @param {'csv' | 'json' | 'mjcf'} format `mjcf` is a model for MuJoCo
- * @param {Options} [options]
+ * @param {Pick<PlanOptions, 'signal' | 'onProgress'>} [options]
  * @returns {Promise<string>}
  */
-export function exportMotion(document, format, options) {
-  return ask('export_motion', [written(document), format], options);
+export async function exportMotion(document, format, options) {
+  return once(document).exportMotion(format, options);
 }
 
 /**
@@ -138,17 +259,17 @@ export function exportMotion(document, format, options) {
  * @param {string} type such as `3RRS` or `RPS+2TS` @returns {Promise<MechanismDocument>}
  */
 export async function assemble(type) {
-  return JSON.parse(await ask('assemble', [type]));
+  return JSON.parse(await ask('assemble', type));
 }
 
 /** The JSON Schema of a document. @returns {Promise<Record<string, unknown>>} */
 export async function schema() {
-  return JSON.parse(await ask('schema', []));
+  return JSON.parse(await ask('schema'));
 }
 
 /** Chain classes and assemblies with their counts: Tables 2 and 3 of the paper. @returns {Promise<Enumeration>} */
 export function enumeration() {
-  return ask('enumeration', []);
+  return ask('enumeration');
 }
 
 /**
@@ -156,7 +277,7 @@ export function enumeration() {
  * @param {number} constraints @param {number} k counted from 0 @returns {Promise<string | undefined>}
  */
 export function chainByIndex(constraints, k) {
-  return ask('chain_by_index', [constraints, k]);
+  return ask('chain_by_index', constraints, k);
 }
 
 /**
@@ -164,7 +285,7 @@ export function chainByIndex(constraints, k) {
  * @param {number} constraints @param {number} k counted from 0 @returns {Promise<string[] | undefined>}
  */
 export function assemblyByIndex(constraints, k) {
-  return ask('assembly_by_index', [constraints, k]);
+  return ask('assembly_by_index', constraints, k);
 }
 
 /**

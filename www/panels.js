@@ -5,7 +5,7 @@
  * @typedef {import('./workbench.js').AppWithPanels} AppWithPanels
  */
 import markup from './panels.html?raw';
-import { keyFrameFrames } from './playhead.js';
+import { allTimes, keyFrameFrames } from './playhead.js';
 import { createDock } from './view/dock.js';
 import { whenSeen } from './view/lazy.js';
 import { createSelection } from './view/selection.js';
@@ -38,7 +38,7 @@ export async function createPanels(bare, banners) {
   const goToKey = (/** @type {number} */ key) => {
     const { motion, document } = store.result;
     player.pause();
-    if (motion && document) player.frame = keyFrameFrames(document, motion.time)[key];
+    if (motion && document) player.frame = keyFrameFrames(document, allTimes(motion))[key];
   };
   const places = { root: find('tables'), mechanism: find('mechanism'), motion: find('motion') };
   const tables = createTables(places, store, defaults, { markFault: tabs.mark, findStart, goToKey, say });

@@ -7,6 +7,7 @@
  * @typedef {import('./types.js').Posture} Posture
  * @typedef {import('./types.js').Insight} Insight
  * @typedef {import('./planner.calls.js').Call} Call
+ * @typedef {Pick<import('./desk.js').Request, 'stop' | 'onProgress'>} PlanOptions `stop` asks for what there is so far
  */
 import { desk } from './desk.js';
 
@@ -21,9 +22,9 @@ export class Planner {
     this.#desk = where;
   }
 
-  /** @param {string} text a document @returns {Promise<Motion>} */
-  plan(text) {
-    return this.#askLatest('plan', text);
+  /** @param {string} text a document @param {PlanOptions} [options] @returns {Promise<Motion>} */
+  plan(text, options) {
+    return this.#desk.ask({ asker: this, latest: true, call: 'plan', text, args: [], ...options });
   }
 
   /**
@@ -62,7 +63,7 @@ export class Planner {
 
   /** The document with every default written out. @param {string} text @returns {Promise<string>} */
   normalise(text) {
-    return this.#ask('normalise', text);
+    return this.#ask('text', text);
   }
 
   /** The document with start values that close its loops. @param {string} text @returns {Promise<string>} */
@@ -94,7 +95,7 @@ export class Planner {
 
   /** What new things are made of. @returns {Promise<Defaults>} */
   defaults() {
-    this.#defaults ??= this.#ask('defaults').catch((error) => {
+    this.#defaults ??= this.#askNoDocument('defaults').catch((error) => {
       this.#defaults = null;
       throw error;
     });
@@ -103,21 +104,26 @@ export class Planner {
 
   /** A document with a linkage of a type, such as 3RPS or RPS+2TS. @param {string} type @returns {Promise<string>} */
   assemble(type) {
-    return this.#ask('assemble', type);
+    return this.#askNoDocument('assemble', type);
   }
 
   /** Tables 2 and 3. @returns {Promise<import('./types.js').Enumeration>} */
   enumeration() {
-    return this.#ask('enumeration');
+    return this.#askNoDocument('enumeration');
   }
 
-  /** Takes the place of the same call that is still waiting: its answer would be out of date. @param {Call} call @param {...unknown} args */
-  #askLatest(call, ...args) {
-    return this.#desk.ask({ asker: this, latest: true, call, args });
+  /** Takes the place of the same call that is still waiting: its answer would be out of date. @param {Call} call @param {string} text @param {...unknown} args */
+  #askLatest(call, text, ...args) {
+    return this.#desk.ask({ asker: this, latest: true, call, text, args });
+  }
+
+  /** @param {Call} call @param {string} text @param {...unknown} args */
+  #ask(call, text, ...args) {
+    return this.#desk.ask({ asker: this, latest: false, call, text, args });
   }
 
   /** @param {Call} call @param {...unknown} args */
-  #ask(call, ...args) {
+  #askNoDocument(call, ...args) {
     return this.#desk.ask({ asker: this, latest: false, call, args });
   }
 }

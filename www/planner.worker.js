@@ -1,12 +1,13 @@
 /**
- * The worker behind port.js: answers questions in order.
+ * The worker behind port.js.
  */
-import { answer, load } from './planner.calls.js';
+import { createAnswers, load } from './planner.calls.js';
+
+const { receive } = createAnswers((answer) => postMessage(answer, { transfer: answer.kind === 'value' ? buffers(answer.value) : [] }));
 
 // Set at once: a message that arrives before the handler exists would be lost.
-onmessage = async ({ data }) => {
-  const message = await answer(data);
-  postMessage(message, { transfer: message.kind === 'value' ? buffers(message.value) : [] });
+onmessage = ({ data }) => {
+  receive(data);
 };
 load().catch(() => {
   // The first question's answer tells it.

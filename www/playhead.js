@@ -42,6 +42,16 @@ export function frameAt(times, time) {
 export const isTimed = (document) => document?.motion.key_frames[0]?.time != null;
 
 /**
+ * The times of all frames of the goal motion, which are equally spaced: those that are not planned come after the others.
+ * @param {import('./types.js').Motion} motion
+ */
+export function allTimes({ time, frames, goal_frames, partial }) {
+  if (!partial) return time;
+  const step = frames > 1 ? (time[frames - 1] - time[0]) / (frames - 1) : 1;
+  return Float64Array.from({ length: goal_frames }, (_, frame) => (frame < frames ? time[frame] : time[0] + step * frame));
+}
+
+/**
  * The frame of each key frame; those without times are equally spaced.
  * @param {import('./types.js').MechanismDocument} document @param {ArrayLike<number>} times of the frames
  */

@@ -1,9 +1,9 @@
 /**
  * The way to the planner: a worker; where the page cannot have one, the page itself.
  *
- * @typedef {import('./planner.calls.js').Question} Question
+ * @typedef {import('./planner.calls.js').Message} Message
  * @typedef {import('./planner.calls.js').Answer} Answer
- * @typedef {{post: (question: Question) => void, close: () => void}} Port
+ * @typedef {{post: (message: Message) => void, close: () => void}} Port
  */
 import { startWorker } from './start-worker.js';
 
@@ -14,8 +14,8 @@ import { startWorker } from './start-worker.js';
  */
 export function openPort(receive, fail) {
   let works = false;
-  /** @type {Question | null} */
-  let last = null;
+  /** What was posted before the first answer. @type {Message[]} */
+  let first = [];
   /** @type {Port} */
   let port;
   /** A worker that ends before its first answer was forbidden (by a content policy, in a sandbox) or could not be loaded. */
@@ -23,20 +23,23 @@ export function openPort(receive, fail) {
     if (works) return fail(reason);
     works = true;
     port = openHere(receive);
-    if (last) port.post(last);
+    for (const message of first) port.post(message);
+    first = [];
   };
   try {
     port = openWorker((answer) => {
       works = true;
+      first = [];
       receive(answer);
     }, end);
   } catch {
+    works = true;
     port = openHere(receive);
   }
   return {
-    post(question) {
-      last = question;
-      port.post(question);
+    post(message) {
+      port.post(message);
+      if (!works) first.push(message);
     },
     close: () => port.close(),
   };
@@ -51,23 +54,21 @@ function openWorker(receive, fail) {
     worker.terminate();
     fail(event.message || 'the planner could not be loaded');
   };
-  return { post: (question) => worker.postMessage(question), close: () => worker.terminate() };
+  return { post: (message) => worker.postMessage(message), close: () => worker.terminate() };
 }
 
-/** Without a worker a plan holds up the page for its milliseconds. @param {(answer: Answer) => void} receive @returns {Port} */
+/** Without a worker the page plans by itself, and is held up for a portion at a time. @param {(answer: Answer) => void} receive @returns {Port} */
 function openHere(receive) {
-  const calls = import('./planner.calls.js');
   let open = true;
+  const calls = import('./planner.calls.js').then(({ createAnswers }) => createAnswers((answer) => open && receive(answer)));
   return {
-    async post(question) {
-      /** @type {Answer} */
-      let answer;
-      try {
-        answer = await (await calls).answer(question);
-      } catch (error) {
-        answer = { id: question.id, kind: 'failure', message: String(error) };
-      }
-      if (open) receive(answer);
+    post: (message) => {
+      // Not the page's own objects, as a worker has none of them.
+      const copy = structuredClone(message);
+      calls.then(
+        (answers) => open && answers.receive(copy),
+        (error) => open && 'id' in message && receive({ id: message.id, kind: 'failure', message: String(error) }),
+      );
     },
     close: () => {
       open = false;

@@ -1,9 +1,13 @@
 /**
- * Keeps the result in step with the document: plans after every edit, and says what the planner says.
+ * Keeps the result in step with the document: plans after every edit, and says what the planner says. A plan that takes
+ * long says how far it is, and can be stopped.
  */
 import { textOf } from './document-text.js';
 import { takeStarts } from './edits.js';
 import { DocumentFault, PlannerFailure } from './planner.js';
+
+/** After how many milliseconds a plan takes long. */
+const LONG = 500;
 
 /** @param {Pick<import('./linkage.js').Parts, 'store' | 'planner'>} app */
 export function createReplanning({ store, planner }) {
@@ -15,14 +19,28 @@ export function createReplanning({ store, planner }) {
     }
   }
 
-  /** Plans the present document; while it is at fault, the last good motion stays. */
+  /** Of the newest plan. @type {AbortController} */
+  let stop;
+
+  /** Plans the present document, on from where its plan was stopped; while it is at fault, the last good motion stays. */
   async function replan() {
     const { document } = store;
+    const began = performance.now();
+    const mine = new AbortController();
+    stop = mine;
+    store.setPlanning(null);
     try {
-      const motion = await planner.plan(textOf(document));
+      const motion = await planner.plan(textOf(document), {
+        stop: mine.signal,
+        onProgress: (progress) => {
+          if (stop === mine && performance.now() - began > LONG) store.setPlanning({ ...progress, stop: () => mine.abort() });
+        },
+      });
       store.setResult({ motion, document, fault: null, trouble: '' });
     } catch (error) {
       report(error, document);
+    } finally {
+      if (stop === mine) store.setPlanning(null);
     }
   }
 
@@ -42,5 +60,5 @@ export function createReplanning({ store, planner }) {
     store.setView({ posture: null });
     replan();
   });
-  return { findStart };
+  return { findStart, replan };
 }

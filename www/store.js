@@ -1,13 +1,15 @@
 /**
  * A linkage's kinds of state: the document (saved, undoable), the result (a function of the document), the view
- * (neither), and the insight (a function of what the view shows). Knows no DOM and no planner.
+ * (neither), the insight (a function of what the view shows), and the progress of a plan that takes long. Knows no DOM
+ * and no planner.
  *
  * @typedef {import('./types.js').MechanismDocument} MechanismDocument
  * @typedef {import('./types.js').Result} Result
  * @typedef {import('./types.js').View} View
  * @typedef {import('./types.js').Insight} Insight
  * @typedef {import('./types.js').Origin} Origin
- * @typedef {'document' | 'origin' | 'result' | 'view' | 'insight'} Part
+ * @typedef {import('./types.js').Planning} Planning
+ * @typedef {'document' | 'origin' | 'result' | 'view' | 'insight' | 'planning'} Part
  * @typedef {{document: MechanismDocument, past: MechanismDocument[], future: MechanismDocument[]}} History
  * @typedef {ReturnType<typeof createStore>} Store
  */
@@ -38,8 +40,10 @@ export function createStore(first) {
   let readonly = false;
   /** @type {Insight | null} */
   let insight = null;
+  /** @type {Planning | null} */
+  let planning = null;
   /** @type {Record<Part, Set<() => void>>} */
-  const listeners = { document: new Set(), origin: new Set(), result: new Set(), view: new Set(), insight: new Set() };
+  const listeners = { document: new Set(), origin: new Set(), result: new Set(), view: new Set(), insight: new Set(), planning: new Set() };
 
   /** @param {Part} part */
   const tell = (part) => {
@@ -64,6 +68,9 @@ export function createStore(first) {
     },
     get insight() {
       return insight;
+    },
+    get planning() {
+      return planning;
     },
     /** The present document with the ones before and after it. @returns {History} */
     get history() {
@@ -186,6 +193,13 @@ export function createStore(first) {
       if (keys.every((key) => view[key] === change[key])) return;
       view = { ...view, ...change };
       tell('view');
+    },
+
+    /** How far a plan is that takes long; null while none does. @param {Planning | null} next */
+    setPlanning(next) {
+      if (next === planning) return;
+      planning = next;
+      tell('planning');
     },
 
     /** What is known of the posture that is shown; null while it is being asked for. @param {Insight | null} next */

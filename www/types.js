@@ -2,6 +2,7 @@
  * The page's types. What Rust returns is typed by the built package; what a person may have typed is here.
  *
  * @typedef {import('./pkg/synthetica.js').Motion} Motion
+ * @typedef {import('./pkg/synthetica.js').Progress} Progress
  * @typedef {import('./pkg/synthetica.js').Report} Report
  * @typedef {import('./pkg/synthetica.js').Fault} Fault
  * @typedef {import('./pkg/synthetica.js').Posture} Posture
@@ -22,7 +23,7 @@
  * @typedef {{x?: Entry, y?: Entry, z?: Entry, longitude?: Entry, latitude?: Entry, roll?: Entry}} Frame
  * @typedef {{name?: string, base?: Frame, joints: Joint[], gripper?: Frame, start?: Entry[] | null}} Chain
  * @typedef {Frame & {name?: string, time?: Entry | null}} KeyFrame
- * @typedef {{key_frames: KeyFrame[], interpolation?: string, frames?: Entry, radius?: Entry | null}} MotionSpec
+ * @typedef {{key_frames: KeyFrame[], interpolation?: string, frames?: Entry, reference?: Entry[] | null, radius?: Entry | null}} MotionSpec
  * @typedef {{method?: string, metric_length?: Entry, max_iterations?: Entry}} PlannerSpec
  * @typedef {{$schema?: string, version: number, name?: string, about?: string, length_unit?: string, chains: Chain[],
  *   motion: MotionSpec, planner?: PlannerSpec}} MechanismDocument
@@ -34,6 +35,9 @@
  * The last good motion with the document that it belongs to; the fault, if the present document has one;
  * `trouble`, if the planner itself failed.
  * @typedef {{motion: Motion | null, document: MechanismDocument | null, fault: Fault | null, trouble: string}} Result
+ *
+ * A plan that takes long: how far it is; `stop` ends it with what there is so far.
+ * @typedef {Progress & {stop: () => void}} Planning
  *
  * Where a document came from, shared by all its edits: what its file is called, the file itself where the browser
  * gives access to it, and the document as it stands there; null where only this browser has it.

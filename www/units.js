@@ -31,6 +31,11 @@ export function convertLengths(document, factor, unit) {
     const start = chain.start?.map((value, i) => (slides[i] ? times(value) : value));
     return { ...chain, joints, ...(chain.base && { base: place(chain.base) }), ...(chain.gripper && { gripper: place(chain.gripper) }), ...(start && { start }) };
   });
-  const motion = { ...scaled(document.motion, ['radius']), key_frames: document.motion.key_frames.map(place) };
+  const { reference } = document.motion;
+  const motion = {
+    ...scaled(document.motion, ['radius']),
+    ...(Array.isArray(reference) && { reference: reference.map(times) }),
+    key_frames: document.motion.key_frames.map(place),
+  };
   return { ...document, length_unit: unit, chains, motion };
 }

@@ -28,6 +28,7 @@ import { createByHand } from './view/by-hand.js';
 import { createHistoryKeys } from './view/history.js';
 import { createLegend } from './view/legend.js';
 import { createNotices } from './view/notice.js';
+import { createPlanning } from './view/planning.js';
 import { createPointing } from './view/pointing.js';
 import { createTransport } from './view/transport.js';
 import { createViewBar } from './view/view-bar.js';
@@ -56,6 +57,7 @@ export async function createWorkbench(linkage, place) {
   /** @type {App} */
   const app = { ...linkage, ...place, store, find, narrow, scene, explain };
   const banners = createBanners(app);
+  createPlanning(app);
   createTransport(app);
   createPointing(app);
   createViewBar(app);

@@ -13,6 +13,10 @@ export interface Fault {
 /** A planned motion. Numbers are copies; groups of several numbers a frame lie frame by frame. */
 export interface Motion {
   frames: number;
+  /** Planning was stopped before the last frame: the columns end where it was. */
+  partial: boolean;
+  /** Frames of the goal motion: more than `frames` in a partial motion. */
+  goal_frames: number;
   report: Report;
   /** What planning took, without the copying of the result. */
   milliseconds: number;
@@ -38,6 +42,14 @@ export interface Motion {
   iterations: Uint32Array;
   /** Index into report.statuses. */
   status: Uint8Array;
+}
+
+/** How far a plan is. */
+export interface Progress {
+  /** Frames planned so far. */
+  done: number;
+  /** Frames in all. */
+  frames: number;
 }
 
 export interface Report {

@@ -1,13 +1,15 @@
-//! The bindings to JavaScript: text in, copied columns and small objects out, no arithmetic.
+//! The bindings to JavaScript: a session is opened with a document's text and asked many times; copied columns and
+//! small objects come out. No arithmetic.
 
 use crate::document::defaults;
 use crate::document::fault::Fault;
 use crate::document::problem::Problem;
 use crate::document::questions::Posture;
 use crate::document::report::Report;
-use crate::document::text;
-use crate::math::pose::Pose;
+use crate::document::session;
+use crate::motion::columns::{COLUMNS, Column, Kind, placed};
 use crate::motion::trajectory::Trajectory;
+use crate::plan::follow::Planning;
 use js_sys::{Float64Array, Object, Reflect, Uint8Array, Uint32Array};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
@@ -20,6 +22,9 @@ extern "C" {
     /// A type of wasm.d.ts.
     #[wasm_bindgen(typescript_type = "Motion")]
     pub type JsMotion;
+    /// A type of wasm.d.ts.
+    #[wasm_bindgen(typescript_type = "Progress")]
+    pub type JsProgress;
     /// A type of wasm.d.ts.
     #[wasm_bindgen(typescript_type = "Posture")]
     pub type JsPosture;
@@ -39,65 +44,160 @@ pub fn start() {
     }));
 }
 
-/// Plans a document.
-///
-/// # Errors
-/// A `Fault` where the document is at fault.
+/// An open document: `free()` it when nothing more is asked.
 #[wasm_bindgen]
-pub fn plan(text: &str) -> Result<JsMotion, JsValue> {
-    let began = now();
-    let problem = problem(text)?;
-    let trajectory = problem.plan();
-    let milliseconds = now() - began;
-    motion(&problem, &trajectory, milliseconds).map(JsCast::unchecked_into)
+#[derive(Debug)]
+pub struct Session {
+    pub(crate) open: session::Session,
+    portions: Portions,
+    /// What the plan in portions has taken so far.
+    milliseconds: f64,
 }
 
-/// The closest reachable pose to `goal` (7 numbers) from the joint values `joints`, along their branch.
-///
-/// # Errors
-/// A `Fault` where the document, the joint values or the goal are at fault.
-#[wasm_bindgen]
-pub fn pull(text: &str, joints: &[f64], goal: &[f64]) -> Result<JsPosture, JsValue> {
-    let problem = problem(text)?;
-    let posture = problem
-        .pull(joints, goal)
-        .map_err(|fault| refusal(&fault))?;
-    self::posture(&problem, &posture).map(JsCast::unchecked_into)
+/// A plan in portions.
+#[derive(Debug)]
+enum Portions {
+    None,
+    Running(Box<Planning>),
+    Done(Box<Trajectory>),
 }
 
-/// What holds the workpiece at the joint values `joints` against the pull of `goal` (7 numbers).
-///
-/// # Errors
-/// A `Fault` where the document, the joint values or the goal are at fault, or the loops are open.
 #[wasm_bindgen]
-pub fn explain(text: &str, joints: &[f64], goal: &[f64]) -> Result<JsInsight, JsValue> {
-    let insight = problem(text)?
-        .explain(joints, goal)
-        .map_err(|fault| refusal(&fault))?;
-    to_js(&insight).map(JsCast::unchecked_into)
-}
+impl Session {
+    /// Opens a document from its text.
+    ///
+    /// # Errors
+    /// A `Fault` where the document is at fault.
+    pub fn open(text: &str) -> Result<Session, JsValue> {
+        Ok(Self {
+            open: session::Session::open(text).map_err(|fault| refusal(&fault))?,
+            portions: Portions::None,
+            milliseconds: 0.0,
+        })
+    }
 
-/// The document with every default written out.
-///
-/// # Errors
-/// A `Fault` where the document is at fault.
-#[wasm_bindgen]
-pub fn normalise(text: &str) -> Result<String, JsValue> {
-    let document = text::parse(text).map_err(|fault| refusal(&fault))?;
-    Problem::new(&document).map_err(|fault| refusal(&fault))?;
-    Ok(document.text())
-}
+    /// The document with every default written out.
+    pub fn text(&self) -> String {
+        self.open.text()
+    }
 
-/// The document with the start that the planner uses written into it.
-///
-/// # Errors
-/// A `Fault` where the document is at fault.
-#[wasm_bindgen]
-pub fn find_start(text: &str) -> Result<String, JsValue> {
-    let mut document = text::parse(text).map_err(|fault| refusal(&fault))?;
-    let problem = Problem::new(&document).map_err(|fault| refusal(&fault))?;
-    document.set_start(&problem.mechanism, &problem.find_start());
-    Ok(document.text())
+    /// The document with the start that the planner uses written into it.
+    pub fn find_start(&self) -> String {
+        self.open.text_with_start()
+    }
+
+    /// Plans the motion in one go.
+    ///
+    /// # Errors
+    /// Never for a reason of the caller's.
+    pub fn plan(&self) -> Result<JsMotion, JsValue> {
+        let clock = Clock::new();
+        let began = clock.now();
+        let trajectory = self.open.plan();
+        self.motion(&trajectory, clock.now() - began)
+    }
+
+    /// Begins a plan in portions, in place of one that was begun before. The start is searched for here.
+    pub fn begin_plan(&mut self) {
+        let clock = Clock::new();
+        let began = clock.now();
+        self.portions = Portions::Running(Box::new(self.open.planning()));
+        self.milliseconds = clock.now() - began;
+    }
+
+    /// Plans frame by frame until that time is used up, one frame where there is no clock, and begins the plan where
+    /// none is. True while there is more to do.
+    pub fn advance_plan(&mut self, milliseconds: f64) -> bool {
+        if matches!(self.portions, Portions::None) {
+            self.begin_plan();
+        }
+        let clock = Clock::new();
+        let began = clock.now();
+        let mut more = false;
+        if let Portions::Running(planning) = &mut self.portions {
+            more = planning.advance();
+            while more && clock.is_there() && clock.now() - began < milliseconds {
+                more = planning.advance();
+            }
+        }
+        if !more {
+            self.portions = match std::mem::replace(&mut self.portions, Portions::None) {
+                Portions::Running(planning) => Portions::Done(Box::new(planning.finish())),
+                other @ (Portions::None | Portions::Done(_)) => other,
+            };
+        }
+        self.milliseconds += clock.now() - began;
+        more
+    }
+
+    /// How far the plan in portions is.
+    ///
+    /// # Errors
+    /// Never for a reason of the caller's.
+    pub fn plan_progress(&self) -> Result<JsProgress, JsValue> {
+        let progress = Object::new();
+        let set = |name: &str, value: usize| {
+            Reflect::set(&progress, &name.into(), &value.into()).map(drop)
+        };
+        set(
+            "done",
+            match &self.portions {
+                Portions::None => 0,
+                Portions::Running(planning) => planning.done(),
+                Portions::Done(trajectory) => trajectory.frames(),
+            },
+        )?;
+        set("frames", self.open.problem().goals.len())?;
+        Ok(progress.unchecked_into())
+    }
+
+    /// The frames of the plan in portions as a motion, which is partial until there is nothing more to do. One without
+    /// frames where no plan is begun.
+    ///
+    /// # Errors
+    /// Never for a reason of the caller's.
+    pub fn plan_so_far(&self) -> Result<JsMotion, JsValue> {
+        match &self.portions {
+            Portions::None => self.motion(&self.open.planning().so_far(), 0.0),
+            Portions::Running(planning) => self.motion(&planning.so_far(), self.milliseconds),
+            Portions::Done(trajectory) => self.motion(trajectory, self.milliseconds),
+        }
+    }
+
+    /// Forgets the plan in portions.
+    pub fn end_plan(&mut self) {
+        self.portions = Portions::None;
+    }
+
+    /// The closest reachable pose to `goal` (7 numbers) from the joint values `joints`, along their branch.
+    ///
+    /// # Errors
+    /// A `Fault` where the joint values or the goal are at fault.
+    pub fn pull(&self, joints: &[f64], goal: &[f64]) -> Result<JsPosture, JsValue> {
+        posture(&self.open, self.open.pull(joints, goal))
+    }
+
+    /// What holds the workpiece at the joint values `joints` against the pull of `goal` (7 numbers).
+    ///
+    /// # Errors
+    /// A `Fault` where the joint values or the goal are at fault, or the loops are open.
+    pub fn explain(&self, joints: &[f64], goal: &[f64]) -> Result<JsInsight, JsValue> {
+        let insight = self.open.explain(joints, goal);
+        to_js(&insight.map_err(|fault| refusal(&fault))?).map(JsCast::unchecked_into)
+    }
+
+    fn motion(&self, t: &Trajectory, milliseconds: f64) -> Result<JsMotion, JsValue> {
+        motion(self.open.problem(), t, milliseconds).map(JsCast::unchecked_into)
+    }
+
+    /// The plan in portions, where it is complete.
+    #[cfg(feature = "study")]
+    pub(crate) fn planned(&self) -> Option<&Trajectory> {
+        match &self.portions {
+            Portions::Done(trajectory) => Some(trajectory),
+            Portions::None | Portions::Running(_) => None,
+        }
+    }
 }
 
 /// What a page starts from: one of everything that can be added to a document.
@@ -109,70 +209,71 @@ pub fn defaults() -> Result<JsDefaults, JsValue> {
     to_js(&defaults::defaults()).map(JsCast::unchecked_into)
 }
 
-pub(crate) fn problem(text: &str) -> Result<Problem, JsValue> {
-    text::parse(text)
-        .and_then(|document| Problem::new(&document))
-        .map_err(|fault| refusal(&fault))
-}
-
 fn motion(problem: &Problem, t: &Trajectory, milliseconds: f64) -> Result<Object, JsValue> {
     let motion = Object::new();
     let set = |name: &str, value: &JsValue| Reflect::set(&motion, &name.into(), value).map(drop);
-    let numbers = |values: &[f64]| Float64Array::from(values);
     set("frames", &t.frames().into())?;
-    set("report", &to_js(&Report::new(&problem.mechanism, t))?)?;
+    let frames_in_all = problem.goals.len();
+    set("partial", &(t.frames() < frames_in_all).into())?;
+    set("goal_frames", &frames_in_all.into())?;
+    let report = Report::new(&problem.mechanism, &problem.length_unit, t);
+    set("report", &to_js(&report)?)?;
     set("milliseconds", &milliseconds.into())?;
-    set("time", &numbers(&t.time))?;
-    set("goal", &numbers(&placed(&t.goals)))?;
-    set("pose", &numbers(&placed(&t.poses)))?;
-    set("joints", &numbers(&t.joints))?;
-    set("rows", &numbers(&placed(&problem.row_frames(t))))?;
-    set("metric", &numbers(&t.metric))?;
-    set("translation_gap", &numbers(&t.translation_gap))?;
-    set("rotation_gap", &numbers(&t.rotation_gap))?;
-    set("closure", &numbers(&t.closure))?;
-    set("sigma_min", &numbers(&t.sigma_min))?;
-    set("projected_gradient", &numbers(&t.projected_gradient))?;
-    set("iterations", &Uint32Array::from(&t.iterations[..]))?;
-    let codes: Vec<u8> = t.status.iter().map(|s| *s as u8).collect();
-    set("status", &Uint8Array::from(&codes[..]))?;
+    for column in &COLUMNS {
+        set(column.name, &typed(column, t))?;
+    }
+    set(
+        "rows",
+        &Float64Array::from(&placed(&problem.row_frames(t))[..]).into(),
+    )?;
     Ok(motion)
 }
 
-pub(crate) fn posture(problem: &Problem, posture: &Posture) -> Result<Object, JsValue> {
+/// A column as the typed array that its kind has in wasm.d.ts.
+fn typed(column: &Column, t: &Trajectory) -> JsValue {
+    let values = (column.values)(t);
+    match column.kind {
+        Kind::Status => {
+            let codes: Vec<u8> = t.status.iter().map(|status| *status as u8).collect();
+            Uint8Array::from(&codes[..]).into()
+        }
+        Kind::Count => Uint32Array::from(&t.iterations[..]).into(),
+        Kind::Time | Kind::Length | Kind::Angle | Kind::Number | Kind::Pose | Kind::Joints => {
+            Float64Array::from(&values[..]).into()
+        }
+    }
+}
+
+pub(crate) fn posture(
+    session: &session::Session,
+    posture: Result<Posture, Fault>,
+) -> Result<JsPosture, JsValue> {
+    let posture = posture.map_err(|fault| refusal(&fault))?;
     let object = Object::new();
     let set = |name: &str, value: &JsValue| Reflect::set(&object, &name.into(), value).map(drop);
-    let numbers = |values: &[f64]| Float64Array::from(values);
     let t = &posture.frame;
-    set("joints", &numbers(&t.joints))?;
-    set("pose", &numbers(&placed(&t.poses)))?;
-    set("rows", &numbers(&placed(&problem.row_frames(t))))?;
-    set("goal", &numbers(&placed(&t.goals)))?;
-    set("status", &t.status[0].name().into())?;
-    set("metric", &t.metric[0].into())?;
-    set("translation_gap", &t.translation_gap[0].into())?;
-    set("rotation_gap", &t.rotation_gap[0].into())?;
-    set("closure", &t.closure[0].into())?;
-    set("sigma_min", &t.sigma_min[0].into())?;
-    set("projected_gradient", &t.projected_gradient[0].into())?;
-    set("iterations", &t.iterations[0].into())?;
+    for column in &COLUMNS {
+        let values = (column.values)(t);
+        match column.kind {
+            Kind::Status => set(column.name, &t.status[0].name().into())?,
+            Kind::Pose | Kind::Joints => set(column.name, &Float64Array::from(&values[..]))?,
+            Kind::Time => {}
+            Kind::Length | Kind::Angle | Kind::Number | Kind::Count => {
+                set(column.name, &values[0].into())?;
+            }
+        }
+    }
+    set(
+        "rows",
+        &Float64Array::from(&placed(&session.problem().row_frames(t))[..]),
+    )?;
     if let Some(value) = posture.value {
         set("value", &value.into())?;
     }
     if let Some(obstacle) = &posture.obstacle {
         set("obstacle", &obstacle.into())?;
     }
-    Ok(object)
-}
-
-/// x y z qx qy qz qw of each pose.
-pub(crate) fn placed<'a>(poses: impl IntoIterator<Item = &'a Pose>) -> Vec<f64> {
-    let mut column = Vec::new();
-    for pose in poses {
-        column.extend_from_slice(pose.translation.vector.as_slice());
-        column.extend_from_slice(pose.rotation.coords.as_slice());
-    }
-    column
+    Ok(object.unchecked_into())
 }
 
 pub(crate) fn refusal(fault: &Fault) -> JsValue {
@@ -184,21 +285,21 @@ pub(crate) fn to_js(value: &impl Serialize) -> Result<JsValue, JsValue> {
     value.serialize(&serializer).map_err(JsValue::from)
 }
 
-/// A whole number from JavaScript, exact up to 2⁵³.
-pub(crate) fn index(k: f64) -> Option<u64> {
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "in range by the same line"
-    )]
-    let whole = k as u64;
-    ((0.0..9_007_199_254_740_992.0).contains(&k) && k.fract() == 0.0).then_some(whole)
-}
+/// The page's, the worker's or the program's clock.
+struct Clock(Option<web_sys::Performance>);
 
-/// Milliseconds of the page's, the worker's or the program's clock; 0 where there is none.
-fn now() -> f64 {
-    Reflect::get(&js_sys::global(), &"performance".into())
-        .ok()
-        .and_then(|clock| clock.dyn_into::<web_sys::Performance>().ok())
-        .map_or(0.0, |clock| clock.now())
+impl Clock {
+    fn new() -> Self {
+        let clock = Reflect::get(&js_sys::global(), &"performance".into());
+        Self(clock.ok().and_then(|clock| clock.dyn_into().ok()))
+    }
+
+    fn is_there(&self) -> bool {
+        self.0.is_some()
+    }
+
+    /// Milliseconds; 0 where there is no clock.
+    fn now(&self) -> f64 {
+        self.0.as_ref().map_or(0.0, web_sys::Performance::now)
+    }
 }

@@ -2,16 +2,18 @@
 
 use crate::document::fault::{Fault, FaultCode, Place};
 
-/// Largest length, in the document's unit: there a double still tells 10⁻¹⁰ apart, the bound on the
-/// closure of a loop.
-pub const MAX_LENGTH: f64 = 1e6;
+/// Largest length, in the document's unit: ten times the way to the sun in metres, and a micrometre is 1e-6.
+/// Closure is measured in shares of the mechanism's size, so that no digits are lost with the unit.
+pub const MAX_LENGTH: f64 = 1e12;
 /// Largest angle in degrees, almost 3,000 turns; as many digits are left.
 pub const MAX_ANGLE: f64 = 1e6;
 /// Largest time: 30 years in seconds.
 pub const MAX_TIME: f64 = 1e9;
-/// The metric's length lies between this and [`MAX_LENGTH`]: beyond, either the translation or the
-/// rotation is below the digits of the other.
-pub const MIN_METRIC_LENGTH: f64 = 1e-6;
+/// The metric's length lies between this and [`MAX_LENGTH`].
+pub const MIN_METRIC_LENGTH: f64 = 1e-12;
+/// Largest tolerance of dimensions: beyond, an ordinary linkage near a singular position would pass for one with rounded
+/// dimensions.
+pub const MAX_DIMENSION_TOLERANCE: f64 = 1e-2;
 /// Most iterations a frame: five times the limit that the paper's gradient has by itself.
 pub const MAX_ITERATIONS: u32 = 100_000;
 /// Most rows of the tables times frames, 14 numbers each: 56 MB, what a phone still hands out.

@@ -67,6 +67,7 @@ pub fn defaults() -> Defaults {
         key_frames: vec![key_frame.clone(), turned],
         interpolation: Interpolation::default(),
         frames: default_frames(),
+        reference: None,
         radius: None,
     };
     let document = Document {

@@ -1,11 +1,18 @@
 //! The document format: text, schema, checks, faults, and the questions asked of a document.
 
 pub mod bounds;
+pub mod chain_report;
 pub mod defaults;
+pub mod example_document;
 pub mod fault;
+mod motion;
+mod parts;
 pub mod problem;
 pub mod questions;
 mod reader;
 pub mod report;
 pub mod schema;
+pub mod session;
 pub mod text;
+pub mod warnings;
+pub mod wording;

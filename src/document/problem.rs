@@ -2,23 +2,24 @@
 //! rule of the model told as a fault with its place.
 
 use crate::document::bounds::{
-    MAX_ABOUT, MAX_ITERATIONS, MAX_LENGTH, MAX_NAME, MAX_ROW_FRAMES, MAX_SCHEMA, MAX_TIME,
-    MAX_UNIT, MIN_METRIC_LENGTH, angle, bounded, check_text, joint_value, length, not_finite,
+    MAX_ABOUT, MAX_DIMENSION_TOLERANCE, MAX_ITERATIONS, MAX_LENGTH, MAX_NAME, MAX_ROW_FRAMES,
+    MAX_SCHEMA, MAX_UNIT, MIN_METRIC_LENGTH, angle, check_text, joint_value, length, not_finite,
     out_of_range, wrong_count,
 };
 use crate::document::fault::{Fault, FaultCode, Place};
-use crate::document::schema::{
-    ChainEntry, Document, FrameEntry, JointEntry, KeyFrameEntry, LimitsEntry, RowEntry,
-};
-use crate::math::pose::{FrameCoordinates, Pose};
+use crate::document::motion::goal_of;
+use crate::document::parts::{each, frame, point};
+use crate::document::schema::{ChainEntry, Document, JointEntry, LimitsEntry, RowEntry};
+use crate::math::pose::Pose;
 use crate::model::chain::{Chain, ChainFault, MAX_FREEDOMS};
 use crate::model::dh::DhRow;
 use crate::model::joint::{Joint, JointFault, JointKind, Limits, Moves};
 use crate::model::mechanism::{MAX_CHAINS, Mechanism, MechanismFault};
-use crate::motion::goal::{Goal, KeyFrame, KeyFrameFault, MAX_FRAMES, MAX_KEY_FRAMES, goal_motion};
-use crate::motion::trajectory::Trajectory;
-use crate::plan::follow::{Settings, plan_watched};
+use crate::motion::goal::Goal;
+use crate::motion::trajectory::{Trajectory, Warning};
+use crate::plan::follow::Planning;
 use crate::plan::modes;
+use crate::plan::settings::{Settings, extent};
 
 /// What the planner needs, in radians.
 #[derive(Clone, Debug)]
@@ -29,6 +30,8 @@ pub struct Problem {
     pub start: Vec<Option<Vec<f64>>>,
     /// The goal motion, frame by frame.
     pub goals: Vec<Goal>,
+    /// What the key frames give reason to warn of; a plan's warnings begin with them.
+    pub notes: Vec<Warning>,
     /// How to find the closest motion.
     pub settings: Settings,
     /// The label of the unit of length, for messages; may be empty.
@@ -49,13 +52,14 @@ impl Problem {
         check_text(&document.length_unit, MAX_UNIT, &whole.field("length_unit"))?;
         let mechanism = mechanism(&document.chains)?;
         let start = given_start(&document.chains, &mechanism)?;
-        let goals = goals(document)?;
+        let (goals, notes) = goal_of(&document.motion)?;
         let settings = settings(document)?;
         check_size(&mechanism, goals.len())?;
         Ok(Self {
             mechanism,
             start,
             goals,
+            notes,
             settings,
             length_unit: document.length_unit.clone(),
         })
@@ -69,6 +73,7 @@ impl Problem {
             &self.mechanism,
             &self.start,
             &self.goals[0].pose,
+            self.extent(),
             &self.settings,
         )
     }
@@ -89,20 +94,19 @@ impl Problem {
             .collect()
     }
 
-    /// Plans the motion.
-    pub fn plan(&self) -> Trajectory {
-        self.plan_watched(&mut |_| {})
+    /// The extent of the goal motion, which stands in for the size of a mechanism without lengths.
+    pub fn extent(&self) -> f64 {
+        extent(&self.goals)
     }
 
-    /// The same, and tells `done` after each frame how many there are.
-    pub fn plan_watched(&self, done: &mut dyn FnMut(usize)) -> Trajectory {
-        plan_watched(
-            &self.mechanism,
-            &self.find_start(),
-            &self.goals,
-            &self.settings,
-            done,
-        )
+    /// Plans the motion in one go.
+    pub fn plan(&self) -> Trajectory {
+        self.planning(&self.find_start()).finish()
+    }
+
+    /// Plans the motion in portions, from these joint values.
+    pub fn planning(&self, start: &[f64]) -> Planning {
+        Planning::new(&self.mechanism, start, &self.goals, &self.settings).noted(&self.notes)
     }
 }
 
@@ -119,7 +123,6 @@ fn mechanism(entries: &[ChainEntry]) -> Result<Mechanism, Fault> {
 }
 
 const CHAINS: Place<'static> = Place::WHOLE.field("chains");
-const MOTION: Place<'static> = Place::WHOLE.field("motion");
 
 fn chain_place(index: usize, entry: &ChainEntry) -> Place<'_> {
     CHAINS.named(index, &entry.name)
@@ -263,88 +266,24 @@ fn given_start(
     })
 }
 
-fn goals(document: &Document) -> Result<Vec<Goal>, Fault> {
-    let motion = &document.motion;
-    let place = MOTION;
-    let list = place.field("key_frames");
-    let key_place = |i: usize| list.named(i, &motion.key_frames[i].name);
-    let keys = each(&motion.key_frames, |i, entry| {
-        key_frame(entry, &key_place(i))
-    })?;
-    let radius = motion
-        .radius
-        .map(|r| length(r, &place.field("radius")))
-        .transpose()?;
-    goal_motion(&keys, motion.interpolation, motion.frames as usize, radius).map_err(|fault| match fault {
-        KeyFrameFault::TooFew { found } | KeyFrameFault::TooMany { found } => {
-            wrong_count(&list, found, &format!("2 to {MAX_KEY_FRAMES} key frames"))
-        }
-        KeyFrameFault::NotFinite { key } => not_finite(&key_place(key)),
-        KeyFrameFault::TimeMissing { key } => {
-            let what = "other key frames have a time and this one has none";
-            let accepted = "a time for every key frame, or for none";
-            Fault::new(FaultCode::TimeMissing, &key_place(key).field("time"), what, accepted)
-        }
-        KeyFrameFault::TimeOrder { key, previous, time } => {
-            let what = format!("{time} is not later than the time before");
-            let accepted = format!("a time later than {previous}");
-            Fault::new(FaultCode::TimeOrder, &key_place(key).field("time"), &what, &accepted)
-        }
-        KeyFrameFault::Radius { radius, least } => {
-            let accepted = format!(
-                "a positive length that is not below {least}, the distance of the farthest key frame, or null"
-            );
-            out_of_range(&place.field("radius"), radius, &accepted)
-        }
-        KeyFrameFault::FrameCount { found } => {
-            let accepted = format!("a whole number from 2 to {MAX_FRAMES}");
-            out_of_range(&place.field("frames"), found, &accepted)
-        }
-    })
-}
-
-fn key_frame(entry: &KeyFrameEntry, place: &Place<'_>) -> Result<KeyFrame, Fault> {
-    check_text(&entry.name, MAX_NAME, &place.field("name"))?;
-    let &KeyFrameEntry {
-        x,
-        y,
-        z,
-        longitude,
-        latitude,
-        roll,
-        time,
-        ..
-    } = entry;
-    let pose = frame(
-        &FrameEntry {
-            x,
-            y,
-            z,
-            longitude,
-            latitude,
-            roll,
-        },
-        place,
-    )?;
-    let time = time
-        .map(|t| bounded(t, MAX_TIME, "a time", &place.field("time")))
-        .transpose()?;
-    Ok(KeyFrame {
-        name: entry.name.clone(),
-        pose,
-        time,
-    })
-}
-
 fn settings(document: &Document) -> Result<Settings, Fault> {
     const PLACE: Place<'static> = Place::WHOLE.field("planner");
     let entry = &document.planner;
-    let length = entry.metric_length;
-    if !(MIN_METRIC_LENGTH..=MAX_LENGTH).contains(&length) {
-        let accepted = format!("a length from {MIN_METRIC_LENGTH} to {MAX_LENGTH}");
+    if let Some(length) = entry
+        .metric_length
+        .filter(|length| !(MIN_METRIC_LENGTH..=MAX_LENGTH).contains(length))
+    {
+        let accepted = format!("a length from {MIN_METRIC_LENGTH:e} to {MAX_LENGTH:e}, or null");
+        let place = PLACE.field("metric_length");
+        return Err(out_of_range(&place, format_args!("{length:?}"), &accepted));
+    }
+    let tolerance = entry.dimension_tolerance;
+    if !(0.0..=MAX_DIMENSION_TOLERANCE).contains(&tolerance) {
+        let accepted = format!("a share of the size from 0 to {MAX_DIMENSION_TOLERANCE}");
+        let place = PLACE.field("dimension_tolerance");
         return Err(out_of_range(
-            &PLACE.field("metric_length"),
-            length,
+            &place,
+            format_args!("{tolerance:?}"),
             &accepted,
         ));
     }
@@ -359,11 +298,17 @@ fn settings(document: &Document) -> Result<Settings, Fault> {
             &accepted,
         ));
     }
-    let max_iterations = entry.max_iterations.map(|most| most as usize);
+    let origin = point(
+        entry.metric_origin.as_deref(),
+        &PLACE.field("metric_origin"),
+    )?;
     Ok(Settings {
         method: entry.method,
-        metric_length: length,
-        max_iterations,
+        metric: entry.metric,
+        metric_length: entry.metric_length,
+        metric_origin: origin,
+        dimension_tolerance: tolerance,
+        max_iterations: entry.max_iterations.map(|most| most as usize),
     })
 }
 
@@ -378,36 +323,13 @@ fn check_size(mechanism: &Mechanism, frames: usize) -> Result<(), Fault> {
     if rows * frames <= MAX_ROW_FRAMES {
         return Ok(());
     }
+    const MOTION: Place<'static> = Place::WHOLE.field("motion");
     let place = MOTION.field("frames");
     let accepted = format!(
         "up to {} frames for tables of {rows} rows",
         MAX_ROW_FRAMES / rows
     );
     Err(out_of_range(&place, frames, &accepted))
-}
-
-fn frame(entry: &FrameEntry, place: &Place<'_>) -> Result<Pose, Fault> {
-    let coordinates = FrameCoordinates {
-        x: length(entry.x, &place.field("x"))?,
-        y: length(entry.y, &place.field("y"))?,
-        z: length(entry.z, &place.field("z"))?,
-        longitude: angle(entry.longitude, &place.field("longitude"))?,
-        latitude: angle(entry.latitude, &place.field("latitude"))?,
-        roll: angle(entry.roll, &place.field("roll"))?,
-    };
-    Ok(coordinates.pose())
-}
-
-/// Converts each entry of a list, up to the first fault.
-fn each<E, T>(
-    entries: &[E],
-    convert: impl Fn(usize, &E) -> Result<T, Fault>,
-) -> Result<Vec<T>, Fault> {
-    let mut converted = Vec::with_capacity(entries.len());
-    for (i, entry) in entries.iter().enumerate() {
-        converted.push(convert(i, entry)?);
-    }
-    Ok(converted)
 }
 
 /// Joint values as a document writes them, chain by chain: degrees, or lengths.

@@ -1,16 +1,20 @@
 //! Positions outside any motion: the linkage pulled by its workpiece or driven by one of its joints,
-//! and what holds it there. Checks what a page hands in, and says in words why a joint stops.
+//! what holds it there, the planners' iterations and the paper's matrix. Checks what a page hands in, and
+//! says in words why a joint stops.
 
 use crate::document::bounds::{MAX_ANGLE, MAX_LENGTH, bounded, out_of_range, wrong_count};
-use crate::document::fault::{Fault, FaultCode, Place, excerpt};
+use crate::document::fault::{Fault, FaultCode, Place};
 use crate::document::problem::Problem;
-use crate::document::report;
+use crate::document::wording::Wording;
 use crate::math::pose::Pose;
 use crate::model::chain::Chain;
+use crate::model::scaled::Scaled;
 use crate::motion::trajectory::Trajectory;
-use crate::plan::follow::{drive_joint, pull};
+use crate::plan::configuration::{drive_joint, pull};
+use crate::solve::close_start::Start;
 use crate::solve::drive::Obstacle;
-use crate::solve::paper_matrix;
+use crate::study::iterations::{self, Trace};
+use crate::study::matrix::{self, Matrix};
 use crate::study::why::{self, Insight};
 use nalgebra::{Quaternion, Translation3, UnitQuaternion};
 
@@ -33,7 +37,13 @@ impl Problem {
     /// When there is not one finite joint value a joint variable, or the goal is no pose.
     pub fn pull(&self, joints: &[f64], goal: &[f64]) -> Result<Posture, Fault> {
         self.check_joints(joints)?;
-        let moved = pull(&self.mechanism, joints, &pose(goal)?, &self.settings);
+        let moved = pull(
+            &self.mechanism,
+            joints,
+            &pose(goal)?,
+            self.extent(),
+            &self.settings,
+        );
         Ok(Posture {
             frame: moved.frame,
             value: None,
@@ -57,7 +67,14 @@ impl Problem {
             return Err(out_of_range(&VARIABLE, variable, &accepted));
         };
         check_value(value, turns, &VALUE)?;
-        let moved = drive_joint(&self.mechanism, joints, variable, value, &self.settings);
+        let moved = drive_joint(
+            &self.mechanism,
+            joints,
+            variable,
+            value,
+            self.extent(),
+            &self.settings,
+        );
         let reached = &moved.frame.joints;
         let sentence = |o: &Obstacle| self.sentence(o, variable, reached, value);
         Ok(Posture {
@@ -76,15 +93,67 @@ impl Problem {
     pub fn explain(&self, joints: &[f64], goal: &[f64]) -> Result<Insight, Fault> {
         self.check_joints(joints)?;
         let goal = pose(goal)?;
-        let mechanism = &self.mechanism;
-        let opening = paper_matrix::opening(mechanism, joints, &mechanism.chains()[0].pose(joints));
-        if !(opening <= paper_matrix::closed(mechanism.size())) {
-            let what = format!("the loops are open by {opening:.1e}");
+        let mut solver = self.settings.solver(&self.mechanism, self.extent());
+        let theta = solver.scaled().entered(joints);
+        let error = solver.scaled().closure_error(&theta);
+        let mut closed = joints.to_vec();
+        // A joint that moves by less closes what is published as closed.
+        let moved = match solver.close_start(&mut closed, self.settings.dimension_tolerance) {
+            Start::Open { .. } => f64::INFINITY,
+            Start::Closed | Start::Rounded => {
+                Scaled::largest_motion(&theta, &solver.scaled().entered(&closed)).0
+            }
+        };
+        if !(moved <= NEARLY_CLOSED) {
+            let what = format!("the loops are open by {error:.1e}");
             let accepted = "joint values that close them";
             return Err(Fault::new(FaultCode::OutOfRange, &JOINTS, &what, accepted));
         }
-        let length = self.settings.metric_length;
-        Ok(why::explain(mechanism, joints, &goal, length))
+        Ok(why::explain(&mut solver, &closed, &goal))
+    }
+
+    /// The iterations of both planners towards the goal of `frame`, counted from 0, from the joint
+    /// values `joints` of the frame before; from the document's start if there are none.
+    ///
+    /// # Errors
+    /// When there is no such frame, or not one finite joint value a joint variable.
+    pub fn trace(&self, frame: usize, joints: &[f64]) -> Result<Trace, Fault> {
+        const FRAME: Place<'static> = Place::WHOLE.field("frame");
+        let Some(goal) = self.goals.get(frame) else {
+            let accepted = format!("0 to {}", self.goals.len() - 1);
+            return Err(out_of_range(&FRAME, frame, &accepted));
+        };
+        let from = if joints.is_empty() {
+            self.find_start()
+        } else {
+            self.check_joints(joints)?;
+            joints.to_vec()
+        };
+        Ok(iterations::trace(
+            &self.mechanism,
+            &self.settings,
+            self.extent(),
+            &goal.pose,
+            &from,
+        ))
+    }
+
+    /// \[A\] of Eq. 21 at the joint values `joints`, with its singular values.
+    ///
+    /// # Errors
+    /// When there is not one finite joint value a joint variable.
+    pub fn matrix(&self, joints: &[f64]) -> Result<Matrix, Fault> {
+        self.check_joints(joints)?;
+        let metric = self.settings.metric_for(&self.mechanism, self.extent());
+        Ok(matrix::matrix(&self.mechanism, joints, &metric))
+    }
+
+    /// How the mechanism is spoken of.
+    pub fn wording(&self) -> Wording<'_> {
+        Wording {
+            mechanism: &self.mechanism,
+            unit: &self.length_unit,
+        }
     }
 
     fn turns(&self) -> Vec<bool> {
@@ -95,7 +164,7 @@ impl Problem {
             .collect()
     }
 
-    fn check_joints(&self, joints: &[f64]) -> Result<(), Fault> {
+    pub(crate) fn check_joints(&self, joints: &[f64]) -> Result<(), Fault> {
         let turns = self.turns();
         if joints.len() != turns.len() {
             let accepted = format!("{}, one for each joint variable", turns.len());
@@ -109,17 +178,18 @@ impl Problem {
 
     /// Why the driven joint is not at `asked` in the reached position `joints`.
     fn sentence(&self, obstacle: &Obstacle, variable: usize, joints: &[f64], asked: f64) -> String {
-        let name = self.variable_name(variable);
+        let wording = self.wording();
+        let name = wording.variable(variable);
         let got = joints[variable];
-        let value = self.shown(variable, got);
+        let value = wording.amount(variable, got);
         match obstacle {
             Obstacle::OwnLimit => format!("{name} ends at its own limit of {value}."),
             Obstacle::Limits(held) => {
                 let limits: Vec<String> = held
                     .iter()
                     .map(|&joint| {
-                        let name = self.variable_name(joint);
-                        let limit = self.shown(joint, joints[joint]);
+                        let name = wording.variable(joint);
+                        let limit = wording.amount(joint, joints[joint]);
                         if self.has_limit(joint, joints[joint]) {
                             format!("{name} is at its limit of {limit}")
                         } else {
@@ -155,47 +225,13 @@ impl Problem {
             .nth(variable)
             .is_some_and(|l| near(l.min) || near(l.max))
     }
-
-    /// Such as “θ₂ of chain 1”.
-    fn variable_name(&self, variable: usize) -> String {
-        let mut first = 0;
-        for (i, chain) in self.mechanism.chains().iter().enumerate() {
-            if let Some(own) = report::chain(chain).variables.get(variable - first) {
-                let label: String = own.label.chars().map(subscript).collect();
-                let number = format!("chain {}", i + 1);
-                let name = Some(chain.name()).filter(|name| !name.is_empty());
-                let name = name.map_or(number, excerpt);
-                return format!("{label} of {name}");
-            }
-            first += chain.freedoms();
-        }
-        String::new()
-    }
-
-    /// A joint value with its unit.
-    fn shown(&self, variable: usize, value: f64) -> String {
-        let text = if self.turns()[variable] {
-            format!("{:.1}°", value.to_degrees())
-        } else {
-            format!("{value:.4} {}", self.length_unit)
-        };
-        // The page's minus sign, and none before a zero.
-        let text = text.trim_end();
-        match text.strip_prefix('-') {
-            Some(rest) if rest.contains(|c: char| ('1'..='9').contains(&c)) => format!("−{rest}"),
-            Some(rest) => rest.to_owned(),
-            None => text.to_owned(),
-        }
-    }
-}
-
-fn subscript(c: char) -> char {
-    c.to_digit(10)
-        .and_then(|digit| char::from_u32('₀' as u32 + digit))
-        .unwrap_or(c)
 }
 
 const JOINTS: Place<'static> = Place::WHOLE.field("joints");
+
+/// Joint motion, rad or sizes, that closes loops which count as closed: near a singular position a closure error of
+/// 1e-10 takes the root of it.
+const NEARLY_CLOSED: f64 = 1e-5;
 
 /// A joint value within what a document may hold.
 fn check_value(value: f64, turns: bool, place: &Place<'_>) -> Result<(), Fault> {

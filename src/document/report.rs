@@ -1,11 +1,12 @@
 //! A planned motion as a page reads it: names, units and sentences.
 
+use crate::document::chain_report::{ChainReport, chain};
 use crate::document::problem::start_values;
-use crate::model::chain::Chain;
-use crate::model::joint::Moves;
+use crate::document::warnings::{WarningReport, warning};
+use crate::document::wording::Wording;
+use crate::math::metric::MetricKind;
 use crate::model::mechanism::Mechanism;
-use crate::motion::trajectory::{Status, Trajectory, Warning};
-use crate::types::enumerate;
+use crate::motion::trajectory::{Bounds, Status, Trajectory};
 use serde::Serialize;
 
 /// What is said about a motion beside its columns of numbers.
@@ -19,190 +20,92 @@ pub struct Report {
     pub mobility_count: isize,
     /// n − rank \[A\] at the start.
     pub mobility_rank: usize,
+    /// How distances were measured.
+    pub metric: MetricReport,
+    /// The bounds that were used.
+    pub bounds: BoundsReport,
+    /// Largest misfit of rounded dimensions in any frame.
+    pub misfit: f64,
     /// What deserves a look.
     pub warnings: Vec<WarningReport>,
     /// Joint values from which the motion was planned, degrees or lengths, chain by chain.
     pub start: Vec<Vec<f64>>,
 }
 
-/// A chain's type and variables.
+/// The metric that was used.
 #[derive(Clone, Debug, Serialize)]
-pub struct ChainReport {
-    /// The document's name for it.
-    pub name: String,
-    /// Such as TPR.
-    #[serde(rename = "type")]
-    pub kind: String,
-    /// Degrees of freedom.
-    pub freedoms: usize,
-    /// Degree of constraint U (Eq. 8).
-    pub constraints: usize,
-    /// The category of Table 2, such as II.
-    pub category: &'static str,
-    /// The joint variables, in the order of the columns.
-    pub variables: Vec<VariableReport>,
-    /// The rows of the table.
-    pub rows: Vec<RowReport>,
-}
-
-/// A joint variable.
-#[derive(Clone, Debug, Serialize)]
-pub struct VariableReport {
-    /// θ or d with the number of its row, from 1, as the paper's tables print it.
-    pub label: String,
-    /// `rad` or `length`.
-    pub unit: &'static str,
-    /// The joint, from 0.
-    pub joint: usize,
-    /// The row within the chain, from 0.
-    pub row: usize,
-}
-
-/// A row of a Denavit–Hartenberg table.
-#[derive(Clone, Debug, Serialize)]
-pub struct RowReport {
-    /// The letter of the joint that the row belongs to.
-    pub kind: char,
-    /// The joint, from 0.
-    pub joint: usize,
-}
-
-/// A warning in words, with the frames that it is about, from 0.
-#[derive(Clone, Debug, Serialize)]
-pub struct WarningReport {
-    /// In kebab-case.
-    pub code: &'static str,
-    /// A sentence for a person. Frames count from 1 in it.
-    pub message: String,
-    /// First frame.
+pub struct MetricReport {
+    /// `pose` or `dual-quaternion`.
+    pub kind: &'static str,
+    /// The characteristic length, in the document's unit.
+    pub length: f64,
+    /// Where it comes from: `given`, `mechanism`, `motion` or `none`.
+    pub length_source: &'static str,
+    /// The point about which `dual-quaternion` measures.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub first: Option<usize>,
-    /// Last frame.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub last: Option<usize>,
+    pub origin: Option<[f64; 3]>,
+}
+
+/// The bounds by which frames were judged: lengths as shares of the mechanism's size, angles in rad.
+#[derive(Clone, Debug, Serialize)]
+pub struct BoundsReport {
+    /// Of `closure`.
+    pub closure: f64,
+    /// Of `misfit`.
+    pub misfit: f64,
+    /// Of `projected_gradient`, in certified frames.
+    pub projected_gradient: f64,
+    /// The least curvature of f in certified frames, with the opposite sign.
+    pub curvature: f64,
+    /// Of `metric`, in frames that reached their goal.
+    pub reached: f64,
+}
+
+/// The name of a metric in documents and reports.
+pub const fn metric_name(kind: MetricKind) -> &'static str {
+    match kind {
+        MetricKind::Pose => "pose",
+        MetricKind::DualQuaternion => "dual-quaternion",
+    }
 }
 
 impl Report {
-    /// The report of a motion of this mechanism.
-    pub fn new(mechanism: &Mechanism, trajectory: &Trajectory) -> Self {
+    /// The report of a motion of this mechanism; `unit` is the label of the unit of length, which may be empty.
+    pub fn new(mechanism: &Mechanism, unit: &str, trajectory: &Trajectory) -> Self {
+        let wording = Wording { mechanism, unit };
+        let metric = &trajectory.metric_used;
+        let Bounds {
+            closure,
+            misfit,
+            projected_gradient,
+            curvature,
+            reached,
+        } = trajectory.bounds;
         Self {
             statuses: Status::ALL.map(Status::name).to_vec(),
             chains: mechanism.chains().iter().map(chain).collect(),
             mobility_count: trajectory.mobility_count,
             mobility_rank: trajectory.mobility_rank,
-            warnings: trajectory.warnings.iter().map(warning).collect(),
+            metric: MetricReport {
+                kind: metric_name(metric.kind),
+                length: metric.length,
+                length_source: trajectory.length_source.name(),
+                origin: (metric.kind == MetricKind::DualQuaternion).then(|| metric.origin.into()),
+            },
+            bounds: BoundsReport {
+                closure,
+                misfit,
+                projected_gradient,
+                curvature,
+                reached,
+            },
+            misfit: trajectory.misfit.iter().copied().fold(0.0, f64::max),
+            warnings: trajectory
+                .warnings
+                .iter()
+                .map(|w| warning(w, &wording))
+                .collect(),
             start: start_values(mechanism, &trajectory.start),
         }
-    }
-}
-
-/// A chain in names and units.
-pub fn chain(chain: &Chain) -> ChainReport {
-    let mut variables = Vec::new();
-    let mut rows = Vec::new();
-    for (j, joint) in chain.joints().iter().enumerate() {
-        let kind = joint.kind();
-        for i in 0..joint.rows().len() {
-            let row = rows.len();
-            let mut variable = |letter: char, unit| {
-                let label = format!("{letter}{}", row + 1);
-                variables.push(VariableReport {
-                    label,
-                    unit,
-                    joint: j,
-                    row,
-                });
-            };
-            let moves = kind.moves(i);
-            if moves != Moves::Slides {
-                variable('θ', "rad");
-            }
-            if moves != Moves::Turns {
-                variable('d', "length");
-            }
-            rows.push(RowReport {
-                kind: kind.letter(),
-                joint: j,
-            });
-        }
-    }
-    ChainReport {
-        name: chain.name().to_owned(),
-        kind: chain.type_name(),
-        freedoms: chain.freedoms(),
-        constraints: chain.constraints(),
-        // A single R or P: the trivial case that Section 4 leaves out of its categories.
-        category: enumerate::category_name(chain.constraints()).unwrap_or("V"),
-        variables,
-        rows,
-    }
-}
-
-fn warning(warning: &Warning) -> WarningReport {
-    let say = |code, message, frames: Option<(usize, usize)>| WarningReport {
-        code,
-        message,
-        first: frames.map(|f| f.0),
-        last: frames.map(|f| f.1),
-    };
-    match *warning {
-        Warning::StartMoved { moved } => say(
-            "start-moved",
-            format!(
-                "The start did not close the loops; joints were moved by up to {moved:.3} (rad or lengths)."
-            ),
-            None,
-        ),
-        Warning::StartOpen { opening } => say(
-            "start-open",
-            format!(
-                "The loops cannot be closed from this start: {opening:.3} (rad or lengths) stay open. Give other start values or dimensions."
-            ),
-            None,
-        ),
-        Warning::BranchJump { first, moved } => say(
-            "branch-jump",
-            format!(
-                "Between frames {} and {} a joint moves by {moved:.2} (rad or lengths): the linkage jumps to another branch.",
-                first + 1,
-                first + 2
-            ),
-            Some((first, first + 1)),
-        ),
-        Warning::NearSingular {
-            first,
-            last,
-            smallest,
-        } => say(
-            "near-singular",
-            format!(
-                "Near a singular position in frames {} to {}: the smallest singular value falls to {smallest:.1e}.",
-                first + 1,
-                last + 1
-            ),
-            Some((first, last)),
-        ),
-        Warning::MobilityDiffers { count, rank } => say(
-            "mobility-differs",
-            format!(
-                "Counting joints gives {count} degrees of freedom, the rank of the loop equations {rank}: some constraints repeat each other, or the start is a singular position."
-            ),
-            None,
-        ),
-        Warning::LimitsUnknown => say(
-            "limits-unknown",
-            "The gradient planner knows no joint limits; frames beyond one count as stalled. \
-             The Newton planner keeps them."
-                .to_owned(),
-            None,
-        ),
-        Warning::Runaway { frame } => say(
-            "runaway",
-            format!(
-                "At frame {} the distance keeps falling while a slider runs away: there is no closest pose. Limits for the sliders would help.",
-                frame + 1
-            ),
-            Some((frame, frame)),
-        ),
     }
 }

@@ -1,17 +1,19 @@
 //! The document, version 1: its fields, their units and their defaults.
 
+use crate::math::metric::MetricKind;
 use crate::model::joint::JointKind;
 use crate::motion::goal::Interpolation;
-use crate::plan::follow::{Method, Settings};
+use crate::plan::settings::{Method, Settings};
 #[cfg(feature = "schema")]
 use crate::{
     document::bounds::{
-        MAX_ABOUT, MAX_ANGLE, MAX_ITERATIONS, MAX_LENGTH, MAX_NAME, MAX_SCHEMA, MAX_TIME, MAX_UNIT,
-        MIN_METRIC_LENGTH,
+        MAX_ABOUT, MAX_ANGLE, MAX_DIMENSION_TOLERANCE, MAX_ITERATIONS, MAX_LENGTH, MAX_NAME,
+        MAX_SCHEMA, MAX_TIME, MAX_UNIT, MIN_METRIC_LENGTH,
     },
     model::chain::MAX_FREEDOMS,
     model::mechanism::MAX_CHAINS,
-    motion::goal::{MAX_FRAMES, MAX_KEY_FRAMES},
+    motion::goal::MAX_FRAMES,
+    motion::key_frames::MAX_KEY_FRAMES,
 };
 use serde::{Deserialize, Serialize};
 
@@ -195,8 +197,16 @@ pub struct MotionEntry {
     #[serde(default = "default_frames")]
     #[cfg_attr(feature = "schema", schemars(range(min = 2, max = MAX_FRAMES)))]
     pub frames: u32,
+    /// The point x, y, z about which the double quaternions interpolate; null for the mean of the key
+    /// frames' positions. The paper's is the origin of the fixed frame.
+    #[cfg_attr(
+        feature = "schema",
+        schemars(length(equal = 3), inner(range(min = -MAX_LENGTH, max = MAX_LENGTH)))
+    )]
+    #[serde(default)]
+    pub reference: Option<Vec<f64>>,
     /// Radius of the double quaternions, large against the workspace; null for 20 times the distance
-    /// of the farthest key frame.
+    /// of the farthest key frame from the reference point.
     #[cfg_attr(feature = "schema", schemars(range(min = 0.0, max = MAX_LENGTH)))]
     #[serde(default)]
     pub radius: Option<f64>,
@@ -250,7 +260,7 @@ pub struct KeyFrameEntry {
 }
 
 /// The planner's settings.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields, default)]
 pub struct PlannerEntry {
@@ -258,9 +268,23 @@ pub struct PlannerEntry {
     #[serde(with = "MethodName")]
     #[cfg_attr(feature = "schema", schemars(with = "MethodName"))]
     pub method: Method,
-    /// A translation by this length weighs as much as a rotation by 1 rad; the paper's is 1.
+    /// How the distance between two poses is measured: `pose` about the goal's origin, `dual-quaternion` about
+    /// `metric_origin`, as in the paper.
+    #[serde(with = "MetricName")]
+    #[cfg_attr(feature = "schema", schemars(with = "MetricName"))]
+    pub metric: MetricKind,
+    /// A translation by this length weighs as much as a rotation by 1 rad; the paper's is 1. Null for a length of the
+    /// mechanism: its longest chain or the span of its bases; for a mechanism without lengths the extent of the motion.
     #[cfg_attr(feature = "schema", schemars(range(min = MIN_METRIC_LENGTH, max = MAX_LENGTH)))]
-    pub metric_length: f64,
+    pub metric_length: Option<f64>,
+    /// The point, x y z in the fixed frame, about which the metric `dual-quaternion` measures; null for the fixed
+    /// frame's origin.
+    #[cfg_attr(feature = "schema", schemars(length(equal = 3), inner(range(min = -MAX_LENGTH, max = MAX_LENGTH))))]
+    pub metric_origin: Option<Vec<f64>>,
+    /// How far the dimensions of an overconstrained linkage may contradict each other and still count as rounded, as a
+    /// share of the mechanism's size and in rad; 0 for exact dimensions only.
+    #[cfg_attr(feature = "schema", schemars(range(min = 0.0, max = MAX_DIMENSION_TOLERANCE)))]
+    pub dimension_tolerance: f64,
     /// Iterations a frame may take; null for the method's own limit.
     #[cfg_attr(feature = "schema", schemars(range(min = 1, max = MAX_ITERATIONS)))]
     pub max_iterations: Option<u32>,
@@ -275,17 +299,32 @@ enum MethodName {
     Gradient,
 }
 
+/// The metrics by name.
+#[derive(Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(remote = "MetricKind", rename_all = "kebab-case")]
+enum MetricName {
+    Pose,
+    DualQuaternion,
+}
+
 impl Default for PlannerEntry {
     fn default() -> Self {
         let Settings {
             method,
+            metric,
             metric_length,
+            metric_origin,
+            dimension_tolerance,
             max_iterations,
         } = Settings::default();
         let max_iterations = max_iterations.and_then(|most| u32::try_from(most).ok());
         Self {
             method,
+            metric,
             metric_length,
+            metric_origin: metric_origin.map(|point| point.as_slice().to_vec()),
+            dimension_tolerance,
             max_iterations,
         }
     }

@@ -14,8 +14,7 @@ use crate::model::chain::Chain;
 use crate::model::dh::{x_displacement, z_displacement};
 use crate::model::joint::{Limits, Moves};
 use crate::model::mechanism::Mechanism;
-use crate::motion::trajectory::Trajectory;
-use crate::solve::paper_matrix::closed;
+use crate::motion::trajectory::{Status, Trajectory};
 use nalgebra::Vector3;
 use std::fmt::Write;
 
@@ -35,16 +34,15 @@ const WORKPIECE: &str = "0.85 0.72 0.35 1";
 /// What MuJoCo reads. Lengths stay in the document's unit; frames whose loops are open are left out of
 /// the key frames.
 pub fn mjcf(document: &Document, mechanism: &Mechanism, t: &Trajectory) -> String {
-    let tolerance = closed(mechanism.size());
     let frames: Vec<usize> = (0..t.frames())
-        .filter(|&i| t.closure[i] <= tolerance)
+        .filter(|&i| t.status[i] != Status::ClosureLost)
         .collect();
     let first = frames.first().map_or(&t.start[..], |&i| t.joints_at(i));
     let mut xml = Xml::default();
     xml.open(&format!("<mujoco model=\"{}\">", escaped(&document.name)));
     head(&mut xml, document, mechanism, t);
     xml.open("<worldbody>");
-    let report = Report::new(mechanism, t);
+    let report = Report::new(mechanism, &document.length_unit, t);
     let mut fixed = Vec::new();
     for (i, (chain, values)) in mechanism.split(first).enumerate() {
         let offset = mechanism.chains()[..i].iter().map(Chain::freedoms).sum();
@@ -58,7 +56,7 @@ pub fn mjcf(document: &Document, mechanism: &Mechanism, t: &Trajectory) -> Strin
                 .collect(),
             values,
             offset,
-            radius: LINK * mechanism.size(),
+            radius: LINK * mechanism.size_or(1.0),
         };
         branch.write(&mut xml, mechanism, t, &mut fixed);
     }
@@ -109,7 +107,7 @@ fn head(xml: &mut Xml, document: &Document, mechanism: &Mechanism, t: &Trajector
     xml.line(&format!(
         "<statistic center=\"{}\" extent=\"{}\"/>",
         vector(&centre),
-        number(1.2 * mechanism.size())
+        number(1.2 * mechanism.size_or(1.0))
     ));
     xml.line("<visual><headlight ambient=\"0.4 0.4 0.4\" diffuse=\"0.5 0.5 0.5\"/></visual>");
     xml.line("<asset><texture type=\"skybox\" builtin=\"gradient\" rgb1=\"0.9 0.92 0.95\" rgb2=\"0.6 0.66 0.74\" width=\"64\" height=\"64\"/></asset>");

@@ -3,8 +3,10 @@
 pub mod cholesky;
 pub mod lanczos;
 pub mod linalg;
+pub mod metric;
 pub mod pose;
 pub mod qr;
+pub mod random;
 pub mod screw;
 pub mod svd;
 pub mod symmetric;

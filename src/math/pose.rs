@@ -92,19 +92,6 @@ pub fn from_dual_quaternion(q: &DualQuaternion, length: f64) -> Pose {
     Pose::from_parts(Translation3::from(d), UnitQuaternion::from_quaternion(real))
 }
 
-/// ½‖q − g‖² of two poses (Eq. 29), with the sign of g for which q·g ≥ 0.
-pub fn metric(q: &Pose, g: &Pose, length: f64) -> f64 {
-    let q = dual_quaternion(q, length);
-    let g = nearer_sign(&q, dual_quaternion(g, length));
-    0.5 * (q - g).norm_squared()
-}
-
-/// `g` or −`g`, the same pose, whichever is nearer to `q`. All eight components count: by the
-/// rotations alone the distance would jump where they are half a turn apart.
-pub fn nearer_sign(q: &DualQuaternion, g: DualQuaternion) -> DualQuaternion {
-    if q.dot(&g) < 0.0 { -g } else { g }
-}
-
 /// The twist (v, ω) that carries `from` to `to`: the difference of the origins, and 2 sin(φ/2) times
 /// the axis of the remaining rotation.
 ///

@@ -149,18 +149,19 @@ impl Chain {
         links + self.gripper.translation.vector.norm()
     }
 
-    /// The same chain in another unit of length: every length times `factor`.
-    pub fn scaled(&self, factor: f64) -> Self {
+    /// The same chain with lengths in multiples of `unit` and its base measured from `origin`. For the kinematics
+    /// only: [`Chain::joints`] keeps the rows as they were given.
+    pub(super) fn within(&self, unit: f64, origin: &Vector3<f64>) -> Self {
         let mut chain = self.clone();
-        chain.base.translation.vector *= factor;
-        chain.gripper.translation.vector *= factor;
+        chain.base.translation.vector = (self.base.translation.vector - origin) / unit;
+        chain.gripper.translation.vector /= unit;
         for p in &mut chain.primitives {
-            p.row.a *= factor;
-            p.row.d *= factor;
+            p.row.a /= unit;
+            p.row.d /= unit;
             if !p.turns {
                 p.limits = Limits {
-                    min: p.limits.min * factor,
-                    max: p.limits.max * factor,
+                    min: p.limits.min / unit,
+                    max: p.limits.max / unit,
                 };
             }
         }
@@ -211,6 +212,39 @@ impl Chain {
                 Vector6::new(s.x, s.y, s.z, 0.0, 0.0, 0.0)
             };
         }
+    }
+
+    /// How the workpiece moves with the numbers of each row at the joint values `theta`: its twist per unit of α, a, θ
+    /// and d. For a C, whose two variables share a row, there is a second row of no link.
+    ///
+    /// # Panics
+    /// When `theta` is shorter than [`Chain::freedoms`].
+    pub fn row_twists(&self, theta: &[f64]) -> Vec<[Vector6<f64>; 4]> {
+        let end = self.pose(theta).translation.vector;
+        let turn = |axis: &Vector3<f64>, o: &Vector3<f64>| {
+            let v = axis.cross(&(end - o));
+            Vector6::new(v.x, v.y, v.z, axis.x, axis.y, axis.z)
+        };
+        let shift = |axis: &Vector3<f64>| Vector6::new(axis.x, axis.y, axis.z, 0.0, 0.0, 0.0);
+        let mut frame = self.base;
+        let rows = self.primitives.iter().zip(theta).map(|(p, &variable)| {
+            let before = (frame.rotation * Vector3::x(), frame.translation.vector);
+            let (angle, offset) = if p.turns {
+                (p.row.theta + variable, p.row.d)
+            } else {
+                (p.row.theta, p.row.d + variable)
+            };
+            let seat = frame * x_displacement(p.row.alpha, p.row.a);
+            frame = seat * z_displacement(angle, offset);
+            let (z, o) = (seat.rotation * Vector3::z(), seat.translation.vector);
+            [
+                turn(&before.0, &before.1),
+                shift(&before.0),
+                turn(&z, &o),
+                shift(&z),
+            ]
+        });
+        rows.collect()
     }
 
     /// Pose of the workpiece at the joint values `theta`.

@@ -51,32 +51,26 @@ impl Mechanism {
         6 - constraints.cast_signed()
     }
 
-    /// A length typical of the mechanism, for tolerances: the longest chain, or the span of the
-    /// bases if that is more; 1 for a mechanism without lengths worth the name.
-    pub fn size(&self) -> f64 {
+    /// A length typical of the mechanism: the longest chain, or the span of the bases if that is more; none for a
+    /// mechanism without lengths, such as a spherical one.
+    pub fn size(&self) -> Option<f64> {
         /// Below it, 1/size and its square are no longer safe from overflow.
         const NONE: f64 = 1e-100;
         let origin = self.chains[0].base().translation.vector;
         let span = |c: &Chain| (c.base().translation.vector - origin).norm();
         let longest = |m: f64, c: &Chain| m.max(c.reach()).max(span(c));
         let size = self.chains.iter().fold(0.0, longest);
-        if size > NONE { size } else { 1.0 }
+        (size > NONE).then_some(size)
     }
 
-    /// The same mechanism in another unit of length: every length times `factor`.
-    pub fn scaled(&self, factor: f64) -> Self {
-        Self {
-            chains: self.chains.iter().map(|c| c.scaled(factor)).collect(),
-        }
-    }
-
-    /// Joint values with lengths in multiples of `unit`.
-    pub fn in_unit(&self, joints: &[f64], unit: f64) -> Vec<f64> {
-        let turns = self.chains.iter().flat_map(Chain::turns);
-        let pairs = joints.iter().zip(turns);
-        pairs
-            .map(|(x, turns)| if turns { *x } else { x / unit })
-            .collect()
+    /// The size, or `extent` where there is none, or 1 where that is no length either.
+    pub fn size_or(&self, extent: f64) -> f64 {
+        self.size()
+            .unwrap_or(if extent.is_normal() && extent > 0.0 {
+                extent
+            } else {
+                1.0
+            })
     }
 
     /// The part of a joint vector that belongs to each chain.

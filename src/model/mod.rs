@@ -4,3 +4,4 @@ pub mod chain;
 pub mod dh;
 pub mod joint;
 pub mod mechanism;
+pub mod scaled;

@@ -1,4 +1,8 @@
 //! Curves on the sphere of unit quaternions: great circles, Bézier segments, Shoemake's spline.
+//!
+//! The spline is from Shoemake, Animating rotation with quaternion curves, 1985: cubic Bézier segments,
+//! evaluated by de Casteljau's construction with slerp in place of lerp, with inner control points from
+//! the neighbours.
 
 use nalgebra::{Quaternion, Vector3};
 
@@ -12,11 +16,19 @@ pub(crate) type Bezier = [Quaternion<f64>; 4];
 /// would be one mean interval later. The control points lie on that great circle, a third of their
 /// own interval before and behind qₙ. At an end of the spline the control point lies halfway between
 /// the end and the segment's other control point.
-pub(crate) fn spline(points: &[Quaternion<f64>], times: &[f64]) -> Vec<Bezier> {
+///
+/// `resting` says for each segment whether its two ends are one point: the curve stays there, and comes
+/// to rest and starts again with no velocity, since the control points beside such a point lie on it.
+/// Shoemake's own construction would swing past the point and come back.
+pub(crate) fn spline(points: &[Quaternion<f64>], times: &[f64], resting: &[bool]) -> Vec<Bezier> {
     let last = points.len() - 1;
     let mut before = vec![None; points.len()];
     let mut behind = vec![None; points.len()];
     for n in 1..last {
+        if resting[n - 1] || resting[n] {
+            (before[n], behind[n]) = (Some(points[n]), Some(points[n]));
+            continue;
+        }
         let (earlier, later) = (times[n] - times[n - 1], times[n + 1] - times[n]);
         let mean = 0.5 * (earlier + later);
         let ahead = bisect(

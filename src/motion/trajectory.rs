@@ -1,5 +1,6 @@
 //! The result of a plan as columns: one entry, or one fixed-length group, a frame.
 
+use crate::math::metric::Metric;
 use crate::math::pose::Pose;
 
 /// How a frame ended. Only frames of the first three are answers to the question asked.
@@ -44,17 +45,47 @@ impl Status {
     }
 }
 
-/// Something that worked, but deserves a look.
+/// Two key frames that follow each other.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Neighbours {
+    /// The later of the two, from 0.
+    pub key: usize,
+    /// Their names, which may be empty.
+    pub names: [String; 2],
+}
+
+/// Something that worked, but deserves a look. Joint variables count from 0 through all chains, frames from 0.
 #[derive(Clone, Debug, PartialEq)]
 #[expect(missing_docs, reason = "the fields are what the variants speak of")]
 pub enum Warning {
-    /// The start's loops were open, and were closed by moving a joint by up to `moved` (rad or
-    /// lengths).
-    StartMoved { moved: f64 },
-    /// The start's loops could not be closed; `opening` is what is left.
-    StartOpen { opening: f64 },
-    /// The linkage jumped between frames `first` and `first + 1`: a joint moved by `moved`.
-    BranchJump { first: usize, moved: f64 },
+    /// The start's loops were open, and were closed by moving a joint variable by `moved` (rad or a length).
+    StartMoved { moved: f64, variable: usize },
+    /// A given start value (rad or a length) was beyond this limit of the joint variable, and was moved to it.
+    StartOutsideLimits {
+        variable: usize,
+        value: f64,
+        limit: f64,
+    },
+    /// The start's loops could not be closed; `error` is how far they are open, lengths as shares of the size.
+    StartOpen { error: f64 },
+    /// The start is nearly closed, open by `error`, but closes only where a joint variable has moved by `leap` (rad or
+    /// sizes): with these dimensions the linkage is rigid, or does not belong together.
+    StartRigid { error: f64, leap: f64 },
+    /// The dimensions of an overconstrained linkage contradict each other by up to `misfit` (rad or shares of the size).
+    RoundedDimensions {
+        misfit: f64,
+        suspect: Option<Suspect>,
+    },
+    /// The gradient planner takes rounded dimensions as they are, and finds no closed position.
+    RoundedUnknown,
+    /// The linkage leaps at `time`, between frames `first` and `first + 1`: the joint variable `variable` moves by
+    /// `moved` (rad or a length) at once.
+    BranchJump {
+        first: usize,
+        time: f64,
+        moved: f64,
+        variable: usize,
+    },
     /// Frames `first` to `last` are close to a singular position: the smallest singular value falls
     /// to `smallest`.
     NearSingular {
@@ -62,12 +93,105 @@ pub enum Warning {
         last: usize,
         smallest: f64,
     },
-    /// At this frame the distance to the goal keeps falling while a slider without limits runs away.
-    Runaway { frame: usize },
+    /// At this frame the distance to the goal keeps falling while a slider without limits runs away. `elsewhere`:
+    /// another assembly, which no motion joins to this one, comes closest at a finite place.
+    Runaway { frame: usize, elsewhere: bool },
     /// The paper's gradient planner knows no joint limits; frames beyond one are not certified.
     LimitsUnknown,
     /// The mobility by rank differs from the count of Eq. 10.
     MobilityDiffers { count: isize, rank: usize },
+    /// The metric's length is far off the lengths of the linkage.
+    MetricLength { given: f64, proposed: f64 },
+    /// Two key frames are half a turn apart, so that both ways are equally long; the workpiece turns
+    /// about `axis`, a unit vector in the fixed frame, by the right-hand rule.
+    HalfTurn {
+        neighbours: Neighbours,
+        axis: [f64; 3],
+    },
+    /// Two key frames have the same rotation although `angle` (longitude, latitude or roll) differs by
+    /// `typed` rad, a full turn or more: nothing turns between them, and nothing moves unless the
+    /// workpiece `slides`.
+    FullTurn {
+        neighbours: Neighbours,
+        angle: &'static str,
+        typed: f64,
+        slides: bool,
+    },
+    /// `angle` (longitude, latitude or roll) of two key frames differs by `typed` rad, more than half a
+    /// turn; the workpiece turns the short way, by `turn` rad.
+    ShortWay {
+        neighbours: Neighbours,
+        angle: &'static str,
+        typed: f64,
+        turn: f64,
+    },
+}
+
+/// The row of a table whose number, changed by the least, would take the most of a misfit away.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Suspect {
+    /// The chain, from 0.
+    pub chain: usize,
+    /// The row in its table, from 0.
+    pub row: usize,
+    /// Which number of the row.
+    pub dimension: Dimension,
+    /// The change, rad or a length.
+    pub change: f64,
+}
+
+/// A number of a Denavit–Hartenberg row.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Dimension {
+    /// α, the twist of the link.
+    Twist,
+    /// a, its length.
+    Length,
+    /// The constant part of θ.
+    Angle,
+    /// The constant part of d.
+    Offset,
+}
+
+/// The bounds by which the frames of a motion were judged. Lengths as shares of the mechanism's size, angles in rad.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Bounds {
+    /// Of `closure`.
+    pub closure: f64,
+    /// Of `misfit`: the tolerance of the dimensions.
+    pub misfit: f64,
+    /// Of `projected_gradient`.
+    pub projected_gradient: f64,
+    /// The least curvature of a minimum, with the opposite sign: what counts as flat.
+    pub curvature: f64,
+    /// Of `metric`, where the goal counts as reached.
+    pub reached: f64,
+}
+
+/// Where a metric's length comes from.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum LengthSource {
+    /// The document.
+    Given,
+    /// The mechanism's size.
+    Mechanism,
+    /// The extent of the goal motion, where the mechanism has no lengths.
+    Motion,
+    /// Neither has any: 1.
+    #[default]
+    None,
+}
+
+impl LengthSource {
+    /// The name in reports.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Given => "given",
+            Self::Mechanism => "mechanism",
+            Self::Motion => "motion",
+            Self::None => "none",
+        }
+    }
 }
 
 /// A planned motion.
@@ -89,11 +213,15 @@ pub struct Trajectory {
     pub translation_gap: Vec<f64>,
     /// Angle from goal to reached rotation, rad.
     pub rotation_gap: Vec<f64>,
-    /// Largest opening of a loop (lengths and rad).
+    /// How far the loops are open, lengths as shares of the mechanism's size or rad. Of an overconstrained linkage with
+    /// rounded dimensions: of the part of the loop equations that agrees.
     pub closure: Vec<f64>,
-    /// Smallest singular value of \[A\] that is not zero by dependent equations.
+    /// By how much the rest of them contradicts that; 0 where nothing does.
+    pub misfit: Vec<f64>,
+    /// Smallest singular value of \[A\] that is not zero by dependent equations, lengths as shares of the size,
+    /// measured about the workpiece's origin.
     pub sigma_min: Vec<f64>,
-    /// Norm of the projected gradient, the measure of convergence.
+    /// Norm of the projected gradient, the measure of convergence, lengths as shares of the size.
     pub projected_gradient: Vec<f64>,
     /// Linear systems solved.
     pub iterations: Vec<u32>,
@@ -105,6 +233,12 @@ pub struct Trajectory {
     pub mobility_rank: usize,
     /// The joint values from which the motion was planned.
     pub start: Vec<f64>,
+    /// The bounds that were used.
+    pub bounds: Bounds,
+    /// The metric that was used, in the mechanism's unit.
+    pub metric_used: Metric,
+    /// Where its length comes from.
+    pub length_source: LengthSource,
     /// What deserves a look.
     pub warnings: Vec<Warning>,
 }
@@ -121,5 +255,26 @@ impl Trajectory {
     /// When there is no such frame.
     pub fn joints_at(&self, frame: usize) -> &[f64] {
         &self.joints[frame * self.variables..(frame + 1) * self.variables]
+    }
+
+    /// Leaves out all frames from this one on.
+    pub fn truncate(&mut self, frames: usize) {
+        self.time.truncate(frames);
+        self.goals.truncate(frames);
+        self.poses.truncate(frames);
+        self.joints.truncate(frames * self.variables);
+        for column in [
+            &mut self.metric,
+            &mut self.translation_gap,
+            &mut self.rotation_gap,
+            &mut self.closure,
+            &mut self.misfit,
+            &mut self.sigma_min,
+            &mut self.projected_gradient,
+        ] {
+            column.truncate(frames);
+        }
+        self.iterations.truncate(frames);
+        self.status.truncate(frames);
     }
 }

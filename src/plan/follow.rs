@@ -1,62 +1,22 @@
 //! A motion, frame by frame: warm start, prediction, branch watch, report.
 
-use crate::math::pose::{self, Pose};
-use crate::model::chain::Chain;
 use crate::model::joint::Limits;
 use crate::model::mechanism::Mechanism;
+use crate::model::scaled::CLOSED;
 use crate::motion::goal::Goal;
-use crate::motion::trajectory::{Status, Trajectory, Warning};
-use crate::solve::drive::{self, Obstacle};
+use crate::motion::trajectory::{Trajectory, Warning};
+use crate::plan::elsewhere;
+use crate::plan::given;
+use crate::plan::leaps::{self, Leap};
+use crate::plan::record::{begin, measure_singular, record};
+use crate::plan::settings::{Method, Settings, extent};
+use crate::solve::close_start::Start;
 use crate::solve::gradient;
-use crate::solve::newton::{End, Solved, Solver};
-use crate::solve::paper_matrix::{self, SingularValues};
+use crate::solve::solver::{End, Solved, Solver};
 
-/// Which of the two planners.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Method {
-    /// Newton's method on the linkage's freedoms: the default.
-    Newton,
-    /// The paper's projected gradient (Fig. 3), for reference and teaching.
-    Gradient,
-}
-
-/// What a plan needs to know beside mechanism and goals.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Settings {
-    /// The planner.
-    pub method: Method,
-    /// Characteristic length of the metric, in the document's unit: a translation by it weighs as
-    /// much as a rotation by 1 rad. 1 is the paper's.
-    pub metric_length: f64,
-    /// Iterations a frame may take before it counts as stalled; `None` for the method's own limit.
-    pub max_iterations: Option<usize>,
-}
-
-impl Default for Settings {
-    /// Newton and the paper's metric.
-    fn default() -> Self {
-        Self {
-            method: Method::Newton,
-            metric_length: 1.0,
-            max_iterations: None,
-        }
-    }
-}
-
-/// Linear systems that no certified frame was seen to need.
-pub(crate) const NEWTON_ITERATIONS: usize = 500;
-/// Gradient steps; near gimbal lock the 3RPS takes some 20,000.
-pub(crate) const GRADIENT_ITERATIONS: usize = 30_000;
 /// How far f may be above the minimum in a certified answer of the gradient planner: twice what its
 /// stop leaves in the flattest directions met.
 const GRADIENT_FALL: f64 = 2e-8;
-/// Smallest singular value (in units of the metric's length) below which a position is reported as
-/// nearly singular: some joint rate is then a hundred times the workpiece's.
-const NEAR_SINGULAR: f64 = 1e-2;
-/// A joint motion between neighbouring frames (rad, or lengths in units of the size) that may be a
-/// jump to another branch, if it is also this many times the motion's median.
-const JUMP: f64 = 0.5;
-const JUMP_FACTOR: f64 = 8.0;
 
 /// Plans the motion closest to `goals` from the joint values `start`, which choose the assembly
 /// mode; where they do not close the loops, the nearest closed position is taken, with a warning.
@@ -69,200 +29,330 @@ pub fn plan(
     goals: &[Goal],
     settings: &Settings,
 ) -> Trajectory {
-    plan_watched(mechanism, start, goals, settings, &mut |_| {})
+    Planning::new(mechanism, start, goals, settings).finish()
 }
 
-/// The same, and tells `done` after each frame how many there are: long motions take minutes.
+/// A plan in portions: frame by frame, and at any time what there is so far.
 ///
-/// # Panics
-/// When `start` does not have one value a joint variable.
-pub fn plan_watched(
-    mechanism: &Mechanism,
-    start: &[f64],
-    goals: &[Goal],
-    settings: &Settings,
-    done: &mut dyn FnMut(usize),
-) -> Trajectory {
-    assert_eq!(
-        start.len(),
-        mechanism.variables(),
-        "one start value a joint variable"
-    );
-    let mut t = Trajectory {
-        variables: start.len(),
-        mobility_count: mechanism.mobility_count(),
-        ..Trajectory::default()
-    };
-    let own_limit = match settings.method {
-        Method::Newton => NEWTON_ITERATIONS,
-        Method::Gradient => GRADIENT_ITERATIONS,
-    };
-    let max_iterations = settings.max_iterations.unwrap_or(own_limit);
-    let mut solver = Solver::new(mechanism, settings.metric_length, max_iterations);
-    let mut joints = start.to_vec();
-    let closed = assemble(mechanism, &mut solver, &mut joints, &mut t.warnings);
-    t.mobility_rank = solver.mobility(&joints);
-    if closed && t.mobility_rank.cast_signed() != t.mobility_count {
-        let (count, rank) = (t.mobility_count, t.mobility_rank);
-        t.warnings.push(Warning::MobilityDiffers { count, rank });
-    }
-    let limited = mechanism.chains().iter().flat_map(Chain::limits);
-    if settings.method == Method::Gradient && limited.into_iter().any(|l| l != Limits::NONE) {
-        t.warnings.push(Warning::LimitsUnknown);
-    }
-    t.start.clone_from(&joints);
-    let reference = mechanism.scaled(1.0 / settings.metric_length);
-    let mut predicted = joints.clone();
-    for (frame, goal) in goals.iter().enumerate() {
-        predict(&t.joints, frame, &joints, &mut predicted);
-        let solved = match (closed, settings.method) {
-            (false, _) => OPEN,
-            (true, Method::Newton) => solver.solve(&goal.pose, &mut joints, &predicted),
-            (true, Method::Gradient) => {
-                let mut scaled = mechanism.in_unit(&joints, settings.metric_length);
-                let mut near = goal.pose;
-                near.translation.vector /= settings.metric_length;
-                let descent =
-                    gradient::descend(&reference, &near, &mut scaled, max_iterations, &mut |_| {});
-                joints = mechanism.in_unit(&scaled, 1.0 / settings.metric_length);
-                let mut solved = solver.certify(&goal.pose, &joints, GRADIENT_FALL);
-                solved.iterations = descent.iterations;
-                solved.projected_gradient = descent.projected_gradient;
-                solved
-            }
-        };
-        record(
-            &mut t,
-            mechanism,
-            goal,
-            &joints,
-            &solved,
-            settings.metric_length,
-        );
-        if solved.end == End::Runaway {
-            t.warnings.push(Warning::Runaway { frame });
-        }
-        done(frame + 1);
-    }
-    measure_singular(
-        &mut t,
-        mechanism,
-        &mut solver,
-        &reference,
-        settings.metric_length,
-    );
-    survey(&mut t, mechanism);
-    t
-}
-
-/// One position outside any motion, as a motion of one frame: the closest reachable pose to `goal` on
-/// the branch of the joint values `from`, or the end of a drive of one joint variable to a value.
+/// ```
+/// # use synthetica::document::{problem::Problem, text};
+/// # let text = include_str!("../../www/mechanisms/3rps.json");
+/// # let problem = Problem::new(&text::parse(text)?)?;
+/// use synthetica::plan::follow::Planning;
+///
+/// let start = problem.find_start();
+/// let mut planning = Planning::new(&problem.mechanism, &start, &problem.goals, &problem.settings);
+/// while planning.done() < 10 && planning.advance() {}
+/// assert_eq!(planning.so_far().frames(), 10);
+/// assert_eq!(planning.finish().frames(), problem.goals.len());
+/// # Ok::<(), synthetica::document::fault::Fault>(())
+/// ```
 #[derive(Clone, Debug)]
-pub struct Moved {
-    /// The one frame.
-    pub frame: Trajectory,
-    /// What kept a driven joint from its value.
-    pub obstacle: Option<Obstacle>,
+pub struct Planning {
+    mechanism: Mechanism,
+    goals: Vec<Goal>,
+    settings: Settings,
+    solver: Solver,
+    closed: bool,
+    /// Joint values of the last frame, or of the start.
+    joints: Vec<f64>,
+    predicted: Vec<f64>,
+    t: Trajectory,
+    /// Intervals between frames that were looked at for leaps.
+    checked: usize,
+    leaps: Vec<Leap>,
+    runaways: Vec<Warning>,
+    /// The frame from which the next search for a finite pose is worth its time.
+    search_from: usize,
+    searches: usize,
 }
 
-/// The closest reachable pose to `goal`, from the closed position `from` along its branch, by Newton's
-/// method; certified as the frames of a plan are.
-///
-/// # Panics
-/// When `from` does not have one value a joint variable.
-pub fn pull(mechanism: &Mechanism, from: &[f64], goal: &Pose, settings: &Settings) -> Moved {
-    let most = settings.max_iterations.unwrap_or(NEWTON_ITERATIONS);
-    move_from(mechanism, from, settings, most, |solver, joints| {
-        let predicted = joints.to_vec();
-        let solved = solver.solve(goal, joints, &predicted);
-        (solved, Some(*goal), None)
-    })
-}
+impl Planning {
+    /// Closes the loops at the start; no frame is planned yet.
+    ///
+    /// # Panics
+    /// When `start` does not have one value a joint variable.
+    pub fn new(mechanism: &Mechanism, start: &[f64], goals: &[Goal], settings: &Settings) -> Self {
+        assert_eq!(
+            start.len(),
+            mechanism.variables(),
+            "one start value a joint variable"
+        );
+        let extent = extent(goals);
+        let mut solver = settings.solver(mechanism, extent);
+        let mut t = begin(mechanism, &solver, extent, settings);
+        let mut joints = start.to_vec();
+        given::move_within_limits(mechanism, &mut joints, &mut t.warnings);
+        let mut closed = close_start(&mut solver, &mut joints, settings, &mut t.warnings);
+        t.mobility_rank = solver.mobility(&joints).0;
+        if closed && t.mobility_rank.cast_signed() != t.mobility_count {
+            let (count, rank) = (t.mobility_count, t.mobility_rank);
+            t.warnings.push(Warning::MobilityDiffers { count, rank });
+        }
+        if settings.method == Method::Gradient {
+            if solver.scaled().limits().iter().any(|l| *l != Limits::NONE) {
+                t.warnings.push(Warning::LimitsUnknown);
+            }
+            if closed && solver.closer().dependence().is_rounded() {
+                t.warnings.push(Warning::RoundedUnknown);
+                closed = false;
+            }
+        }
+        t.start.clone_from(&joints);
+        Self {
+            mechanism: mechanism.clone(),
+            goals: goals.to_vec(),
+            settings: *settings,
+            solver,
+            closed,
+            predicted: joints.clone(),
+            joints,
+            t,
+            checked: 0,
+            leaps: Vec::new(),
+            runaways: Vec::new(),
+            search_from: 0,
+            searches: 0,
+        }
+    }
 
-/// Drives one joint variable to `value`, from the closed position `from`; see [`drive::drive`].
-///
-/// # Panics
-/// When `from` does not have one value a joint variable, or there is no such variable.
-pub fn drive_joint(
-    mechanism: &Mechanism,
-    from: &[f64],
-    variable: usize,
-    value: f64,
-    settings: &Settings,
-) -> Moved {
-    move_from(mechanism, from, settings, NEWTON_ITERATIONS, |_, joints| {
-        let driven = drive::drive(mechanism, joints, variable, value);
-        let solved = Solved {
-            end: End::Minimum,
-            // The pose is its own goal.
-            reached: true,
-            projected_gradient: 0.0,
-            iterations: driven.iterations,
+    /// The same, with warnings that are known before.
+    pub fn noted(mut self, notes: &[Warning]) -> Self {
+        self.t.warnings.splice(..0, notes.iter().cloned());
+        self
+    }
+
+    /// Frames in all.
+    pub fn frames(&self) -> usize {
+        self.goals.len()
+    }
+
+    /// Frames planned so far.
+    pub fn done(&self) -> usize {
+        self.t.frames()
+    }
+
+    /// Plans one more frame; false when there is none left. The last frames may be planned anew when a leap shows.
+    pub fn advance(&mut self) -> bool {
+        let frame = self.done();
+        if frame == self.frames() {
+            return self.check_leaps() && self.done() < self.frames();
+        }
+        predict(&self.t.joints, frame, &self.joints, &mut self.predicted);
+        let before = self.joints.clone();
+        let solved = self.solve(frame);
+        self.keep(frame, &before, &solved);
+        self.check_leaps();
+        self.done() < self.frames()
+    }
+
+    /// The frames planned so far as a motion with its report.
+    pub fn so_far(&self) -> Trajectory {
+        self.clone().report()
+    }
+
+    /// Plans the rest; the whole motion.
+    pub fn finish(mut self) -> Trajectory {
+        while self.advance() {}
+        self.report()
+    }
+
+    fn solve(&mut self, frame: usize) -> Solved {
+        let goal = self.goals[frame].pose;
+        if !self.closed {
+            return Solved::OPEN;
+        }
+        match self.settings.method {
+            Method::Newton => {
+                let solved = self.solver.solve(&goal, &mut self.joints, &self.predicted);
+                if solved.end == End::Runaway {
+                    self.search(frame, solved)
+                } else {
+                    solved
+                }
+            }
+            Method::Gradient => {
+                let before = self.joints.clone();
+                let metric = self.t.metric_used;
+                let rotation = self.mechanism.chains()[0].pose(&before).rotation;
+                let target = metric.target(&goal, &rotation);
+                let most = self.settings.iterations();
+                let descent = gradient::descend(
+                    &self.mechanism,
+                    &target,
+                    &mut self.joints,
+                    most,
+                    &mut |_| {},
+                );
+                let certified = self
+                    .solver
+                    .certify(&goal, &before, &self.joints, GRADIENT_FALL);
+                Solved {
+                    end: if descent.converged {
+                        certified.end
+                    } else {
+                        End::Stalled
+                    },
+                    iterations: descent.iterations,
+                    projected_gradient: descent.projected_gradient,
+                    ..certified
+                }
+            }
+        }
+    }
+
+    fn keep(&mut self, frame: usize, before: &[f64], solved: &Solved) {
+        record(
+            &mut self.t,
+            &mut self.solver,
+            &self.goals[frame],
+            before,
+            &self.joints,
+            solved,
+        );
+    }
+
+    /// A finite closest pose instead of a slider that runs away: at positions that a closed walk joins to this one, and
+    /// where there is none, whether another assembly has one.
+    fn search(&mut self, frame: usize, runaway: Solved) -> Solved {
+        /// Searches of one motion: each takes as long as a few hundred frames.
+        const MOST: usize = 8;
+        let mut elsewhere = false;
+        if frame >= self.search_from && self.searches < MOST {
+            self.searches += 1;
+            self.search_from = frame + (1 << self.searches);
+            let goal = self.goals[frame].pose;
+            let before = self.joints.clone();
+            if let Some((joints, solved)) = elsewhere::joined(&mut self.solver, &self.joints, &goal)
+            {
+                let leap = Leap::between(self.solver.scaled(), &before, &joints);
+                if frame > 0 {
+                    let time = self.goals[frame].time;
+                    self.leaps.push(Leap {
+                        first: frame - 1,
+                        time,
+                        ..leap
+                    });
+                }
+                self.joints = joints;
+                return solved;
+            }
+            elsewhere = elsewhere::another_assembly(
+                &self.mechanism,
+                &goal,
+                &self.settings,
+                extent(&self.goals),
+                runaway.value,
+            );
+        }
+        self.runaways.push(Warning::Runaway { frame, elsewhere });
+        runaway
+    }
+
+    /// Looks at the intervals whose neighbours are known; where one leaps that need not, its frames and those after it
+    /// are taken back. Whether any were.
+    fn check_leaps(&mut self) -> bool {
+        let known = if self.done() == self.frames() {
+            self.done()
+        } else {
+            self.done().saturating_sub(2)
         };
-        (solved, None, driven.obstacle)
-    })
-}
+        while self.checked + 1 < known {
+            let first = self.checked;
+            self.checked += 1;
+            // A switch to a finite pose is told already.
+            let told = self.leaps.iter().any(|leap| leap.first == first);
+            if !self.closed || told || !leaps::is_suspicious(&self.t, self.solver.scaled(), first) {
+                continue;
+            }
+            let (from, to) = (self.goals[first], self.goals[first + 1]);
+            // Which joints were held at the frame is not known any more; those that are now belong to a later one.
+            let holding = self.solver.holding().clone();
+            self.solver.clear_holding();
+            let Some(way) = leaps::trace(&mut self.solver, self.t.joints_at(first), &from, &to)
+            else {
+                self.solver.set_holding(holding);
+                continue;
+            };
+            let scaled = self.solver.scaled();
+            let other = Leap::between(scaled, self.t.joints_at(first + 1), &way.joints);
+            let leaps = way.leaps.iter().map(|leap| Leap { first, ..*leap });
+            if other.moved_scaled < leaps::LEAP {
+                self.leaps.extend(leaps);
+                self.solver.set_holding(holding);
+                continue;
+            }
+            if self.settings.method == Method::Gradient {
+                // Its own branch is kept; that it left the one before is told.
+                let whole =
+                    Leap::between(scaled, self.t.joints_at(first), self.t.joints_at(first + 1));
+                self.leaps.push(Leap {
+                    first,
+                    time: to.time,
+                    ..whole
+                });
+                self.solver.set_holding(holding);
+                continue;
+            }
+            self.leaps.retain(|leap| leap.first < first);
+            self.leaps.extend(leaps);
+            self.runaways
+                .retain(|w| !matches!(w, Warning::Runaway { frame, .. } if *frame > first));
+            let before = self.t.joints_at(first).to_vec();
+            self.t.truncate(first + 1);
+            self.joints = way.joints;
+            self.keep(first + 1, &before, &way.solved);
+            return true;
+        }
+        false
+    }
 
-/// Closes the loops where `from` leaves them open, moves, and records where that led.
-fn move_from(
-    mechanism: &Mechanism,
-    from: &[f64],
-    settings: &Settings,
-    max_iterations: usize,
-    go: impl FnOnce(&mut Solver, &mut [f64]) -> (Solved, Option<Pose>, Option<Obstacle>),
-) -> Moved {
-    let length = settings.metric_length;
-    let mut solver = Solver::new(mechanism, length, max_iterations);
-    let mut joints = from.to_vec();
-    let mut t = Trajectory {
-        variables: joints.len(),
-        mobility_count: mechanism.mobility_count(),
-        ..Trajectory::default()
-    };
-    let closed = assemble(mechanism, &mut solver, &mut joints, &mut t.warnings);
-    t.start.clone_from(&joints);
-    let (solved, goal, obstacle) = if closed {
-        go(&mut solver, &mut joints)
-    } else {
-        (OPEN, None, Some(Obstacle::Open))
-    };
-    let pose = goal.unwrap_or_else(|| mechanism.chains()[0].pose(&joints));
-    let goal = Goal { time: 0.0, pose };
-    record(&mut t, mechanism, &goal, &joints, &solved, length);
-    let reference = mechanism.scaled(1.0 / length);
-    measure_singular(&mut t, mechanism, &mut solver, &reference, length);
-    Moved { frame: t, obstacle }
+    fn report(mut self) -> Trajectory {
+        measure_singular(&mut self.t, &mut self.solver);
+        let misfit = self.t.misfit.iter().copied().fold(0.0, f64::max);
+        if misfit > CLOSED {
+            let suspect = self.solver.suspect(self.t.joints_at(0));
+            self.t
+                .warnings
+                .push(Warning::RoundedDimensions { misfit, suspect });
+        }
+        let leaps = self.leaps.iter().map(Leap::warning);
+        self.t.warnings.extend(leaps);
+        self.t.warnings.append(&mut self.runaways);
+        self.t
+    }
 }
-
-const OPEN: Solved = Solved {
-    end: End::Open,
-    reached: false,
-    projected_gradient: f64::INFINITY,
-    iterations: 0,
-};
 
 /// Closes the loops at the start; warns if that moved it, or failed.
-fn assemble(
-    mechanism: &Mechanism,
+pub(super) fn close_start(
     solver: &mut Solver,
     joints: &mut [f64],
+    settings: &Settings,
     warnings: &mut Vec<Warning>,
 ) -> bool {
-    /// Motion below which a start counts as closed as given: the last digits of a printed table.
+    /// Motion, rad or sizes, below which a start counts as closed as given: the last digits of a printed table.
     const MOVED: f64 = 1e-6;
-    let given = joints.to_vec();
-    if solver.assemble(joints) {
-        let moved = largest_difference(joints, &given);
-        if moved > MOVED {
-            warnings.push(Warning::StartMoved { moved });
+    let given = solver.scaled().entered(joints);
+    match solver.close_start(joints, settings.dimension_tolerance) {
+        Start::Open { error, leap } if leap.is_finite() => {
+            warnings.push(Warning::StartRigid { error, leap });
+            false
         }
-        return true;
+        Start::Open { error, .. } => {
+            warnings.push(Warning::StartOpen { error });
+            false
+        }
+        Start::Closed | Start::Rounded => {
+            let leap = Leap::between(solver.scaled(), &solver.scaled().left(&given), joints);
+            if leap.moved_scaled > MOVED {
+                warnings.push(Warning::StartMoved {
+                    moved: leap.moved,
+                    variable: leap.variable,
+                });
+            }
+            true
+        }
     }
-    joints.copy_from_slice(&given);
-    let first = &mechanism.chains()[0];
-    let opening = paper_matrix::opening(mechanism, joints, &first.pose(joints));
-    warnings.push(Warning::StartOpen { opening });
-    false
 }
 
 /// Where the joints of frame `frame` are expected, extrapolated from the joint values `history` of up
@@ -286,111 +376,4 @@ pub fn predict(history: &[f64], frame: usize, joints: &[f64], predicted: &mut [f
             *p += c * x;
         }
     }
-}
-
-/// Appends a frame. The opening is measured anew, from the joint values that are published.
-fn record(
-    t: &mut Trajectory,
-    mechanism: &Mechanism,
-    goal: &Goal,
-    joints: &[f64],
-    solved: &Solved,
-    length: f64,
-) {
-    let reached = mechanism.chains()[0].pose(joints);
-    let opening = paper_matrix::opening(mechanism, joints, &reached);
-    let (translation, rotation) = pose::gaps(&reached, &goal.pose);
-    t.time.push(goal.time);
-    t.goals.push(goal.pose);
-    t.poses.push(reached);
-    t.joints.extend_from_slice(joints);
-    t.metric.push(pose::metric(&reached, &goal.pose, length));
-    t.translation_gap.push(translation);
-    t.rotation_gap.push(rotation);
-    t.closure.push(opening);
-    t.projected_gradient.push(solved.projected_gradient);
-    t.iterations
-        .push(u32::try_from(solved.iterations).unwrap_or(u32::MAX));
-    t.status.push(match solved.end {
-        // Written so that NaN is open.
-        _ if !(opening <= paper_matrix::closed(mechanism.size())) => Status::ClosureLost,
-        End::Open => Status::ClosureLost,
-        End::Stalled | End::Runaway => Status::Stalled,
-        _ if solved.reached => Status::Reached,
-        End::Minimum => Status::Closest,
-        End::MinimumAtLimit => Status::AtLimit,
-    });
-}
-
-/// The smallest singular value of each frame, that is not zero by equations which depend on the others
-/// all along.
-fn measure_singular(
-    t: &mut Trajectory,
-    mechanism: &Mechanism,
-    solver: &mut Solver,
-    reference: &Mechanism,
-    length: f64,
-) {
-    // In a singular start there are more dependent equations.
-    let mut redundant = solver.redundancy(&t.start);
-    for frame in 0..t.frames() {
-        if redundant > 0 {
-            redundant = redundant.min(solver.redundancy(t.joints_at(frame)));
-        }
-    }
-    let mut values = SingularValues::default();
-    for frame in 0..t.frames() {
-        let scaled = mechanism.in_unit(t.joints_at(frame), length);
-        t.sigma_min
-            .push(values.smallest(reference.chains(), &scaled, redundant));
-    }
-}
-
-/// What only the whole motion shows: nearly singular intervals, jumps.
-fn survey(t: &mut Trajectory, mechanism: &Mechanism) {
-    let turns: Vec<bool> = mechanism.chains().iter().flat_map(Chain::turns).collect();
-    let mut frame = 0;
-    while frame < t.frames() {
-        let run = t.sigma_min[frame..]
-            .iter()
-            .take_while(|s| **s < NEAR_SINGULAR)
-            .count();
-        if run > 0 {
-            let (first, last) = (frame, frame + run - 1);
-            let smallest = t.sigma_min[first..=last]
-                .iter()
-                .copied()
-                .fold(f64::INFINITY, f64::min);
-            t.warnings.push(Warning::NearSingular {
-                first,
-                last,
-                smallest,
-            });
-        }
-        frame += run + 1;
-    }
-    let size = mechanism.size();
-    let moved: Vec<f64> = (1..t.frames())
-        .map(|frame| {
-            let pairs = t.joints_at(frame).iter().zip(t.joints_at(frame - 1));
-            pairs.zip(&turns).fold(0.0, |m: f64, ((a, b), turns)| {
-                m.max((a - b).abs() / if *turns { 1.0 } else { size })
-            })
-        })
-        .collect();
-    let mut sorted = moved.clone();
-    sorted.sort_by(f64::total_cmp);
-    let median = sorted.get(sorted.len() / 2).copied().unwrap_or(0.0);
-    for (first, &moved) in moved.iter().enumerate() {
-        if moved > JUMP && moved > JUMP_FACTOR * median {
-            t.warnings.push(Warning::BranchJump { first, moved });
-        }
-    }
-}
-
-fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
-    a.iter()
-        .zip(b)
-        .map(|(a, b)| (a - b).abs())
-        .fold(0.0, f64::max)
 }

@@ -1,4 +1,11 @@
 //! Many frames: where a motion starts, the branch followed, one configuration moved by hand.
 
+pub mod configuration;
+pub mod elsewhere;
 pub mod follow;
+pub mod given;
+pub mod leaps;
 pub mod modes;
+pub mod record;
+mod seeds;
+pub mod settings;

@@ -7,8 +7,11 @@
 //! themselves are there for whoever watches.
 
 use crate::math::linalg::{PivotedQr, svd};
-use crate::math::pose::{self, DualQuaternion, Pose};
+use crate::math::metric::{MetricKind, Target};
+use crate::math::pose::{self, DualQuaternion};
+use crate::model::chain::Chain;
 use crate::model::mechanism::Mechanism;
+use crate::model::scaled::Scaled;
 use crate::solve::paper_matrix::{Linearised, linearise};
 
 /// Length |a| of the projected gradient (Eq. 31) at which the iteration stops. The distance f is then
@@ -29,8 +32,10 @@ const ZERO: f64 = 1e-10;
 /// One turn of the loop in Fig. 3, after its corrections.
 #[derive(Clone, Debug)]
 pub struct Iteration<'a> {
-    /// Joint values, lengths in units of the metric's length.
-    pub joints: &'a [f64],
+    /// The mechanism in units of the metric's length.
+    pub scaled: &'a Scaled,
+    /// Joint values there.
+    pub theta: &'a [f64],
     /// The workpiece q.
     pub q: &'a DualQuaternion,
     /// ½‖q − g‖².
@@ -74,45 +79,55 @@ pub struct Descent {
     pub iterations: usize,
 }
 
-/// Moves `joints`, which must close the loops, to the closest pose to `goal` as Fig. 3 does, and
-/// shows every iteration to `observe`. Lengths are in units of the metric's characteristic length.
+/// Moves `joints`, which must close the loops, to the closest pose to the target as Fig. 3 does, and
+/// shows every iteration to `observe`. The target and the joints are in the mechanism's own unit and frame. The paper's
+/// form of f, measured about another point, is every [metric](crate::math::metric) of this crate.
 ///
 /// The one addition to the paper: a step after which the loops do not close, or the distance grew,
 /// is halved.
 pub fn descend(
     mechanism: &Mechanism,
-    goal: &Pose,
+    target: &Target,
     joints: &mut [f64],
     max_iterations: usize,
     observe: &mut dyn FnMut(&Iteration<'_>),
 ) -> Descent {
     let n = joints.len();
-    let start = pose::dual_quaternion(&mechanism.chains()[0].pose(joints), 1.0);
-    let mut r: Vec<f64> = joints.iter().chain(start.iter()).copied().collect();
-    let g = pose::dual_quaternion(goal, 1.0);
+    let scaled = Scaled::about(mechanism, target.length, &target.about);
+    let chains = scaled.chains();
+    let start = target.measured(&mechanism.chains()[0].pose(joints));
+    let start = pose::dual_quaternion(&start, target.length);
+    let mut r: Vec<f64> = scaled.entered(joints);
+    r.extend(start.iter());
+    let g = pose::dual_quaternion(&target.goal, target.length);
+    let toward = |q: &DualQuaternion| match target.kind {
+        MetricKind::DualQuaternion => g - q,
+        MetricKind::Pose => nearer_rotation(q, g) - q,
+    };
     let mut descent = Descent {
         converged: false,
         projected_gradient: f64::INFINITY,
         iterations: 0,
     };
     let mut share = 1.0;
-    let mut linearised = linearise_at(mechanism, &r);
+    let mut linearised = linearise_at(chains, &r);
     let mut arrival = Arrival::default();
     loop {
         let qr = factor(&linearised, usize::MAX);
         let q = workpiece(&r);
         // Eq. 30–31: [W][W]ᵀ (g − q) is what the row space of [A] leaves of it.
-        let toward = pose::nearer_sign(&q, g) - q;
+        let gap = toward(&q);
         let mut step: Vec<f64> = std::iter::repeat_n(0.0, n)
-            .chain(toward.iter().copied())
+            .chain(gap.iter().copied())
             .collect();
         qr.apply_qt(&mut step);
         step[..qr.rank()].fill(0.0);
         qr.apply_q(&mut step);
-        let metric = 0.5 * toward.norm_squared();
+        let metric = 0.5 * gap.norm_squared();
         descent.projected_gradient = dot(&step, &step).sqrt();
         observe(&Iteration {
-            joints: &r[..n],
+            scaled: &scaled,
+            theta: &r[..n],
             q: &q,
             metric,
             projected_gradient: descent.projected_gradient,
@@ -130,9 +145,9 @@ pub fn descend(
                 share,
                 ..Arrival::default()
             };
-            if let Some(closed) = close(mechanism, &mut next, qr.rank(), &mut way) {
+            if let Some(closed) = close(chains, &mut next, qr.rank(), &mut way) {
                 let q = workpiece(&next);
-                let after = 0.5 * (pose::nearer_sign(&q, g) - q).norm_squared();
+                let after = 0.5 * toward(&q).norm_squared();
                 // At rounding level a fall cannot be told from a rise.
                 if after <= metric + 1e-15 {
                     break Some((next, closed, way));
@@ -147,21 +162,16 @@ pub fn descend(
         (r, linearised, arrival) = next;
         share = (2.0 * share).min(1.0);
     }
-    joints.copy_from_slice(&r[..n]);
+    scaled.leave(&r[..n], joints);
     descent
 }
 
 /// Eq. 28 with the sign that converges, r ← r − \[A\]⁺ E, until the loops are closed: \[A\] and E there,
 /// or `None`. `rank` is the rank of \[A\] where they are closed.
-fn close(
-    mechanism: &Mechanism,
-    r: &mut [f64],
-    rank: usize,
-    way: &mut Arrival,
-) -> Option<Linearised> {
+fn close(chains: &[Chain], r: &mut [f64], rank: usize, way: &mut Arrival) -> Option<Linearised> {
     let mut last = f64::INFINITY;
     for _ in 0..CORRECTIONS {
-        let linearised = linearise_at(mechanism, r);
+        let linearised = linearise_at(chains, r);
         let entries = linearised.residual.iter();
         let open = entries.fold(0.0, |m: f64, e| if e.abs() <= m { m } else { e.abs() });
         if last == f64::INFINITY {
@@ -189,8 +199,8 @@ fn close(
     None
 }
 
-fn linearise_at(mechanism: &Mechanism, r: &[f64]) -> Linearised {
-    linearise(mechanism, &r[..r.len() - 8], &workpiece(r))
+fn linearise_at(chains: &[Chain], r: &[f64]) -> Linearised {
+    linearise(chains, &r[..r.len() - 8], &workpiece(r))
 }
 
 /// \[A\]ᵀ P = Q R: the first `rank` columns of Q span the row space of \[A\], the others its null space.
@@ -204,6 +214,12 @@ fn factor(linearised: &Linearised, max_rank: usize) -> PivotedQr {
     }
     qr.factor(ZERO * longest, max_rank);
     qr
+}
+
+/// `g` or −`g`, the same pose, whichever has the rotation nearer to `q`'s.
+fn nearer_rotation(q: &DualQuaternion, g: DualQuaternion) -> DualQuaternion {
+    let along = q.fixed_rows::<4>(0).dot(&g.fixed_rows::<4>(0));
+    if along < 0.0 { -g } else { g }
 }
 
 /// q, the last eight entries of r.

@@ -1,11 +1,20 @@
 //! One frame: the linkage to first and second order, loops closed, the closest pose found.
 
+mod chain_tangent;
+pub mod close;
+pub mod close_start;
+pub mod dependent;
+mod direct;
 pub mod drive;
 pub mod gradient;
-pub mod loop_factor;
+mod guarded;
+pub mod limits;
+mod loop_factor;
 pub mod newton;
 pub mod objective;
 pub mod paper_matrix;
 pub mod singular_values;
+pub mod solver;
+pub mod suspect;
 pub mod tangent;
 pub mod trust_region;

@@ -1,6 +1,7 @@
 //! The distance to the goal as a function of the workpiece's twist: value, gradient, Hessian.
 
-use crate::math::pose::{self, Pose};
+use crate::math::metric::Target;
+use crate::math::pose::Pose;
 use nalgebra::{Matrix3, Matrix6, Vector6};
 
 /// Second-order model of f = ½‖q − g‖² (Eq. 29) in the twist ξ = (v, ω) that moves the pose to
@@ -16,22 +17,19 @@ pub struct Objective {
     pub hessian: Matrix6<f64>,
 }
 
-/// The model at pose `q` for goal `g`, lengths divided by the metric's characteristic `length`.
+/// The model at `pose` towards a target.
 ///
-/// With p = r r_g* the rotation from the goal and c = d_g × d,
+/// With p = r r_g* the rotation from the goal, d and d_g measured from the target's point, and c = d_g × d,
 /// f = 1 − p₀ + w/2 (|d|² + |d_g|²) − w (p₀ d·d_g + p_v·c), w = 1/(4 length²):
-/// Eq. 29 multiplied out, the sign of g chosen so that q·g = p₀ + w (p₀ d·d_g + p_v·c) ≥ 0. Its derivatives follow from
-/// p → exp(ω/2) p and d → d + v.
+/// Eq. 29 multiplied out. Its derivatives follow from p → exp(ω/2) p and d → d + v.
 #[inline]
-pub fn objective(q: &Pose, g: &Pose, length: f64) -> Objective {
-    let w = 0.25 / (length * length);
+pub fn objective(pose: &Pose, target: &Target) -> Objective {
+    let w = 0.25 / (target.length * target.length);
+    let (q, g) = (target.measured(pose), &target.goal);
     let (d, dg) = (q.translation.vector, g.translation.vector);
-    let mut p = q.rotation.quaternion() * g.rotation.quaternion().conjugate();
+    let p = q.rotation.quaternion() * g.rotation.quaternion().conjugate();
     let c = dg.cross(&d);
     let dot = d.dot(&dg);
-    if p.w + w * (p.w * dot + p.imag().dot(&c)) < 0.0 {
-        p = -p;
-    }
     let (p0, pv) = (p.w, p.imag());
 
     let force = (d - dg * p0 - pv.cross(&dg)) * w;
@@ -49,7 +47,7 @@ pub fn objective(q: &Pose, g: &Pose, length: f64) -> Objective {
     hessian.fixed_view_mut::<3, 3>(3, 3).copy_from(&rotation);
     Objective {
         // Not the formula above: it would cancel near the goal.
-        value: pose::metric(q, g, length),
+        value: target.value(pose),
         gradient: Vector6::new(force.x, force.y, force.z, moment.x, moment.y, moment.z),
         hessian,
     }
@@ -58,6 +56,7 @@ pub fn objective(q: &Pose, g: &Pose, length: f64) -> Objective {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::metric::{Metric, MetricKind};
     use crate::math::pose::FrameCoordinates;
     use nalgebra::{Quaternion, Translation3, UnitQuaternion, Vector3};
 
@@ -90,9 +89,20 @@ mod tests {
             roll: 1.1,
         };
         let (q, g) = (q.pose(), g.pose());
-        for length in [1.0, 0.4, 3.0] {
-            let at = objective(&q, &g, length);
-            let f = |xi: &Vector6<f64>| objective(&moved(&q, xi), &g, length).value;
+        let kinds = [MetricKind::Pose, MetricKind::DualQuaternion];
+        for (length, kind) in [1.0, 0.4, 3.0]
+            .into_iter()
+            .flat_map(|length| kinds.map(|kind| (length, kind)))
+        {
+            let origin = Vector3::new(0.2, -0.1, 0.3);
+            let target = Metric {
+                kind,
+                length,
+                origin,
+            }
+            .target(&g, &q.rotation);
+            let at = objective(&q, &target);
+            let f = |xi: &Vector6<f64>| objective(&moved(&q, xi), &target).value;
             let h = 1e-4;
             for i in 0..6 {
                 let ei = Vector6::ith(i, h);

@@ -1,35 +1,8 @@
 //! Loop closure in the paper's variables r = (θ, q): the residual and the matrix \[A\] of Eq. 21.
 
-use crate::math::linalg;
-use crate::math::pose::{self, DualQuaternion, Pose};
+use crate::math::pose::{self, DualQuaternion};
 use crate::model::chain::{Chain, ChainState};
-use crate::model::mechanism::Mechanism;
 use nalgebra::SMatrix;
-
-/// Largest opening of a published frame, in the document's unit of length and rad.
-pub const CLOSED: f64 = 1e-10;
-
-/// The opening up to which loops of a mechanism of this size count as closed: [`CLOSED`], and for
-/// mechanisms of more than 1,000 units what rounding leaves of it.
-pub fn closed(size: f64) -> f64 {
-    CLOSED.max(1e-13 * size)
-}
-
-/// How far the loops are open with the workpiece at `pose`: the largest distance or rotation between
-/// the workpiece and the end of a chain (Eq. 23).
-///
-/// # Panics
-/// When `joints` does not have one value a joint variable.
-pub fn opening(mechanism: &Mechanism, joints: &[f64], pose: &Pose) -> f64 {
-    mechanism
-        .split(joints)
-        .map(|(chain, theta)| {
-            let e = pose::difference(&chain.pose(theta), pose);
-            e.fixed_rows::<3>(0).norm().max(e.fixed_rows::<3>(3).norm())
-        })
-        // NaN counts as open.
-        .fold(0.0, |worst: f64, e| if e <= worst { worst } else { e })
-}
 
 /// \[J_E\] of Eq. 19: the twist of the workpiece per unit of each dual-quaternion component.
 pub fn twist_of_rates(q: &DualQuaternion) -> SMatrix<f64, 6, 8> {
@@ -79,12 +52,12 @@ pub struct Linearised {
     pub residual: Vec<f64>,
 }
 
-/// \[A\] and E at the joint values and dual quaternion of the workpiece.
+/// \[A\] and E of these chains at the joint values and dual quaternion of the workpiece.
 ///
 /// # Panics
 /// When `joints` does not have one value a joint variable.
-pub fn linearise(mechanism: &Mechanism, joints: &[f64], q: &DualQuaternion) -> Linearised {
-    let variables = mechanism.variables();
+pub fn linearise(chains: &[Chain], joints: &[f64], q: &DualQuaternion) -> Linearised {
+    let variables = joints.len();
     let je = twist_of_rates(q);
     let mut place = pose::from_dual_quaternion(q, 1.0);
     // Eq. 17 as printed, d = 2 q_dual ∘ q* without a division by |q|², is what [J_E] derives: off
@@ -94,12 +67,13 @@ pub fn linearise(mechanism: &Mechanism, joints: &[f64], q: &DualQuaternion) -> L
     let mut residual = Vec::new();
     let mut first = 0;
     let mut state = ChainState::default();
-    for (chain, theta) in mechanism.split(joints) {
-        chain.evaluate(theta, &mut state);
+    for chain in chains {
+        let own = chain.freedoms();
+        chain.evaluate(&joints[first..first + own], &mut state);
         let e = pose::difference(&state.pose, &place);
         for i in 0..6 {
             let mut row = vec![0.0; variables + 8];
-            for (j, column) in state.jacobian[..theta.len()].iter().enumerate() {
+            for (j, column) in state.jacobian[..own].iter().enumerate() {
                 row[first + j] = column[i];
             }
             for j in 0..8 {
@@ -108,7 +82,7 @@ pub fn linearise(mechanism: &Mechanism, joints: &[f64], q: &DualQuaternion) -> L
             rows.push(row);
             residual.push(e[i]);
         }
-        first += theta.len();
+        first += own;
     }
     let c = condition_rates(q);
     for i in 0..2 {
@@ -120,66 +94,4 @@ pub fn linearise(mechanism: &Mechanism, joints: &[f64], q: &DualQuaternion) -> L
     residual.push(real.norm_squared() - 1.0);
     residual.push(real.dot(&dual));
     Linearised { rows, residual }
-}
-
-/// The smallest singular value of \[A\], with buffers for one frame after the other.
-#[derive(Clone, Debug, Default)]
-pub struct SingularValues {
-    gram: Vec<f64>,
-    work: Vec<f64>,
-}
-
-impl SingularValues {
-    /// The smallest singular value of \[A\] that is not zero on account of `redundant` dependent
-    /// equations.
-    ///
-    /// It is the root of an eigenvalue of \[A\]\[A\]ᵀ, which is small and quickly formed from its
-    /// blocks; values below 1e-7 are therefore not told apart from 0.
-    pub fn smallest(&mut self, chains: &[Chain], joints: &[f64], redundant: usize) -> f64 {
-        let n = 6 * chains.len() + 2;
-        self.gram.clear();
-        self.gram.resize(n * n, 0.0);
-        let mut first = 0;
-        let mut state = ChainState::default();
-        let mut q = DualQuaternion::zeros();
-        for (i, chain) in chains.iter().enumerate() {
-            chain.evaluate(&joints[first..], &mut state);
-            if i == 0 {
-                q = pose::dual_quaternion(&state.pose, 1.0);
-            }
-            let mut block = SMatrix::<f64, 6, 6>::zeros();
-            for column in &state.jacobian[..chain.freedoms()] {
-                block += column * column.transpose();
-            }
-            add_block(&mut self.gram, n, 6 * i, 6 * i, &block);
-            first += chain.freedoms();
-        }
-        let (je, c) = (twist_of_rates(&q), condition_rates(&q));
-        let (je_je, c_je, c_c) = (je * je.transpose(), c * je.transpose(), c * c.transpose());
-        for i in 0..chains.len() {
-            for j in 0..=i {
-                add_block(&mut self.gram, n, 6 * i, 6 * j, &je_je);
-            }
-            add_block(&mut self.gram, n, n - 2, 6 * i, &-c_je);
-        }
-        add_block(&mut self.gram, n, n - 2, n - 2, &c_c);
-        let index = redundant.min(n - 1);
-        linalg::symmetric_eigenvalue(&mut self.gram, n, index, &mut self.work)
-            .max(0.0)
-            .sqrt()
-    }
-}
-
-fn add_block<const R: usize, const C: usize>(
-    a: &mut [f64],
-    stride: usize,
-    row: usize,
-    column: usize,
-    block: &SMatrix<f64, R, C>,
-) {
-    for j in 0..C {
-        for i in 0..R {
-            a[(column + j) * stride + row + i] += block[(i, j)];
-        }
-    }
 }

@@ -1,4 +1,4 @@
-//! What a closed linkage can do to first order: constraint wrenches, free twists, joint rates.
+//! What a closed linkage can do to first and second order: constraint wrenches, free twists, joint rates, curvature.
 //!
 //! The linearised loops J_i Δθ_i = ξ + e_i (Eq. 21 with the workpiece's twist ξ in place of Δq) are
 //! solved chain by chain. A pivoted QR of the 6 × n_i matrix J_i leaves the chain's constraint
@@ -9,28 +9,32 @@
 //! chain contributes N_iᵀ ξ − R22 b = −N_iᵀ e_i. Both forms are exact; this one stays well
 //! conditioned through the singular position, and there R22 = 0 makes b an inner freedom. The
 //! unknowns together are y = (ξ, b).
+//!
+//! Each step of the evaluation is a view of the one before: [`Tangent::evaluate`] and [`Tangent::factor`], whose
+//! [`Factored`] closes the loops; [`Factored::free`] spans the free directions; [`Free::hold`] balances a pull, and with
+//! that [`Held::reduced_hessian`] is known. What is not asked for is not computed, and nothing can be asked too early.
 
 use crate::math::linalg::PivotedQr;
-use crate::model::chain::{Chain, ChainState, MAX_FREEDOMS};
+use crate::math::pose::{Pose, difference};
+use crate::model::chain::{Chain, MAX_FREEDOMS};
 use crate::model::joint::Stop;
+use crate::model::scaled::{closure_error, larger};
+use crate::solve::chain_tangent::ChainTangent;
+use crate::solve::dependent::{self, Combination, Dependence};
 use nalgebra::{Matrix6, Vector3, Vector6};
 
-/// A joint whose twist is within this distance of the span of the others' (lengths in units of the
-/// mechanism's size, angles in rad) stays explicit. The answer does not depend on it: larger costs
-/// unknowns, smaller costs digits and step length near singular positions.
-const EXPLICIT: f64 = 0.05;
-
-/// Distance from dependence below which a constraint of a closed linkage counts as implied by the
-/// others: the closure error of 1e-12 amplified a thousandfold.
-const DEPENDENT: f64 = 1e-9;
-
-/// First-order model of all chains at one set of joint values.
+/// First-order model of all chains at one set of joint values; its buffers serve all evaluations.
 #[derive(Clone, Debug)]
 pub struct Tangent {
     chains: Vec<ChainTangent>,
+    /// Of the last evaluation.
+    closure_error: f64,
     /// QR of the stacked constraints' transpose, (6 + explicit joints) × (constraints).
     stacked: PivotedQr,
+    /// Of a rounded linkage: what was made of its constraints before they were stacked.
+    combination: Option<Combination>,
     unknowns: usize,
+    constraints: usize,
     /// Orthonormal directions of y that keep every loop closed, `unknowns` entries each.
     free: Vec<f64>,
     /// The joint rates of each, `variables` entries each.
@@ -39,102 +43,33 @@ pub struct Tangent {
     scratch: Vec<f64>,
 }
 
-/// One chain's part.
-#[derive(Clone, Debug)]
-struct ChainTangent {
-    /// First of the chain's joint variables in the joint vector.
-    first: usize,
-    freedoms: usize,
-    state: ChainState,
-    /// Workpiece minus end of chain: the loop's opening e_i.
-    opening: Vector6<f64>,
-    /// QR of the columns of J that may move, and their variables.
-    qr: PivotedQr,
-    active: Vec<usize>,
-    /// First of the chain's explicit joints in y.
-    explicit: usize,
-    /// The wrench λ_i with which the chain holds the workpiece against the goal's pull.
-    wrench: Vector6<f64>,
-}
-
-impl ChainTangent {
-    /// Joint rates that realise ξ + e with explicit joints as in `y`; fixed joints stay 0.
-    #[inline]
-    fn rates(&self, y: &[f64], opening: Option<&Vector6<f64>>, out: &mut [f64]) {
-        let mut x = [y[0], y[1], y[2], y[3], y[4], y[5]];
-        if let Some(e) = opening {
-            x.iter_mut().zip(e.iter()).for_each(|(x, e)| *x += e);
-        }
-        let rank = self.qr.rank();
-        self.qr.apply_qt(&mut x);
-        let order = self.qr.order();
-        for (j, &column) in order.iter().enumerate().skip(rank) {
-            let b = y[self.explicit + j - rank];
-            for (i, x) in x[..rank].iter_mut().enumerate() {
-                *x -= self.qr.entry(i, j) * b;
-            }
-            out[self.first + self.active[column]] = b;
-        }
-        self.qr.solve_r(&mut x);
-        for (x, &column) in x.iter().zip(&order[..rank]) {
-            out[self.first + self.active[column]] = *x;
-        }
-    }
-
-    /// The second derivative of the workpiece's place along the wrench (F, M), per pair of joints:
-    /// K[j, l] = F·(S_j × (S_l × (d − C_l))) + ½ M·(S_j × S_l), j ≤ l, with S_l in place of
-    /// S_l × (d − C_l) where l slides, and 0 where j slides. Upper triangle.
-    #[inline]
-    fn curvature(&self) -> [[f64; MAX_FREEDOMS]; MAX_FREEDOMS] {
-        let mut k = [[0.0; MAX_FREEDOMS]; MAX_FREEDOMS];
-        let force = self.wrench.fixed_rows::<3>(0).into_owned();
-        let half_moment = self.wrench.fixed_rows::<3>(3) * 0.5;
-        let columns = &self.state.jacobian[..self.freedoms];
-        for (j, column) in columns.iter().enumerate() {
-            let axis = column.fixed_rows::<3>(3).into_owned();
-            let (f, m) = (force.cross(&axis), half_moment.cross(&axis));
-            for (l, other) in columns.iter().enumerate().skip(j) {
-                k[j][l] = f.dot(&other.fixed_rows::<3>(0)) + m.dot(&other.fixed_rows::<3>(3));
-            }
-        }
-        k
-    }
-}
-
 impl Tangent {
     /// Buffers for these chains.
     pub fn new(chains: &[Chain]) -> Self {
-        let mut first = 0;
+        let mut variables = 0;
         let chains: Vec<_> = chains
             .iter()
             .map(|chain| {
-                let freedoms = chain.freedoms();
-                first += freedoms;
-                ChainTangent {
-                    first: first - freedoms,
-                    freedoms,
-                    state: ChainState::default(),
-                    opening: Vector6::zeros(),
-                    qr: PivotedQr::default(),
-                    active: Vec::with_capacity(freedoms),
-                    explicit: 0,
-                    wrench: Vector6::zeros(),
-                }
+                variables += chain.freedoms();
+                ChainTangent::new(variables - chain.freedoms(), chain)
             })
             .collect();
         Self {
             chains,
+            closure_error: f64::INFINITY,
             stacked: PivotedQr::default(),
+            combination: None,
             unknowns: 6,
+            constraints: 0,
             free: Vec::new(),
             rates: Vec::new(),
-            variables: first,
+            variables,
             scratch: Vec::new(),
         }
     }
 
-    /// Evaluates the chains at `theta`, and returns how far the loops are open: the largest entry of
-    /// any opening, lengths and rad alike. The workpiece is where the first chain puts it.
+    /// Evaluates the chains at `theta`, and returns how far the loops are open; see [`closure_error`]. The workpiece
+    /// is where the first chain puts it.
     #[inline]
     pub fn evaluate(&mut self, chains: &[Chain], theta: &[f64]) -> f64 {
         let mut worst = 0.0_f64;
@@ -143,186 +78,224 @@ impl Tangent {
             let own = &mut rest[0];
             chains[i].evaluate(&theta[own.first..], &mut own.state);
             if let Some(leader) = done.first() {
-                own.opening = crate::math::pose::difference(&leader.state.pose, &own.state.pose);
-                // NaN must not pass for closed.
-                let open = own
-                    .opening
-                    .iter()
-                    .fold(0.0_f64, |m, x| if x.abs() <= m { m } else { x.abs() });
-                worst = if open <= worst { worst } else { open };
+                own.open = difference(&leader.state.pose, &own.state.pose);
+                worst = larger(worst, closure_error(&own.open));
             }
         }
+        self.closure_error = worst;
         worst
     }
 
     /// The workpiece at the last evaluation.
     #[inline]
-    pub fn pose(&self) -> &crate::math::pose::Pose {
+    pub fn pose(&self) -> &Pose {
         &self.chains[0].state.pose
     }
 
+    /// The Jacobian's columns of each chain at the last evaluation.
+    pub fn jacobians(&self) -> impl Iterator<Item = &[Vector6<f64>]> {
+        self.chains
+            .iter()
+            .map(|chain| &chain.state.jacobian[..chain.freedoms])
+    }
+
     /// Factors the constraints at the last evaluation; joints held at a stop stand still.
-    /// `threshold` is the distance from dependence below which a constraint is dropped, and
-    /// `redundant` how many are dropped in any case, being implied by the others.
     #[inline]
-    pub fn factor(&mut self, stops: &[Stop], threshold: Option<f64>, redundant: usize) {
+    pub fn factor(&mut self, stops: &[Stop], dependence: Dependence) -> Factored<'_> {
+        self.stack(stops);
+        let mut most = self.constraints.saturating_sub(dependence.known());
+        if let Dependence::Rounded(surplus) = dependence {
+            most = self.combine(surplus);
+        }
+        self.stacked.factor(dependence.threshold(), most);
+        Factored(self)
+    }
+
+    /// How many combinations of the constraints are within this distance of dependence at the last evaluation.
+    pub fn surplus_within(&mut self, stops: &[Stop], distance: f64) -> usize {
+        self.stack(stops);
+        dependent::surplus_within(
+            &self.forms(),
+            self.unknowns,
+            self.chains[0].constraints(),
+            distance,
+        )
+    }
+
+    /// Puts the chains' constraints together.
+    #[inline]
+    fn stack(&mut self, stops: &[Stop]) {
         let mut unknowns = 6;
-        let mut constraints = 0;
+        self.constraints = 0;
         for chain in &mut self.chains {
-            chain.qr.clear(6);
-            chain.active.clear();
-            for j in 0..chain.freedoms {
-                if stops[chain.first + j] == Stop::None {
-                    chain.active.push(j);
-                    chain.qr.push(chain.state.jacobian[j].as_slice());
-                }
-            }
-            chain.qr.factor(EXPLICIT, MAX_FREEDOMS);
-            chain.explicit = unknowns;
-            unknowns += chain.active.len() - chain.qr.rank();
-            constraints += 6 - chain.qr.rank();
+            unknowns = chain.factor(stops, unknowns);
+            self.constraints += chain.constraints();
         }
         self.unknowns = unknowns;
+        self.combination = None;
         self.stacked.clear(unknowns);
         self.scratch.clear();
         self.scratch.resize(unknowns, 0.0);
         for chain in &self.chains {
-            let rank = chain.qr.rank();
-            for p in rank..6 {
-                self.scratch.fill(0.0);
-                self.scratch[p] = 1.0;
-                chain.qr.apply_q(&mut self.scratch[..6]);
-                for j in rank..chain.active.len() {
-                    self.scratch[chain.explicit + j - rank] = -chain.qr.entry(p, j);
-                }
+            for p in chain.constraint_rows() {
+                chain.constraint(p, &mut self.scratch);
                 self.stacked.push(&self.scratch);
             }
         }
-        self.stacked.factor(
-            threshold.unwrap_or(DEPENDENT),
-            constraints.saturating_sub(redundant),
-        );
     }
 
-    /// Constraints that the others imply, as found by the last factorisation.
-    pub fn redundant(&self) -> usize {
-        self.stacked.order().len() - self.stacked.rank()
+    /// The stacked constraints, one after the other.
+    fn forms(&self) -> Vec<f64> {
+        (0..self.constraints)
+            .flat_map(|c| (0..self.unknowns).map(move |row| (row, c)))
+            .map(|(row, c)| self.stacked.entry(row, c))
+            .collect()
+    }
+
+    /// Puts the kept combinations of a rounded linkage's constraints in their place; their number.
+    fn combine(&mut self, surplus: usize) -> usize {
+        let own = self.chains[0].constraints();
+        let (combination, kept) = Combination::new(&self.forms(), self.unknowns, own, surplus);
+        self.stacked.clear(self.unknowns);
+        for form in kept.chunks_exact(self.unknowns) {
+            self.stacked.push(form);
+        }
+        self.combination = Some(combination);
+        kept.len() / self.unknowns
+    }
+
+    /// −N_iᵀ e_i of all chains, or the kept combinations of them, into the scratch.
+    #[inline]
+    fn residuals(&mut self) {
+        self.scratch.clear();
+        for chain in &self.chains {
+            chain.residuals(&mut self.scratch);
+        }
+        if let Some(combination) = &self.combination {
+            self.scratch = combination.kept(&self.scratch);
+        }
+    }
+
+    fn direction(&self, i: usize) -> &[f64] {
+        &self.free[i * self.unknowns..(i + 1) * self.unknowns]
+    }
+}
+
+/// The constraints, factored.
+#[derive(Debug)]
+pub struct Factored<'a>(&'a mut Tangent);
+
+impl<'a> Factored<'a> {
+    /// Constraints that the others imply, or contradict by the misfit.
+    pub fn surplus(&self) -> usize {
+        self.0.constraints - self.0.stacked.rank()
     }
 
     /// Number of independent motions, inner freedoms of the chains included.
     #[inline]
     pub fn freedoms(&self) -> usize {
-        self.unknowns - self.stacked.rank()
+        self.0.unknowns - self.0.stacked.rank()
     }
 
-    /// Forms the free directions and their joint rates; call once after [`Tangent::factor`].
+    /// How far the loops are open, and of a rounded linkage by how much its constraints contradict each other there
+    /// (else 0): the second part stays when the loops are closed, and is not counted in the first.
     #[inline]
-    pub fn span(&mut self) {
-        let freedoms = self.freedoms();
-        let rank = self.stacked.rank();
-        self.free.clear();
-        self.free.resize(freedoms * self.unknowns, 0.0);
-        self.rates.clear();
-        self.rates.resize(freedoms * self.variables, 0.0);
+    pub fn closure(&self) -> (f64, f64) {
+        let Some(combination) = &self.0.combination else {
+            return (self.0.closure_error, 0.0);
+        };
+        let mut residuals = Vec::new();
+        for chain in &self.0.chains {
+            chain.residuals(&mut residuals);
+        }
+        let kept = combination.spread(&combination.kept(&residuals));
+        let mut rest = residuals.iter().zip(&kept).map(|(all, kept)| kept - all);
+        let (mut open, mut misfit) = (0.0, 0.0);
+        for chain in &self.0.chains {
+            let own: Vec<f64> = rest.by_ref().take(chain.constraints()).collect();
+            let twist = chain.combine(&own);
+            open = larger(open, closure_error(&(chain.open - twist)));
+            misfit = larger(misfit, closure_error(&twist));
+        }
+        (open, misfit)
+    }
+
+    /// The shortest y that closes the loops to first order goes to `correction`, its joint rates to `step`.
+    #[inline]
+    pub fn close(&mut self, correction: &mut Vec<f64>, step: &mut [f64]) {
+        let tangent = &mut *self.0;
+        tangent.residuals();
+        let rank = tangent.stacked.rank();
+        correction.clear();
+        let independent = &tangent.stacked.order()[..rank];
+        correction.extend(independent.iter().map(|&i| tangent.scratch[i]));
+        tangent.stacked.solve_rt(correction);
+        correction.resize(tangent.unknowns, 0.0);
+        tangent.stacked.apply_q(correction);
+        step.fill(0.0);
+        for chain in &tangent.chains {
+            chain.rates(correction, Some(&chain.open), step);
+        }
+    }
+
+    /// What each surplus combination of constraints of a rounded linkage is: one wrench a chain, and by how much the
+    /// loops contradict it.
+    pub fn contradictions(&self) -> Vec<(Vec<Vector6<f64>>, f64)> {
+        let Some(combination) = &self.0.combination else {
+            return Vec::new();
+        };
+        let wrenches = |multipliers: Vec<f64>| {
+            let mut rest = &multipliers[..];
+            let mut all = Vec::new();
+            for chain in &self.0.chains {
+                let (own, others) = rest.split_at(chain.constraints());
+                rest = others;
+                all.push(chain.combine(own));
+            }
+            let misfit = all
+                .iter()
+                .zip(&self.0.chains)
+                .map(|(w, chain)| w.dot(&chain.open))
+                .sum();
+            (all, misfit)
+        };
+        combination.dropped().map(wrenches).collect()
+    }
+
+    /// The free directions and their joint rates.
+    #[inline]
+    pub fn free(self) -> Free<'a> {
+        let tangent = self.0;
+        let freedoms = tangent.unknowns - tangent.stacked.rank();
+        let (rank, variables) = (tangent.stacked.rank(), tangent.variables);
+        tangent.free.clear();
+        tangent.free.resize(freedoms * tangent.unknowns, 0.0);
+        tangent.rates.clear();
+        tangent.rates.resize(freedoms * variables, 0.0);
         for i in 0..freedoms {
-            let y = &mut self.free[i * self.unknowns..(i + 1) * self.unknowns];
+            let y = &mut tangent.free[i * tangent.unknowns..(i + 1) * tangent.unknowns];
             y[rank + i] = 1.0;
-            self.stacked.apply_q(y);
-            let rates = &mut self.rates[i * self.variables..(i + 1) * self.variables];
-            for chain in &self.chains {
+            tangent.stacked.apply_q(y);
+            let rates = &mut tangent.rates[i * variables..(i + 1) * variables];
+            for chain in &tangent.chains {
                 chain.rates(y, None, rates);
             }
         }
+        Free(tangent)
     }
 
-    /// Free direction `i`: its twist and, behind it, the explicit joints.
-    #[inline]
-    pub fn free(&self, i: usize) -> &[f64] {
-        &self.free[i * self.unknowns..(i + 1) * self.unknowns]
-    }
-
-    /// Length of a joint vector.
-    pub fn variables(&self) -> usize {
-        self.variables
-    }
-
-    /// Twist of free direction `i`.
-    #[inline]
-    pub fn twist(&self, i: usize) -> Vector6<f64> {
-        Vector6::from_column_slice(&self.free(i)[..6])
-    }
-
-    /// Joint rates of free direction `i`.
-    #[inline]
-    pub fn rates(&self, i: usize) -> &[f64] {
-        &self.rates[i * self.variables..(i + 1) * self.variables]
-    }
-
-    /// The shortest y that closes the loops to first order goes to `correction`, its joint rates to
-    /// `step`.
-    #[inline]
-    pub fn close(&mut self, correction: &mut Vec<f64>, step: &mut [f64]) {
-        let rank = self.stacked.rank();
-        self.scratch.clear();
-        for chain in &self.chains {
-            let mut e = chain.opening;
-            chain.qr.apply_qt(e.as_mut_slice());
-            self.scratch
-                .extend(e.iter().skip(chain.qr.rank()).map(|x| -x));
-        }
-        correction.clear();
-        correction.extend(
-            self.stacked.order()[..rank]
-                .iter()
-                .map(|&i| self.scratch[i]),
-        );
-        self.stacked.solve_rt(correction);
-        correction.resize(self.unknowns, 0.0);
-        self.stacked.apply_q(correction);
-        step.fill(0.0);
-        for chain in &self.chains {
-            chain.rates(correction, Some(&chain.opening), step);
-        }
-    }
-
-    /// Distributes the goal's pull over the chains: wrenches λ_i with Σ λ_i = `gradient` as far as
-    /// the constraints can hold it. Where constraints are dependent one of the many splits is taken.
-    #[inline]
-    pub fn balance(&mut self, gradient: &Vector6<f64>) {
-        let rank = self.stacked.rank();
-        self.scratch.clear();
-        self.scratch.extend_from_slice(gradient.as_slice());
-        self.scratch.resize(self.unknowns, 0.0);
-        self.stacked.apply_qt(&mut self.scratch);
-        self.stacked.solve_r(&mut self.scratch[..rank]);
-        let mut column = 0;
-        let order = &self.stacked.order()[..rank];
-        for chain in &mut self.chains {
-            let mut wrench = Vector6::zeros();
-            for p in chain.qr.rank()..6 {
-                if let Some(place) = order.iter().position(|&c| c == column) {
-                    wrench[p] = self.scratch[place];
-                }
-                column += 1;
-            }
-            chain.qr.apply_q(wrench.as_mut_slice());
-            chain.wrench = wrench;
-        }
-    }
-
-    /// The wrench systems that the chains can hold up among themselves without any pull, a basis of
-    /// them: one for each constraint that the others imply, one wrench a chain, Σ λ_i = 0. They are
-    /// what the split of [`Tangent::balance`] is open by.
+    /// The wrench systems that the chains can hold up among themselves without any pull, a basis of them: one for each
+    /// surplus constraint, one wrench a chain, Σ λ_i = 0. They are what the split of [`Free::hold`] is open by.
     pub fn internal_wrenches(&self) -> Vec<Vec<Vector6<f64>>> {
-        let rank = self.stacked.rank();
-        let order = self.stacked.order();
+        let stacked = &self.0.stacked;
+        let (rank, order) = (stacked.rank(), stacked.order());
         (rank..order.len())
             .map(|dependent| {
                 // B z = 0 with z = 1 for the dependent constraint and −R11⁻¹ R12 for the others.
                 let mut z: Vec<f64> = (0..rank)
-                    .map(|row| -self.stacked.entry(row, dependent))
+                    .map(|row| -stacked.entry(row, dependent))
                     .collect();
-                self.stacked.solve_r(&mut z);
+                stacked.solve_r(&mut z);
                 let mut multipliers = vec![0.0; order.len()];
                 for (&c, z) in order.iter().zip(z) {
                     multipliers[c] = z;
@@ -330,37 +303,150 @@ impl Tangent {
                 multipliers[order[dependent]] = 1.0;
                 let mut rest = &multipliers[..];
                 let wrench = |chain: &ChainTangent| {
-                    let rank = chain.qr.rank();
-                    let (own, others) = rest.split_at(6 - rank);
+                    let (own, others) = rest.split_at(chain.constraints());
                     rest = others;
-                    let mut wrench = Vector6::zeros();
-                    wrench.as_mut_slice()[rank..].copy_from_slice(own);
-                    chain.qr.apply_q(wrench.as_mut_slice());
-                    wrench
+                    chain.combine(own)
                 };
-                self.chains.iter().map(wrench).collect()
+                self.0.chains.iter().map(wrench).collect()
             })
             .collect()
+    }
+}
+
+/// The free directions of the linkage: orthonormal in y, with their joint rates.
+#[derive(Debug)]
+pub struct Free<'a>(&'a mut Tangent);
+
+impl<'a> Free<'a> {
+    /// How many.
+    #[inline]
+    pub fn count(&self) -> usize {
+        self.0.unknowns - self.0.stacked.rank()
+    }
+
+    /// Length of a joint vector.
+    pub fn variables(&self) -> usize {
+        self.0.variables
+    }
+
+    /// The workpiece's pose.
+    #[inline]
+    pub fn pose(&self) -> &Pose {
+        self.0.pose()
+    }
+
+    /// Direction `i`: its twist and, behind it, the explicit joints.
+    #[inline]
+    pub fn direction(&self, i: usize) -> &[f64] {
+        self.0.direction(i)
+    }
+
+    /// Twist of direction `i`.
+    #[inline]
+    pub fn twist(&self, i: usize) -> Vector6<f64> {
+        Vector6::from_column_slice(&self.0.direction(i)[..6])
+    }
+
+    /// The twists of all.
+    pub fn twists(&self) -> Vec<Vector6<f64>> {
+        (0..self.count()).map(|i| self.twist(i)).collect()
+    }
+
+    /// Joint rates of direction `i`.
+    #[inline]
+    pub fn rates(&self, i: usize) -> &[f64] {
+        &self.0.rates[i * self.0.variables..(i + 1) * self.0.variables]
+    }
+
+    /// The components of a pull along the directions go to `slope`; their norm.
+    #[inline]
+    pub fn project(&self, gradient: &Vector6<f64>, slope: &mut Vec<f64>) -> f64 {
+        slope.clear();
+        slope.extend((0..self.count()).map(|i| self.twist(i).dot(gradient)));
+        slope.iter().map(|x| x * x).sum::<f64>().sqrt()
+    }
+
+    /// Distributes a pull over the chains: wrenches λ_i with Σ λ_i = `gradient` as far as the constraints can hold it.
+    /// Where constraints are dependent one of the many splits is taken.
+    #[inline]
+    pub fn hold(self, gradient: &Vector6<f64>) -> Held<'a> {
+        let tangent = self.0;
+        let rank = tangent.stacked.rank();
+        tangent.scratch.clear();
+        tangent.scratch.extend_from_slice(gradient.as_slice());
+        tangent
+            .scratch
+            .resize(tangent.unknowns.max(tangent.constraints), 0.0);
+        tangent
+            .stacked
+            .apply_qt(&mut tangent.scratch[..tangent.unknowns]);
+        tangent.stacked.solve_r(&mut tangent.scratch[..rank]);
+        let order = &tangent.stacked.order()[..rank];
+        let place = |column: usize| order.iter().position(|&c| c == column);
+        if let Some(combination) = &tangent.combination {
+            let count = tangent.stacked.order().len();
+            let multipliers: Vec<f64> = (0..count)
+                .map(|c| place(c).map_or(0.0, |p| tangent.scratch[p]))
+                .collect();
+            let all = combination.spread(&multipliers);
+            let mut rest = &all[..];
+            for chain in &mut tangent.chains {
+                let (own, others) = rest.split_at(chain.constraints());
+                rest = others;
+                chain.wrench = chain.combine(own);
+            }
+        } else {
+            let mut column = 0;
+            for chain in &mut tangent.chains {
+                let mut own = [0.0; 6];
+                let constraints = chain.constraints();
+                for multiplier in &mut own[..constraints] {
+                    if let Some(p) = place(column) {
+                        *multiplier = tangent.scratch[p];
+                    }
+                    column += 1;
+                }
+                chain.wrench = chain.combine(&own[..constraints]);
+            }
+        }
+        Held(Free(tangent))
+    }
+}
+
+/// The linkage as its constraints hold it against a pull.
+#[derive(Debug)]
+pub struct Held<'a>(Free<'a>);
+
+impl<'a> Held<'a> {
+    /// The free directions.
+    pub fn free(&self) -> &Free<'a> {
+        &self.0
     }
 
     /// λ_i of chain `i`, as (force, moment about the workpiece's origin).
     pub fn wrench(&self, i: usize) -> &Vector6<f64> {
-        &self.chains[i].wrench
+        &self.0.0.chains[i].wrench
     }
 
-    /// The change of the objective per unit of joint variable `variable` if it were let go: the
-    /// power of its chain's wrench on its twist.
+    /// The change of the objective per unit of joint variable `variable` if it were let go: the power of its chain's
+    /// wrench on its twist.
     pub fn torque(&self, variable: usize) -> f64 {
-        let after = self.chains.partition_point(|c| c.first <= variable);
-        let chain = &self.chains[after - 1];
+        let chains = &self.0.0.chains;
+        let after = chains.partition_point(|c| c.first <= variable);
+        let chain = &chains[after - 1];
         chain
             .wrench
             .dot(&chain.state.jacobian[variable - chain.first])
     }
 
-    /// Second derivative of the objective along the free directions, given its Hessian in the twist
-    /// and the balanced wrenches: lower triangle, `freedoms` × `freedoms`. With a closing step
-    /// (`correction`, `step`), `mixed` receives the change of the gradient along it.
+    /// See [`Factored::internal_wrenches`].
+    pub fn internal_wrenches(self) -> Vec<Vec<Vector6<f64>>> {
+        Factored(self.0.0).internal_wrenches()
+    }
+
+    /// Second derivative of the objective along the free directions, given its Hessian in the twist: lower triangle,
+    /// `count` × `count`. With a closing step (`correction`, `step`), `mixed` receives the change of the gradient
+    /// along it.
     #[inline]
     pub fn reduced_hessian(
         &self,
@@ -369,7 +455,7 @@ impl Tangent {
         reduced: &mut Vec<f64>,
         mixed: &mut Vec<f64>,
     ) {
-        let n = self.freedoms();
+        let n = self.0.count();
         reduced.clear();
         reduced.resize(n * n, 0.0);
         mixed.clear();
@@ -377,38 +463,30 @@ impl Tangent {
         // A rotation ω of the workpiece turns the end of an open chain by ω + e + ½ ω × e: the
         // moment acts on the last term too.
         let mut swirl = Vector3::zeros();
-        for chain in &self.chains {
-            let e = chain.opening.fixed_rows::<3>(3).into_owned();
+        for chain in &self.0.0.chains {
+            let e = chain.open.fixed_rows::<3>(3).into_owned();
             swirl += e.cross(&chain.wrench.fixed_rows::<3>(3)) * 0.5;
         }
         for i in 0..n {
-            let twist = self.twist(i);
+            let twist = self.0.twist(i);
             let pulled = hessian * twist;
             for j in i..n {
-                reduced[i * n + j] = pulled.dot(&self.twist(j));
+                reduced[i * n + j] = pulled.dot(&self.0.twist(j));
             }
             if let Some((correction, _)) = closing {
                 mixed[i] = pulled.dot(&Vector6::from_column_slice(&correction[..6]))
                     - swirl.dot(&twist.fixed_rows::<3>(3));
             }
         }
-        for chain in &self.chains {
+        for chain in &self.0.0.chains {
             let k = chain.curvature();
             let own = chain.first..chain.first + chain.freedoms;
             for i in 0..n {
-                let rates = &self.rates(i)[own.clone()];
-                let mut bent = [0.0; MAX_FREEDOMS];
-                for j in 0..chain.freedoms {
-                    bent[j] += k[j][j] * rates[j];
-                    for l in j + 1..chain.freedoms {
-                        bent[j] += k[j][l] * rates[l];
-                        bent[l] += k[j][l] * rates[j];
-                    }
-                }
+                let bent = bent(&k, &self.0.rates(i)[own.clone()]);
                 let along =
                     |rates: &[f64]| -> f64 { rates.iter().zip(&bent).map(|(r, b)| r * b).sum() };
                 for j in i..n {
-                    reduced[i * n + j] += along(&self.rates(j)[own.clone()]);
+                    reduced[i * n + j] += along(&self.0.rates(j)[own.clone()]);
                 }
                 if let Some((_, step)) = closing {
                     mixed[i] += along(&step[own.clone()]);
@@ -416,4 +494,18 @@ impl Tangent {
             }
         }
     }
+}
+
+/// K Δθ for a symmetric K given by its upper triangle.
+#[inline]
+fn bent(k: &[[f64; MAX_FREEDOMS]; MAX_FREEDOMS], rates: &[f64]) -> [f64; MAX_FREEDOMS] {
+    let mut bent = [0.0; MAX_FREEDOMS];
+    for j in 0..rates.len() {
+        bent[j] += k[j][j] * rates[j];
+        for l in j + 1..rates.len() {
+            bent[j] += k[j][l] * rates[l];
+            bent[l] += k[j][l] * rates[j];
+        }
+    }
+    bent
 }

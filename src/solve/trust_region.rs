@@ -1,7 +1,7 @@
 //! The longest safe step: a quadratic model's minimum within a radius, measured in joint motion.
 
 use crate::math::linalg;
-use crate::solve::tangent::Tangent;
+use crate::solve::tangent::Free;
 
 /// Slope, and curvature, as a share of the flat one, that are rounding.
 const LEVEL: f64 = 1e-2;
@@ -15,6 +15,8 @@ pub struct TrustRegion {
     flat: f64,
     eigenvalues: Vec<f64>,
     slopes: Vec<f64>,
+    /// Slope of each that is rounding: a direction in which a small twist costs large joint motions has small slopes.
+    levels: Vec<f64>,
     /// Joint rates of each basis direction.
     rates: Vec<f64>,
     variables: usize,
@@ -35,19 +37,18 @@ impl TrustRegion {
         }
     }
 
-    /// The model with this Hessian (lower triangle) and gradient along the tangent's free
-    /// directions.
-    pub fn prepare(&mut self, tangent: &Tangent, hessian: &[f64], slope: &[f64]) {
+    /// The model with this Hessian (lower triangle) and gradient along the free directions.
+    pub fn prepare(&mut self, free: &Free<'_>, hessian: &[f64], slope: &[f64]) {
         let n = slope.len();
         // M = I + Θᵀ Θ = L Lᵀ, then L⁻¹ H L⁻ᵀ = V Λ Vᵀ: step = L⁻ᵀ V s with |step|_M = |s|.
         self.metric.clear();
         self.metric.resize(n * n, 0.0);
         for i in 0..n {
             for j in i..n {
-                let dot: f64 = tangent
+                let dot: f64 = free
                     .rates(i)
                     .iter()
-                    .zip(tangent.rates(j))
+                    .zip(free.rates(j))
                     .map(|(a, b)| a * b)
                     .sum();
                 self.metric[i * n + j] = dot + if i == j { 1.0 } else { 0.0 };
@@ -74,8 +75,9 @@ impl TrustRegion {
         self.eigenvalues.clear();
         self.eigenvalues.extend(self.hessian.iter().step_by(n + 1));
         self.slopes.clear();
+        self.levels.clear();
         self.rates.clear();
-        self.variables = tangent.variables();
+        self.variables = free.variables();
         self.rates.resize(n * self.variables, 0.0);
         for (vector, rates) in self
             .vectors
@@ -92,8 +94,10 @@ impl TrustRegion {
                     .map(|(a, b)| a * b)
                     .sum(),
             );
+            let twist = self.coefficients.iter().map(|x| x * x).sum::<f64>().sqrt();
+            self.levels.push(LEVEL * self.flat * twist);
             for (i, c) in self.coefficients.iter().enumerate() {
-                for (r, t) in rates.iter_mut().zip(tangent.rates(i)) {
+                for (r, t) in rates.iter_mut().zip(free.rates(i)) {
                     *r += c * t;
                 }
             }
@@ -163,10 +167,12 @@ impl TrustRegion {
     /// s = −(Λ + shift)⁻¹ slope; its length.
     fn shifted(&mut self, shift: f64) -> f64 {
         self.step.clear();
-        for (&eigenvalue, &slope) in self.eigenvalues.iter().zip(&self.slopes) {
+        for ((&eigenvalue, &slope), &level) in
+            self.eigenvalues.iter().zip(&self.slopes).zip(&self.levels)
+        {
             let curvature = eigenvalue + shift;
             // Rounding in a direction that does not matter is not followed.
-            let level = curvature < self.flat && slope.abs() <= LEVEL * self.flat;
+            let level = curvature < self.flat && slope.abs() <= level;
             self.step.push(if level {
                 0.0
             } else {

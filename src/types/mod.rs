@@ -2,3 +2,6 @@
 
 pub mod enumerate;
 pub mod example;
+pub mod leg;
+pub mod mobility;
+pub mod tables;

@@ -2,7 +2,8 @@
 
 use super::golden::{Task, tasks};
 use synthetica::motion::trajectory::{Status, Trajectory};
-use synthetica::plan::follow::{Method, Settings, plan};
+use synthetica::plan::follow::plan;
+use synthetica::plan::settings::{Method, Settings};
 use synthetica::solve::gradient;
 
 /// Opening of a loop that the reference and the planners must keep.
@@ -17,7 +18,7 @@ fn planned(task: &Task, method: Method, frames: usize) -> Trajectory {
         &task.goals[..frames],
         &Settings {
             method,
-            ..Settings::default()
+            ..Settings::PAPER
         },
     )
 }

@@ -49,9 +49,14 @@ async function same(found) {
 
 for (const folder of ['pkg', 'pkg-first']) {
   test(`in Node, www/${folder}`, async () => {
-    const { initSync, plan } = await import(at(`www/${folder}/synthetica.js`));
+    const { initSync, Session } = await import(at(`www/${folder}/synthetica.js`));
     initSync({ module: readFileSync(at(`www/${folder}/synthetica_bg.wasm`)) });
-    await same(documents.map((document) => digests(plan(document.text))));
+    // Opened once and asked twice: in one go, and frame by frame.
+    const sessions = documents.map((document) => Session.open(document.text));
+    await same(sessions.map((session) => digests(session.plan())));
+    for (const session of sessions) while (session.advance_plan(0));
+    await same(sessions.map((session) => digests(session.plan_so_far())));
+    for (const session of sessions) session.free();
   });
 }
 

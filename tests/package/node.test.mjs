@@ -9,7 +9,7 @@ import { installed } from './installed.mjs';
 
 const sample = (name) => readFileSync(new URL(`samples/${name}.json`, dist), 'utf8');
 const readme = readFileSync(new URL('README.md', dist), 'utf8');
-const { plan, check, normalise, findStart, pull, drive, explain, trace, matrix, exportMotion, schema, enumeration, chainByIndex, assemblyByIndex, assemble, at, DocumentFault } = await import(
+const { open, plan, check, normalise, findStart, pull, drive, explain, trace, matrix, exportMotion, schema, enumeration, chainByIndex, assemblyByIndex, assemble, at, DocumentFault } = await import(
   new URL('index.node.js', dist)
 );
 
@@ -21,11 +21,12 @@ test('three lines plan, and the programs of both READMEs run as printed', () => 
   const [three] = run(`${given}import { plan } from 'synthetica';\nconst motion = await plan(document);\nconsole.log(motion.report.mobility_rank)`);
   assert.equal(three, '3');
   const programs = (text) => [...text.matchAll(/```js\n([\s\S]*?)```/g)].map(([, code]) => code).filter((code) => !code.includes('synthetica/element'));
-  const [short, long] = programs(readme).map((code) => run(given + code));
+  const [short, long, session] = programs(readme).map((code) => run(given + code));
   const [own] = programs(readFileSync(new URL('../../README.md', import.meta.url), 'utf8')).map((code) => run(given + code));
   for (const [line] of [short, own]) assert.match(line, /^3 129 \d\.\d+e-\d+$/);
   assert.match(long[0], /^(reached|closest) \w+ 0\.2 \d+$/);
   assert.equal(long[1], 'unknown-version version true');
+  assert.match(session[0], /^(all|\d+ of 129) 3$/);
 });
 
 test('what the exports name is there', () => {
@@ -63,6 +64,51 @@ test('every question has its answer', async () => {
   assert.deepEqual((await plan(await assemble('3RRS'))).report.chains.map(({ type }) => type), ['RRS', 'RRS', 'RRS']);
   assert.equal((await assemblyByIndex(3, 0)).length > 0, true);
   assert.equal(await chainByIndex(1, 1e6), undefined);
+});
+
+test('a session is asked many times, and gives the same bits as the functions', async () => {
+  const text = sample('3rps');
+  const session = await open(text);
+  const [motion, other] = [await session.plan(), await plan(text)];
+  for (const name of ['joints', 'pose', 'sigma_min', 'status']) assert.deepEqual(motion[name], other[name]);
+  const joints = at(motion, 'joints', 64);
+  const goal = at(motion, 'goal', 64);
+  assert.deepEqual((await session.pull(joints, goal)).joints, (await pull(text, joints, goal)).joints);
+  assert.equal((await session.drive(joints, 0, joints[0] + 0.01)).value, joints[0] + 0.01);
+  assert.equal((await session.explain(joints, goal)).freedoms.length, 3);
+  assert.ok((await session.trace(0)).newton.converged);
+  assert.equal((await session.matrix(joints)).freedoms.length, 3);
+  assert.equal((await session.normalise()).planner.method, 'newton');
+  assert.equal((await session.findStart()).chains[0].start.length, 5);
+  assert.equal(await session.exportMotion('csv'), await exportMotion(text, 'csv'));
+  for (const index of [-1, 1.5, NaN, 129]) await assert.rejects(session.trace(index), { name: 'DocumentFault', where: 'motion.frames' });
+  await assert.rejects(session.drive(joints, -1, 0), { where: 'variable' });
+  assert.equal(await chainByIndex(-1, 0), undefined);
+  session.close();
+  await assert.rejects(session.plan(), /closed/);
+  await assert.rejects(open('{'), DocumentFault);
+});
+
+test('a long plan tells how far it is, ends with what there is so far, or without an answer, and holds nobody up', async () => {
+  const document = JSON.parse(sample('3rps'));
+  const long = { ...document, motion: { ...document.motion, frames: 5000 }, planner: { method: 'gradient' } };
+  const stop = new AbortController();
+  const seen = [];
+  const session = await open(long);
+  const motion = await session.plan({
+    stop: stop.signal,
+    onProgress: (progress) => {
+      seen.push(progress);
+      stop.abort();
+    },
+  });
+  assert.ok(motion.partial && motion.frames === motion.time.length && motion.goal_frames === 5000 && motion.frames >= seen[0].done);
+  const given = new AbortController();
+  const ended = assert.rejects(session.plan({ signal: given.signal }), { name: 'AbortError' });
+  assert.equal((await plan(document)).frames, 129);
+  given.abort();
+  await ended;
+  session.close();
 });
 
 test('a fault has its code, its place and a sentence; a document that changes is planned anew', async () => {

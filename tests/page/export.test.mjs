@@ -33,6 +33,8 @@ test('a packed motion comes back: numbers to the bit, what is only drawn to 7 di
   const names = ['time', 'metric', 'translation_gap', 'rotation_gap', 'closure', 'sigma_min', 'projected_gradient'];
   const motion = {
     frames: 3,
+    partial: true,
+    goal_frames: 5,
     milliseconds: 1,
     report: { statuses: ['reached'] },
     ...Object.fromEntries(names.map((name) => [name, column(3)])),

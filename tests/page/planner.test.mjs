@@ -4,19 +4,22 @@ import { afterEach, beforeEach, mock, test } from 'node:test';
 import { Desk } from '../../www/desk.js';
 import { DocumentFault, Planner, PlannerFailure, Superseded } from '../../www/planner.js';
 
-/** @type {{requests: {id: number, call: string, args: unknown[]}[], ended: boolean, onmessage: Function, onerror: Function}[]} */
+/** `requests` are the questions, `messages` all that was posted. @type {{requests: {id: number, call: string, args: unknown[], document?: number, text?: string}[], messages: any[], ended: boolean, onmessage: Function, onerror: Function}[]} */
 let workers;
 
 beforeEach(() => {
   workers = [];
   globalThis.Worker = class {
-    requests = [];
+    messages = [];
     ended = false;
     constructor() {
       workers.push(this);
     }
-    postMessage(request) {
-      this.requests.push(request);
+    get requests() {
+      return this.messages.filter(({ kind }) => kind === 'ask');
+    }
+    postMessage(message) {
+      this.messages.push(message);
     }
     terminate() {
       this.ended = true;
@@ -25,7 +28,10 @@ beforeEach(() => {
 });
 afterEach(() => mock.timers.reset());
 
-const answer = (worker, message) => worker.onmessage({ data: { id: worker.requests.at(-1).id, ...message } });
+/** Answers a question, the last one unless told. */
+const answer = (worker, message, { id } = worker.requests.at(-1)) => worker.onmessage({ data: { id, ...message } });
+const others = (worker) => worker.messages.filter(({ kind }) => kind !== 'ask');
+const textsOf = (worker) => worker.requests.map(({ text }) => text);
 
 test('an answer comes back to its question', async () => {
   const planner = new Planner(new Desk());
@@ -42,24 +48,83 @@ test('the latest edit wins: of the waiting plans only the newest is made', async
   answer(workers[0], { kind: 'value', value: 3 });
   assert.deepEqual([await plans[0], await plans[2]], [1, 3]);
   await overtaken;
-  assert.deepEqual(workers[0].requests.map((r) => r.args[0]), ['a', 'c']);
+  assert.deepEqual(textsOf(workers[0]), ['a', 'c']);
 });
 
-test('the linkage follows the latest hand: of the waiting pulls, drives and explanations only the newest of each is asked', async () => {
+test('the linkage follows the latest hand: of the waiting pulls, drives and explanations only the newest of each is asked, one at a time', async () => {
   const planner = new Planner(new Desk());
   const joints = new Float64Array(3);
   const goal = new Float64Array(7);
-  const first = planner.plan('a');
+  const first = planner.normalise('a');
   const old = [planner.pull('a', joints, goal), planner.drive('a', joints, 1, 0.1), planner.explain('a', joints, goal)];
   const overtaken = Promise.all(old.map((promise) => assert.rejects(promise, Superseded)));
   const calls = [planner.pull('b', joints, goal), planner.drive('b', joints, 2, 0.2), planner.explain('b', joints, goal)];
   await overtaken;
-  for (const value of ['motion', 'pulled', 'driven', 'explained']) answer(workers[0], { kind: 'value', value });
-  assert.deepEqual(await Promise.all([first, ...calls]), ['motion', 'pulled', 'driven', 'explained']);
+  for (const value of ['whole', 'pulled', 'driven', 'explained']) answer(workers[0], { kind: 'value', value });
+  assert.deepEqual(await Promise.all([first, ...calls]), ['whole', 'pulled', 'driven', 'explained']);
   assert.deepEqual(
-    workers[0].requests.map(({ call, args }) => [call, ...args]),
-    [['plan', 'a'], ['pull', 'b', joints, goal], ['drive', 'b', joints, 2, 0.2], ['explain', 'b', joints, goal]],
+    workers[0].requests.map(({ call, text, args }) => [call, text, ...args]),
+    [['text', 'a'], ['pull', 'b', joints, goal], ['drive', undefined, joints, 2, 0.2], ['explain', undefined, joints, goal]],
   );
+});
+
+test('a document is opened once and asked many times; of five the one that was not asked about longest is closed', async () => {
+  const desk = new Desk();
+  const [one, two] = [new Planner(desk), new Planner(desk)];
+  const asked = async (planner, text) => {
+    const answered = planner.normalise(text);
+    answer(workers[0], { kind: 'value', value: '' });
+    await answered;
+    return workers[0].requests.at(-1);
+  };
+  assert.deepEqual([await asked(one, 'a'), await asked(one, 'a')].map(({ document, text }) => [document, text]), [[1, 'a'], [1, undefined]]);
+  // Another asker has a document of its own, and so a plan of its own.
+  assert.deepEqual((await asked(two, 'a')).document, 2);
+  await asked(one, 'b');
+  await asked(one, 'c');
+  await asked(one, 'a');
+  assert.deepEqual(others(workers[0]), []);
+  await asked(one, 'd');
+  assert.deepEqual(others(workers[0]), [{ kind: 'close', document: 2 }]);
+  assert.equal((await asked(two, 'a')).text, 'a', 'it is opened anew');
+  desk.close(one, 'd');
+  assert.deepEqual(others(workers[0]).at(-1), { kind: 'close', document: 5 });
+});
+
+test('while a plan goes on, short questions are asked beside it, of its own asker too', async () => {
+  const desk = new Desk();
+  const [one, two] = [new Planner(desk), new Planner(desk)];
+  const seen = [];
+  const slow = one.plan('a', { onProgress: (progress) => seen.push(progress) });
+  const [plan] = workers[0].requests;
+  for (const planner of [one, two]) {
+    const explained = planner.explain('a', new Float64Array(1), new Float64Array(7));
+    answer(workers[0], { kind: 'value', value: 'explained' });
+    assert.equal(await explained, 'explained');
+    answer(workers[0], { kind: 'progress', progress: { done: 1, frames: 9 } }, plan);
+  }
+  // Another asker's plan too: the worker makes portions of each in turn.
+  const quick = two.plan('b');
+  answer(workers[0], { kind: 'value', value: 2 });
+  assert.equal(await quick, 2);
+  answer(workers[0], { kind: 'value', value: 1 }, plan);
+  assert.equal(await slow, 1);
+  assert.deepEqual(seen, [{ done: 1, frames: 9 }, { done: 1, frames: 9 }]);
+});
+
+test('a plan that is stopped ends with what there is so far', async () => {
+  const planner = new Planner(new Desk());
+  const stop = new AbortController();
+  const plan = planner.plan('a', { stop: stop.signal });
+  stop.abort();
+  assert.deepEqual(others(workers[0]), [{ kind: 'stop', id: workers[0].requests[0].id }]);
+  answer(workers[0], { kind: 'value', value: 'a part' });
+  assert.equal(await plan, 'a part');
+  // Stopped before it began: as far as one portion goes.
+  const next = planner.plan('b', { stop: stop.signal });
+  assert.deepEqual(others(workers[0]).at(-1), { kind: 'stop', id: workers[0].requests[1].id });
+  answer(workers[0], { kind: 'value', value: 'a portion' });
+  assert.equal(await next, 'a portion');
 });
 
 test('a fault of the document is told with its place, and the worker lives', async () => {
@@ -90,15 +155,57 @@ test('a worker that cannot be loaded is not tried for ever', async () => {
   assert.equal(workers.length, 1);
 });
 
-test('a plan that hangs gives way to a newer edit, not before one comes', async () => {
+test('a plan gives way to a newer edit, not before one comes, nor before half a second', async () => {
   mock.timers.enable({ apis: ['setTimeout'] });
   const planner = new Planner(new Desk());
   const slow = planner.plan('a');
   mock.timers.tick(60_000);
-  assert.equal(workers[0].ended, false);
+  assert.deepEqual(others(workers[0]), []);
+  const overtaken = assert.rejects(slow, Superseded);
   const next = planner.plan('b');
-  const given = assert.rejects(slow, PlannerFailure);
+  await overtaken;
+  assert.deepEqual(others(workers[0]), [{ kind: 'cancel', id: workers[0].requests[0].id }]);
+  // The next is asked for when the first has ended.
+  assert.deepEqual(textsOf(workers[0]), ['a']);
+  answer(workers[0], { kind: 'cancelled' });
+  assert.deepEqual(textsOf(workers[0]), ['a', 'b']);
+  const third = planner.plan('c');
+  mock.timers.tick(400);
+  assert.equal(others(workers[0]).length, 1);
+  answer(workers[0], { kind: 'value', value: 2 });
+  answer(workers[0], { kind: 'value', value: 3 });
+  assert.deepEqual([await next, await third], [2, 3], 'what is quick is shown on the way');
+  assert.equal(workers[0].ended, false);
+});
+
+test('a plan that does not end when it is taken back ends with its worker; the others are asked again', async () => {
+  mock.timers.enable({ apis: ['setTimeout'] });
+  const desk = new Desk();
+  const [planner, other] = [new Planner(desk), new Planner(desk)];
+  const hangs = assert.rejects(planner.plan('a'), Superseded);
+  const theirs = other.plan('theirs');
+  mock.timers.tick(1000);
+  const next = planner.plan('b');
+  await hangs;
+  mock.timers.tick(3000);
+  assert.equal(workers[0].ended, false);
+  mock.timers.tick(1000);
+  assert.equal(workers[0].ended, true);
+  assert.deepEqual(textsOf(workers[1]), ['theirs', 'b']);
+  answer(workers[1], { kind: 'value', value: 1 }, workers[1].requests[0]);
+  answer(workers[1], { kind: 'value', value: 2 });
+  assert.deepEqual([await theirs, await next], [1, 2]);
+});
+
+test('a question that hangs gives way to a newer one of the same asker', async () => {
+  mock.timers.enable({ apis: ['setTimeout'] });
+  const planner = new Planner(new Desk());
+  const slow = planner.trace('a', 0, new Float64Array());
   mock.timers.tick(60_000);
+  assert.equal(workers[0].ended, false);
+  const given = assert.rejects(slow, PlannerFailure);
+  const next = planner.normalise('b');
+  mock.timers.tick(4000);
   await given;
   answer(workers[1], { kind: 'value', value: 2 });
   assert.equal(await next, 2);
@@ -107,7 +214,7 @@ test('a plan that hangs gives way to a newer edit, not before one comes', async 
 test('a program’s desk waits for what takes long, and others wait behind it', async () => {
   mock.timers.enable({ apis: ['setTimeout'] });
   const planner = new Planner(new Desk(Infinity));
-  const slow = planner.plan('a');
+  const slow = planner.trace('a', 0, new Float64Array());
   const next = planner.normalise('b');
   mock.timers.tick(600_000);
   assert.equal(workers[0].ended, false);
@@ -116,45 +223,45 @@ test('a program’s desk waits for what takes long, and others wait behind it', 
   assert.deepEqual([await slow, await next], [1, 'c']);
 });
 
-test('a question that is taken back ends: one that waits is not asked, one that is being answered ends its worker', async () => {
+test('a question that is taken back ends: one that waits is not asked, a plan ends at its next portion', async () => {
   const desk = new Desk(Infinity);
   const asked = [new AbortController(), new AbortController()];
-  const answers = [...asked.map(({ signal }) => signal), undefined].map((signal, index) => desk.ask({ asker: desk, latest: false, call: 'plan', args: [index], signal }));
+  const answers = [...asked.map(({ signal }) => signal), undefined].map((signal, index) => desk.ask({ asker: desk, latest: false, call: 'plan', text: `${index}`, args: [], signal }));
   const ended = answers.slice(0, 2).map((promise) => assert.rejects(promise, { name: 'AbortError' }));
   asked[1].abort();
   await ended[1];
-  assert.equal(workers[0].ended, false);
   asked[0].abort();
   await ended[0];
-  assert.equal(workers[0].ended, true);
-  assert.deepEqual(workers[1].requests.map(({ args }) => args), [[2]]);
-  answer(workers[1], { kind: 'value', value: 2 });
+  assert.deepEqual(others(workers[0]), [{ kind: 'cancel', id: workers[0].requests[0].id }]);
+  answer(workers[0], { kind: 'cancelled' });
+  assert.deepEqual(textsOf(workers[0]), ['0', '2']);
+  answer(workers[0], { kind: 'value', value: 2 });
   assert.equal(await answers[2], 2);
+  assert.equal(workers[0].ended, false);
 });
 
-test('two linkages share a worker: neither overtakes the other, and what is slow in one is waited for by the other', async () => {
-  mock.timers.enable({ apis: ['setTimeout'] });
-  const desk = new Desk();
-  const [one, two] = [new Planner(desk), new Planner(desk)];
-  const slow = one.plan('slow');
-  const others = [two.plan('a'), two.plan('b')];
-  const overtaken = assert.rejects(others[0], Superseded);
-  mock.timers.tick(60_000);
-  await overtaken;
-  assert.equal(workers.length, 1);
-  assert.equal(workers[0].ended, false, 'the other waits');
+test('two plans of one document wait for each other, as they are made in one place', async () => {
+  const desk = new Desk(Infinity);
+  const plan = (call) => desk.ask({ asker: desk, latest: false, call, text: 'a', args: [] });
+  const both = [plan('plan'), plan('export_motion')];
+  assert.deepEqual(workers[0].requests.map(({ call }) => call), ['plan']);
   answer(workers[0], { kind: 'value', value: 1 });
   answer(workers[0], { kind: 'value', value: 2 });
-  assert.deepEqual([await slow, await others[1]], [1, 2]);
-  // Its own newer edit ends it, and the other's request is answered by a new worker.
-  const hangs = assert.rejects(one.plan('hangs'), PlannerFailure);
-  const newer = one.plan('newer');
-  const theirs = two.plan('theirs');
-  mock.timers.tick(60_000);
-  await hangs;
-  answer(workers[1], { kind: 'value', value: 3 });
-  answer(workers[1], { kind: 'value', value: 4 });
-  assert.deepEqual([await newer, await theirs], [3, 4]);
+  assert.deepEqual(await Promise.all(both), [1, 2]);
+});
+
+test('a failure is its own question’s; a worker that ends by itself fails all that it had', async () => {
+  const desk = new Desk();
+  const [one, two] = [new Planner(desk), new Planner(desk)];
+  const failing = assert.rejects(one.plan('a'), PlannerFailure);
+  const theirs = two.plan('b');
+  answer(workers[0], { kind: 'failure', message: 'unreachable' }, workers[0].requests[0]);
+  await failing;
+  assert.deepEqual([workers[0].ended, textsOf(workers[1])], [true, ['b']]);
+  answer(workers[1], { kind: 'progress', progress: { done: 1, frames: 9 } });
+  const lost = [theirs, one.plan('c')].map((promise) => assert.rejects(promise, PlannerFailure));
+  workers[1].onerror({ preventDefault() {}, message: 'gone' });
+  await Promise.all(lost);
 });
 
 test('a question that cannot be copied is refused, and the next is answered', async () => {

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { Player } from '../../www/player.js';
-import { advance, frameAt, keyFrameFrames } from '../../www/playhead.js';
+import { advance, allTimes, frameAt, keyFrameFrames } from '../../www/playhead.js';
 import { createStore } from '../../www/store.js';
 import { readFrame } from '../../www/view/frame-field.js';
 
@@ -114,6 +114,15 @@ test('frames at times and at key frames', () => {
   const keys = (all) => keyFrameFrames({ motion: { key_frames: all } }, [0, 0.25, 0.5, 0.75, 1]);
   assert.deepEqual(keys([{}, {}, {}]), [0, 2, 4]);
   assert.deepEqual(keys([{ time: 0 }, { time: 0.7 }, { time: 1 }]), [0, 3, 4]);
+});
+
+test('key frames that are not planned have their frames too', () => {
+  const time = Float64Array.of(0, 0.25);
+  const part = { time, frames: 2, goal_frames: 5, partial: true };
+  assert.deepEqual([...allTimes(part)], [0, 0.25, 0.5, 0.75, 1]);
+  assert.deepEqual(keyFrameFrames({ motion: { key_frames: [{}, {}, {}] } }, allTimes(part)), [0, 2, 4]);
+  assert.equal(allTimes({ ...part, partial: false }), time);
+  assert.equal(allTimes({ ...part, time: Float64Array.of(2), frames: 1 }).length, 5);
 });
 
 test('a typed frame is taken, or refused in words', () => {

@@ -34,3 +34,14 @@ test('of a start and of limits only the sliders’ values are lengths', () => {
   assert.deepEqual(joints[1].limits, [{ min: 10, max: 20 }]);
   assert.deepEqual(joints[0].limits, [{ min: -90 }]);
 });
+
+test('the point of reference and the radius are lengths; none stays none', () => {
+  const rps = read('3rps.json');
+  rps.motion.reference = [1, -0.5, 0];
+  const { motion } = convertLengths(rps, 1000, 'mm');
+  assert.deepEqual([motion.reference, motion.radius], [[1000, -500, 0], 20000]);
+  rps.motion.reference = null;
+  assert.equal(convertLengths(rps, 1000, 'mm').motion.reference, null);
+  delete rps.motion.reference;
+  assert.ok(!('reference' in convertLengths(rps, 1000, 'mm').motion));
+});

@@ -3,13 +3,19 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { degrees, length, scientific, short } from '../../www/format.js';
 import { parts } from '../../www/view/fault-note.js';
-import { mobilitySentence, singularSentence, worstFrame } from '../../www/view/words.js';
+import { mobilitySentence, partSentence, singularSentence, worstFrame } from '../../www/view/words.js';
 
 test('numbers are short, with a true minus, and never say −0', () => {
   assert.deepEqual([short(1.5), short(-2), short(-0.00001), short(1 / 3), short(NaN)], ['1.5', '−2', '0', '0.3333', '–']);
   assert.deepEqual([scientific(0), scientific(2.345e-16), scientific(0.5)], ['0', '2.3e−16', '0.5']);
   assert.deepEqual([length(0.25, 'm'), length(0.25, '')], ['0.25 m', '0.25']);
   assert.equal(degrees(Math.PI), 180);
+});
+
+test('a motion that was stopped says how far it goes', () => {
+  assert.equal(partSentence({ partial: true, frames: 12, goal_frames: 129 }), 'Planned to frame 12 of 129: the rest is not planned.');
+  assert.equal(partSentence({ partial: false, frames: 129, goal_frames: 129 }), '');
+  assert.equal(partSentence(null), '');
 });
 
 test('a singular position is told where the rank differs from that at the start', () => {

@@ -30,9 +30,9 @@ const NAMES = /** @type {Column[]} */ (Object.keys(COLUMNS));
 
 /** @param {Motion} motion @param {MechanismDocument} document @returns {Promise<string>} */
 export async function pack(motion, document) {
-  const { frames, report, milliseconds } = motion;
+  const { frames, partial, goal_frames, report, milliseconds } = motion;
   const parts = NAMES.map((name) => new Uint8Array(COLUMNS[name].from(motion[name]).buffer));
-  const head = new TextEncoder().encode(JSON.stringify({ document, frames, report, milliseconds, bytes: parts.map((part) => part.length) }));
+  const head = new TextEncoder().encode(JSON.stringify({ document, frames, partial, goal_frames, report, milliseconds, bytes: parts.map((part) => part.length) }));
   const whole = new Blob([new Uint32Array([head.length]), head, ...parts]);
   const packed = await new Response(whole.stream().pipeThrough(new CompressionStream('gzip'))).arrayBuffer();
   return base64(new Uint8Array(packed));

@@ -6,7 +6,7 @@
  */
 import { setText } from '../dom.js';
 import { parts, sentence } from './fault-note.js';
-import { frameSentence } from './words.js';
+import { frameSentence, partSentence } from './words.js';
 
 /** Pause before the live region speaks, in milliseconds: while the motion plays it would never stop. */
 const SPEAK_AFTER = 600;
@@ -32,7 +32,7 @@ export function createBanners({ find, store }) {
     speech = setTimeout(() => {
       const { motion, fault, trouble } = store.result;
       if (store.view.playing && !fault && !trouble) return;
-      setText(live, fault ? sentence(fault.message) : trouble || (motion ? frameSentence(store) : ''));
+      setText(live, fault ? sentence(fault.message) : trouble || (motion ? `${partSentence(motion)} ${frameSentence(store)}`.trim() : ''));
     }, SPEAK_AFTER);
   }
 

@@ -5,7 +5,7 @@ import { angle, length, plural, scientific, short } from '../format.js';
 import { element, setText } from '../dom.js';
 import { shownEnd } from '../shown.js';
 import { sentence } from './fault-note.js';
-import { PULLED, countStatuses, mobilitySentence, singularSentence, statusWords, worstFrame } from './words.js';
+import { PULLED, countStatuses, mobilitySentence, partSentence, singularSentence, statusWords, worstFrame } from './words.js';
 
 /** @param {Pick<import('../workbench.js').App, 'find' | 'store' | 'player'>} app */
 export function createStatus({ find, store, player }) {
@@ -52,11 +52,12 @@ export function createStatus({ find, store, player }) {
     const { motion, document } = store.result;
     if (!motion) return;
     const { report } = motion;
+    const part = partSentence(motion);
     const worst = worstFrame(motion.metric);
     find('motion-summary').replaceChildren(
       `${plural(motion.frames, 'frame')}: ${countStatuses(motion)}. Largest gap `,
       jump(`${length(motion.translation_gap[worst], document?.length_unit)}, ${angle(motion.rotation_gap[worst])}`, worst),
-      '.',
+      `.${part && ` ${part}`}`,
     );
     setText(find('mobility-count'), short(report.mobility_count));
     setText(find('mobility-difference'), unknownsLessEquations(report.chains));

@@ -1,5 +1,6 @@
 /**
- * The strip of the animation bar: the gap of every frame as a curve and its status as a band.
+ * The strip of the animation bar: the gap of every frame as a curve and its status as a band; of a motion that was stopped
+ * the frames that are not planned are left open.
  *
  * @typedef {import('../types.js').Motion} Motion
  */
@@ -15,7 +16,7 @@ const HIGHER = { at_limit: 7, stalled: 11, closure_lost: HEIGHT };
 
 /** @param {SVGSVGElement} svg @param {Motion} motion */
 export function drawStrip(svg, motion) {
-  const last = Math.max(1, motion.frames - 1);
+  const last = Math.max(1, motion.goal_frames - 1);
   svg.setAttribute('viewBox', `0 0 ${last} ${HEIGHT}`);
   svg.replaceChildren();
 
@@ -28,7 +29,8 @@ export function drawStrip(svg, motion) {
     const share = highest > 1e-6 ? Math.sqrt(motion.metric[frame]) / highest : 0;
     path += `L${frame} ${(top - share * (top - 1)).toFixed(2)}`;
   }
-  add(svg, 'path', { d: `${path}L${last} ${top}Z`, class: 'gap' });
+  add(svg, 'path', { d: `${path}L${motion.frames - 1} ${top}Z`, class: 'gap' });
+  if (motion.partial) add(svg, 'path', { d: `M${motion.frames - 0.5} ${HEIGHT - BAND / 2}H${last}`, class: 'unplanned' });
 
   // One rectangle a run of equal status, half a frame to either side of its frames.
   for (let first = 0; first < motion.frames; ) {

@@ -4,9 +4,9 @@
  */
 import { angle, length, short } from '../format.js';
 import { element, setText } from '../dom.js';
-import { keyFrameFrames } from '../playhead.js';
+import { allTimes, keyFrameFrames } from '../playhead.js';
 import { drawStrip } from './strip.js';
-import { countStatuses, frameSentence, statusName, statusWords } from './words.js';
+import { countStatuses, frameSentence, partSentence, statusName, statusWords } from './words.js';
 
 const PAGE = 10;
 /** Least share of the track beside a key frame in which its name is written. */
@@ -26,7 +26,8 @@ export function createTrack({ find, store }, goTo) {
   /** Of each key frame. @type {number[]} */
   let keys = [];
 
-  const last = () => Math.max(1, (store.result.motion?.frames ?? 1) - 1);
+  /** The last frame of the goal motion: so far goes the track. */
+  const last = () => Math.max(1, (store.result.motion?.goal_frames ?? 1) - 1);
   const share = (/** @type {number} */ frame) => `${(100 * frame) / last()}%`;
 
   /** @param {PointerEvent} event */
@@ -88,9 +89,9 @@ export function createTrack({ find, store }, goTo) {
   function showTicks() {
     const { motion, document } = store.result;
     if (!motion || !document) return;
-    keys = keyFrameFrames(document, motion.time);
+    keys = keyFrameFrames(document, allTimes(motion));
     const names = document.motion.key_frames.map(({ name }, i) => name || `key frame ${i + 1}`);
-    const signature = JSON.stringify([names, keys, motion.frames]);
+    const signature = JSON.stringify([names, keys, motion.goal_frames]);
     if (ticks.dataset.signature === signature) return;
     ticks.dataset.signature = signature;
     ticks.replaceChildren(
@@ -139,7 +140,7 @@ export function createTrack({ find, store }, goTo) {
     if (!motion) return;
     if (scrub.max !== String(motion.frames - 1)) scrub.max = String(motion.frames - 1);
     drawStrip(strip, motion);
-    strip.setAttribute('aria-label', `Gap at every frame, at most ${short(Math.sqrt(2 * Math.max(...motion.metric)))}: ${countStatuses(motion)}`);
+    strip.setAttribute('aria-label', `Gap at every frame, at most ${short(Math.sqrt(2 * Math.max(...motion.metric)))}: ${countStatuses(motion)}. ${partSentence(motion)}`.trim());
     showTicks();
     show();
   }

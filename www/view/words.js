@@ -43,6 +43,9 @@ export function countStatuses(motion) {
   return [...counts].map(([name, count]) => `${count} ${statusWords(name).word.toLowerCase()}`).join(', ');
 }
 
+/** Of a motion that was stopped, how far it goes; else empty. @param {Motion | null} motion */
+export const partSentence = (motion) => (motion?.partial ? `Planned to frame ${motion.frames} of ${motion.goal_frames}: the rest is not planned.` : '');
+
 /** @param {ArrayLike<number>} column @returns {number} the frame of its largest value */
 export function worstFrame(column) {
   let worst = 0;

@@ -4,12 +4,12 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint, value_parser};
 use clap_complete::Shell;
 use std::path::{Path, PathBuf};
+use synthetica::document::example_document::example;
 use synthetica::document::schema::Document;
 use synthetica::exchange::export::Format;
 use synthetica::model::joint::JointKind;
 use synthetica::motion::goal::MAX_FRAMES;
 use synthetica::types::enumerate::{MAX_CHAIN_CONSTRAINTS, MAX_CONSTRAINTS};
-use synthetica::types::example::assemble;
 
 /// Closest reachable motions of spatial linkages, from documents in JSON
 #[derive(Parser)]
@@ -248,7 +248,7 @@ pub enum Listing {
 }
 
 fn linkage(text: &str) -> Result<Box<Document>, String> {
-    let document = assemble(text).map_err(|fault| fault.to_string())?;
+    let document = example(text).map_err(|fault| fault.to_string())?;
     Ok(Box::new(document))
 }
 

@@ -8,9 +8,9 @@ use clap::CommandFactory;
 use clap::error::ErrorKind;
 use serde::Serialize;
 use synthetica::types::enumerate::{
-    AssemblyLine, ClassLine, assembly, assembly_count, assembly_index, chain, chain_count,
-    chain_index, letters, tables,
+    assembly, assembly_count, assembly_index, chain, chain_count, chain_index, letters,
 };
+use synthetica::types::tables::{AssemblyLine, ClassLine, tables};
 
 /// Prints what is asked for.
 pub fn enumerate(asked: &Enumerate) -> Result<(), Failure> {

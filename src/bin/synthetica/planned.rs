@@ -9,7 +9,7 @@ use synthetica::document::problem::Problem;
 use synthetica::document::schema::Document;
 use synthetica::document::text;
 use synthetica::motion::trajectory::Trajectory;
-use synthetica::plan::follow;
+use synthetica::plan::settings;
 
 /// A document and its motion.
 pub struct Planned {
@@ -36,7 +36,11 @@ pub fn planned(file: &Path, planning: &Planning) -> Result<Planned, Failure> {
         }
     };
     let mut progress = Progress::new("frame", problem.goals.len() as u64);
-    let motion = problem.plan_watched(&mut |frames| progress.at(frames as u64));
+    let mut planning = problem.planning(&problem.find_start());
+    while planning.advance() {
+        progress.at(planning.done() as u64);
+    }
+    let motion = planning.finish();
     Ok(Planned {
         file,
         document,
@@ -48,8 +52,8 @@ pub fn planned(file: &Path, planning: &Planning) -> Result<Planned, Failure> {
 fn change(document: &mut Document, planning: &Planning) {
     if let Some(method) = planning.method {
         document.planner.method = match method {
-            Method::Newton => follow::Method::Newton,
-            Method::Gradient => follow::Method::Gradient,
+            Method::Newton => settings::Method::Newton,
+            Method::Gradient => settings::Method::Gradient,
         };
     }
     if let Some(frames) = planning.frames {

@@ -1,0 +1,102 @@
+//! A document to begin with: a linkage of any type, closed at its start.
+
+use crate::document::fault::{Fault, FaultCode, Place, excerpt};
+use crate::document::problem::short;
+use crate::document::schema::{
+    ChainEntry, Document, FrameEntry, JointEntry, KeyFrameEntry, MotionEntry, PlannerEntry, VERSION,
+};
+use crate::math::pose::{FrameCoordinates, Pose};
+use crate::model::chain::{Chain, MAX_FREEDOMS};
+use crate::model::mechanism::MAX_CHAINS;
+use crate::motion::goal::Interpolation;
+use crate::types::example::{self, NoType, chains_of};
+
+/// As many as show a smooth motion between two key frames.
+const FRAMES: u32 = 65;
+
+/// A document with a linkage of the type that `text` names, such as 3RPS or RPS+2TS, in metres.
+///
+/// # Errors
+/// Where the text is no type.
+pub fn example(text: &str) -> Result<Document, Fault> {
+    let kinds = chains_of(text).map_err(|no_type| fault(&no_type))?;
+    let example = example::example(&kinds);
+    let [begin, end] = &example.key_frames;
+    let mut document = Document {
+        schema: None,
+        version: VERSION,
+        name: text.trim().to_uppercase(),
+        about: String::new(),
+        length_unit: "m".into(),
+        chains: example.mechanism.chains().iter().map(chain).collect(),
+        motion: MotionEntry {
+            key_frames: vec![key_frame("begin", begin), key_frame("end", end)],
+            interpolation: Interpolation::default(),
+            frames: FRAMES,
+            reference: None,
+            radius: None,
+        },
+        planner: PlannerEntry::default(),
+    };
+    document.set_start(&example.mechanism, &example.start);
+    Ok(document)
+}
+
+fn fault(no_type: &NoType) -> Fault {
+    let what = format!(
+        "\u{201c}{}\u{201d} is no type of linkage",
+        excerpt(&no_type.text)
+    );
+    let accepted = format!(
+        "chains of the joints R, P, C, T, S, E with one to {MAX_FREEDOMS} freedoms each, such as 3RPS or RPS+2TS, at most {MAX_CHAINS}"
+    );
+    Fault::new(
+        FaultCode::UnknownValue,
+        &Place::WHOLE.field("type"),
+        &what,
+        &accepted,
+    )
+}
+
+fn chain(chain: &Chain) -> ChainEntry {
+    ChainEntry {
+        name: chain.name().to_owned(),
+        base: frame(chain.base()),
+        joints: chain.joints().iter().map(JointEntry::from).collect(),
+        gripper: frame(chain.gripper()),
+        start: None,
+    }
+}
+
+fn frame(pose: &Pose) -> FrameEntry {
+    let at = FrameCoordinates::from_pose(pose);
+    FrameEntry {
+        x: short(at.x),
+        y: short(at.y),
+        z: short(at.z),
+        longitude: short(at.longitude.to_degrees()),
+        latitude: short(at.latitude.to_degrees()),
+        roll: short(at.roll.to_degrees()),
+    }
+}
+
+fn key_frame(name: &str, pose: &Pose) -> KeyFrameEntry {
+    let FrameEntry {
+        x,
+        y,
+        z,
+        longitude,
+        latitude,
+        roll,
+    } = frame(pose);
+    KeyFrameEntry {
+        name: name.into(),
+        x,
+        y,
+        z,
+        longitude,
+        latitude,
+        roll,
+        time: None,
+    }
+}

@@ -1,0 +1,48 @@
+//! What chains, motion and planner have in common: frames, points, and lists of entries.
+
+use crate::document::bounds::{angle, length, wrong_count};
+use crate::document::fault::{Fault, Place};
+use crate::document::schema::FrameEntry;
+use crate::math::pose::{FrameCoordinates, Pose};
+use nalgebra::Vector3;
+
+/// The pose of a frame, in radians.
+pub(crate) fn frame(entry: &FrameEntry, place: &Place<'_>) -> Result<Pose, Fault> {
+    let coordinates = FrameCoordinates {
+        x: length(entry.x, &place.field("x"))?,
+        y: length(entry.y, &place.field("y"))?,
+        z: length(entry.z, &place.field("z"))?,
+        longitude: angle(entry.longitude, &place.field("longitude"))?,
+        latitude: angle(entry.latitude, &place.field("latitude"))?,
+        roll: angle(entry.roll, &place.field("roll"))?,
+    };
+    Ok(coordinates.pose())
+}
+
+/// A point, where one is given.
+pub(crate) fn point(
+    entry: Option<&[f64]>,
+    place: &Place<'_>,
+) -> Result<Option<Vector3<f64>>, Fault> {
+    let Some(values) = entry else {
+        return Ok(None);
+    };
+    let &[x, y, z] = values else {
+        let accepted = "three lengths, those of x, y and z, or null";
+        return Err(wrong_count(place, values.len(), accepted));
+    };
+    let point = each(&[x, y, z], |i, &value| length(value, &place.item(i)))?;
+    Ok(Some(Vector3::from_column_slice(&point)))
+}
+
+/// Converts each entry of a list, up to the first fault.
+pub(crate) fn each<E, T>(
+    entries: &[E],
+    convert: impl Fn(usize, &E) -> Result<T, Fault>,
+) -> Result<Vec<T>, Fault> {
+    let mut converted = Vec::with_capacity(entries.len());
+    for (i, entry) in entries.iter().enumerate() {
+        converted.push(convert(i, entry)?);
+    }
+    Ok(converted)
+}

@@ -1,0 +1,226 @@
+//! What deserves a look in a motion, as sentences for a person.
+
+use crate::document::fault::excerpt;
+use crate::document::wording::{Wording, readable};
+use crate::motion::trajectory::{Neighbours, Suspect, Warning};
+use serde::Serialize;
+
+/// A warning in words, with the frames that it is about, from 0.
+#[derive(Clone, Debug, Serialize)]
+pub struct WarningReport {
+    /// In kebab-case.
+    pub code: &'static str,
+    /// A sentence for a person. Frames count from 1 in it.
+    pub message: String,
+    /// First frame.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub first: Option<usize>,
+    /// Last frame.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub last: Option<usize>,
+}
+
+/// A warning of a motion, in words.
+pub fn warning(warning: &Warning, wording: &Wording<'_>) -> WarningReport {
+    let say = |code, message, frames: Option<(usize, usize)>| WarningReport {
+        code,
+        message,
+        first: frames.map(|f| f.0),
+        last: frames.map(|f| f.1),
+    };
+    match *warning {
+        Warning::StartMoved { moved, variable } => say(
+            "start-moved",
+            format!(
+                "The start did not close the loops; joints were moved, most of all {} by {}.",
+                wording.variable(variable),
+                wording.amount(variable, moved)
+            ),
+            None,
+        ),
+        Warning::StartOutsideLimits { variable, value, limit } => say(
+            "start-outside-limits",
+            format!(
+                "The start of {}, {}, is {} value, {}: it is moved there.",
+                wording.variable(variable),
+                wording.amount(variable, value),
+                if value < limit { "below its smallest" } else { "above its largest" },
+                wording.amount(variable, limit)
+            ),
+            None,
+        ),
+        Warning::StartOpen { error } => say(
+            "start-open",
+            format!(
+                "The loops cannot be closed from this start: they are open by {} of the mechanism's size, or rad. Give other start values or dimensions.",
+                readable(error)
+            ),
+            None,
+        ),
+        Warning::StartRigid { error, leap } => say(
+            "start-rigid",
+            format!(
+                "The dimensions do not fit together: the loops are open by {} of the mechanism's size, or rad, at the given start, and the nearest position where they close is a joint motion of {} rad, or sizes, away. With these dimensions the linkage is rigid, or the start belongs to another one.",
+                readable(error),
+                readable(leap)
+            ),
+            None,
+        ),
+        Warning::RoundedDimensions { misfit, suspect } => say(
+            "rounded-dimensions",
+            rounded_dimensions(misfit, suspect.as_ref(), wording),
+            None,
+        ),
+        Warning::RoundedUnknown => say(
+            "rounded-unknown",
+            "The dimensions of this linkage agree only to some decimals. The gradient planner takes them as they are, and finds no closed position; the Newton planner allows for it."
+                .to_owned(),
+            None,
+        ),
+        Warning::BranchJump { first, time, moved, variable } => say(
+            "branch-jump",
+            format!(
+                "The linkage leaps between frames {} and {}, at time {}: {} moves by {} at once. There is no continuous way on from its branch.",
+                first + 1,
+                first + 2,
+                readable(time),
+                wording.variable(variable),
+                wording.amount(variable, moved)
+            ),
+            Some((first, first + 1)),
+        ),
+        Warning::MetricLength { given, proposed } => say(
+            "metric-length",
+            format!(
+                "The metric's length is {}, and the linkage's lengths are about {}: rotations weigh {} against translations. A length of {} would be usual, which null stands for.",
+                wording.length(given),
+                wording.length(proposed),
+                if given < proposed { "next to nothing" } else { "almost everything" },
+                wording.length(proposed)
+            ),
+            None,
+        ),
+        Warning::NearSingular {
+            first,
+            last,
+            smallest,
+        } => say(
+            "near-singular",
+            format!(
+                "Near a singular position in frames {} to {}: the smallest singular value falls to {}.",
+                first + 1,
+                last + 1,
+                readable(smallest)
+            ),
+            Some((first, last)),
+        ),
+        Warning::MobilityDiffers { count, rank } => say(
+            "mobility-differs",
+            format!(
+                "Counting joints gives {count} degrees of freedom, the rank of the loop equations {rank}: some constraints repeat each other, or the start is a singular position."
+            ),
+            None,
+        ),
+        Warning::LimitsUnknown => say(
+            "limits-unknown",
+            "The gradient planner knows no joint limits; frames beyond one count as stalled. \
+             The Newton planner keeps them."
+                .to_owned(),
+            None,
+        ),
+        Warning::HalfTurn {
+            ref neighbours,
+            axis,
+        } => say("half-turn", half_turn(neighbours, axis), None),
+        Warning::FullTurn {
+            ref neighbours,
+            angle,
+            typed,
+            slides,
+        } => say(
+            "full-turn",
+            full_turn(neighbours, angle, typed, slides),
+            None,
+        ),
+        Warning::ShortWay {
+            ref neighbours,
+            angle,
+            typed,
+            turn,
+        } => say("short-way", short_way(neighbours, angle, typed, turn), None),
+        Warning::Runaway { frame, elsewhere } => say(
+            "runaway",
+            format!(
+                "At frame {} the distance keeps falling while a slider runs away: there is no closest pose on this branch. {}Limits for the sliders would help.",
+                frame + 1,
+                if elsewhere { "Another assembly, which no motion joins to this one, comes closer. " } else { "" }
+            ),
+            Some((frame, frame)),
+        ),
+    }
+}
+
+fn rounded_dimensions(misfit: f64, suspect: Option<&Suspect>, wording: &Wording<'_>) -> String {
+    let size = wording.mechanism.size_or(1.0);
+    let mut text = format!(
+        "The loops of this linkage have more conditions than it needs, and its dimensions agree only to {} ({} of its size, or rad): they look rounded. The loops are closed as well as they can be, in the sense of least squares, and frames are certified for that.",
+        wording.length(misfit * size),
+        readable(misfit)
+    );
+    if let Some(suspect) = suspect {
+        text += &format!(" The largest misfit is {}.", wording.suspect(suspect));
+    }
+    text
+}
+
+fn half_turn(neighbours: &Neighbours, axis: [f64; 3]) -> String {
+    // Adding 0 makes 0 of −0.
+    let [x, y, z] = axis.map(|x| (x * 1e3).round() / 1e3 + 0.0);
+    format!(
+        "From {} the workpiece turns by 180°, and both ways are equally long. It turns about the direction ({x}, {y}, {z}) of the fixed frame, by the right-hand rule. A key frame between the two chooses the other way.",
+        from_to(neighbours)
+    )
+}
+
+fn full_turn(neighbours: &Neighbours, angle: &str, typed: f64, slides: bool) -> String {
+    let typed = degrees(typed);
+    let what = if slides {
+        "does not turn"
+    } else {
+        "stands still"
+    };
+    format!(
+        "From {} the {angle} differs by {typed}°, which is the same rotation: the workpiece {what} between them. {MORE_KEY_FRAMES}",
+        from_to(neighbours)
+    )
+}
+
+fn short_way(neighbours: &Neighbours, angle: &str, typed: f64, turn: f64) -> String {
+    let (typed, turn) = (degrees(typed), degrees(turn));
+    format!(
+        "From {} the {angle} differs by {typed}°, and the workpiece turns the short way, by {turn}°. {MORE_KEY_FRAMES}",
+        from_to(neighbours)
+    )
+}
+
+const MORE_KEY_FRAMES: &str =
+    "To turn it all the way, add key frames between them, each less than 180° from the one before.";
+
+/// Such as: key frame 1 “begin” to key frame 2.
+fn from_to(neighbours: &Neighbours) -> String {
+    let [before, own] = &neighbours.names;
+    let called = |number: usize, name: &str| {
+        let mut words = format!("key frame {number}");
+        if !name.is_empty() {
+            words += &format!(" \u{201c}{}\u{201d}", excerpt(name));
+        }
+        words
+    };
+    let key = neighbours.key;
+    format!("{} to {}", called(key, before), called(key + 1, own))
+}
+
+/// Radians in degrees, rounded to a thousandth.
+fn degrees(angle: f64) -> f64 {
+    (angle.to_degrees() * 1e3).round() / 1e3
+}

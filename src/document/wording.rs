@@ -1,0 +1,132 @@
+//! Numbers, lengths and joint variables in words.
+
+use crate::document::chain_report::chain;
+use crate::document::fault::excerpt;
+use crate::model::chain::Chain;
+use crate::model::mechanism::Mechanism;
+use crate::motion::trajectory::{Dimension, Suspect};
+
+/// How a document's mechanism is spoken of.
+#[derive(Clone, Copy, Debug)]
+pub struct Wording<'a> {
+    /// The mechanism.
+    pub mechanism: &'a Mechanism,
+    /// The label of the unit of length; may be empty.
+    pub unit: &'a str,
+}
+
+impl Wording<'_> {
+    /// Such as “θ₂ of chain 1”; variables count from 0 through all chains.
+    pub fn variable(&self, variable: usize) -> String {
+        let mut first = 0;
+        for (i, own) in self.mechanism.chains().iter().enumerate() {
+            if let Some(own_variable) = chain(own).variables.get(variable - first) {
+                let label: String = own_variable.label.chars().map(subscript).collect();
+                return format!("{label} of {}", self.chain(i));
+            }
+            first += own.freedoms();
+        }
+        String::new()
+    }
+
+    /// The chain's name, or its number.
+    pub fn chain(&self, chain: usize) -> String {
+        let name = self.mechanism.chains()[chain].name();
+        if name.is_empty() {
+            format!("chain {}", chain + 1)
+        } else {
+            excerpt(name)
+        }
+    }
+
+    /// A value of a joint variable, rad or a length, with its unit.
+    pub fn amount(&self, variable: usize, value: f64) -> String {
+        let mut turns = self.mechanism.chains().iter().flat_map(Chain::turns);
+        if turns.nth(variable).unwrap_or(false) {
+            format!("{}°", readable(value.to_degrees()))
+        } else {
+            self.length(value)
+        }
+    }
+
+    /// A length with its unit.
+    pub fn length(&self, value: f64) -> String {
+        if self.unit.is_empty() {
+            readable(value)
+        } else {
+            format!("{} {}", readable(value), self.unit)
+        }
+    }
+
+    /// Such as: the twist α of row 2 of chain 1, which would fit with 3.7e−6 rad more.
+    pub fn suspect(&self, suspect: &Suspect) -> String {
+        let what = match suspect.dimension {
+            Dimension::Twist => "the twist α",
+            Dimension::Length => "the link length a",
+            Dimension::Angle => "the angle θ",
+            Dimension::Offset => "the offset d",
+        };
+        let amount = match suspect.dimension {
+            Dimension::Twist | Dimension::Angle => {
+                format!("{}°", readable(suspect.change.abs().to_degrees()))
+            }
+            Dimension::Length | Dimension::Offset => self.length(suspect.change.abs()),
+        };
+        let side = if suspect.change < 0.0 { "less" } else { "more" };
+        let (row, chain) = (suspect.row + 1, self.chain(suspect.chain));
+        format!("{what} of row {row} of {chain}, which would fit with {amount} {side}")
+    }
+}
+
+/// A number with four digits, whatever its size: 12.35, 0.001235, 1.235e−13; with the minus sign of the page.
+pub fn readable(x: f64) -> String {
+    if x == 0.0 {
+        return "0".to_owned();
+    }
+    let scientific = format!("{x:.3e}");
+    let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
+    let exponent: i32 = exponent.parse().unwrap_or(0);
+    let text = if (-3..6).contains(&exponent) {
+        let places = usize::try_from(3 - exponent).unwrap_or(0);
+        let plain = format!("{x:.places$}");
+        if plain.contains('.') {
+            plain.trim_end_matches('0').trim_end_matches('.').to_owned()
+        } else {
+            plain
+        }
+    } else {
+        let mantissa = mantissa.trim_end_matches('0').trim_end_matches('.');
+        format!("{mantissa}e{exponent}")
+    };
+    text.replace('-', "−")
+}
+
+fn subscript(c: char) -> char {
+    c.to_digit(10)
+        .and_then(|digit| char::from_u32('₀' as u32 + digit))
+        .unwrap_or(c)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::readable;
+
+    #[test]
+    fn numbers_of_every_size_can_be_read() {
+        let cases = [
+            (0.0, "0"),
+            (1.0, "1"),
+            (-12.3456, "−12.35"),
+            (0.0012349, "0.001235"),
+            (1e-13, "1e−13"),
+            (-1.23456e-13, "−1.235e−13"),
+            (123_456.0, "123456"),
+            (1.5e9, "1.5e9"),
+            (99_999.96, "100000"),
+        ];
+        for (x, text) in cases {
+            assert_eq!(readable(x), text);
+        }
+        assert_eq!(readable(f64::INFINITY), "inf");
+    }
+}

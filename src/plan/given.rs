@@ -1,0 +1,62 @@
+//! What a given start is checked for before a motion is planned from it.
+
+use crate::model::mechanism::Mechanism;
+use crate::motion::trajectory::Warning;
+
+/// A joint value beyond a limit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OutsideLimit {
+    /// The joint variable, counted from 0 over all chains.
+    pub variable: usize,
+    /// Its value, rad or a length in the mechanism's unit.
+    pub value: f64,
+    /// The limit that it is beyond, in the same unit.
+    pub limit: f64,
+}
+
+/// The joint values `start` (rad or lengths) that are beyond their limits.
+///
+/// # Panics
+/// When `start` does not have one value a joint variable.
+pub fn outside_limits(mechanism: &Mechanism, start: &[f64]) -> Vec<OutsideLimit> {
+    /// Excess, rad or sizes, that the last digits of a printed table explain, as for loops that are closed
+    /// as given.
+    const ROUNDING: f64 = 1e-6;
+    assert_eq!(start.len(), mechanism.variables(), "one value a variable");
+    let size = mechanism.size_or(1.0);
+    let kinds = (mechanism.chains().iter()).flat_map(|c| c.turns().zip(c.limits()));
+    let values = start.iter().enumerate().zip(kinds);
+    values
+        .filter_map(|((variable, &value), (turns, limits))| {
+            let limit = value.clamp(limits.min, limits.max);
+            let least = if turns { ROUNDING } else { ROUNDING * size };
+            let outside = (value - limit).abs() > least;
+            outside.then_some(OutsideLimit {
+                variable,
+                value,
+                limit,
+            })
+        })
+        .collect()
+}
+
+/// Moves the joint values `start` that are outside their limits to them, with a warning for each.
+pub(crate) fn move_within_limits(
+    mechanism: &Mechanism,
+    start: &mut [f64],
+    warnings: &mut Vec<Warning>,
+) {
+    for outside in outside_limits(mechanism, start) {
+        let OutsideLimit {
+            variable,
+            value,
+            limit,
+        } = outside;
+        warnings.push(Warning::StartOutsideLimits {
+            variable,
+            value,
+            limit,
+        });
+        start[variable] = limit;
+    }
+}

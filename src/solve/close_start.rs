@@ -1,0 +1,251 @@
+//! Closing the loops at a start: from near or from anywhere, and what is learnt there about surplus constraints.
+//!
+//! A start that is nearly closed is meant: closing it may not leap to another assembly. Where the loops close exactly
+//! only by a leap, or not at all, or leave a linkage rigid that counts as nearly mobile, the dimensions may be rounded
+//! ones of an overconstrained linkage. That is tried by its meaning: with the surplus constraints met in the sense of
+//! least squares the linkage must close, and must move some way without the misfit growing beyond the tolerance. An
+//! ordinary linkage near a singular position does not: there the misfit grows with the square of the way.
+
+use crate::model::scaled::{CLOSED, SOLVED, Scaled};
+use crate::solve::close::{Closer, Reach, Shortest, dot, longest};
+use crate::solve::dependent::Dependence;
+use crate::solve::limits::Holding;
+
+/// Gauss–Newton from a random start takes about a dozen steps.
+const STEPS: usize = 100;
+/// While the loops are open by e, surplus constraints look independent by about e: those closer to dependence than this
+/// share of e are left out.
+const BLUR: f64 = 0.1;
+/// The same where rounded dimensions are tried: a surplus constraint is independent by its misfit, which is what is left
+/// of e in the end.
+const ROUNDED_BLUR: f64 = 3.0;
+/// Largest share of e that is taken into account: further off the position says nothing about dependence.
+const FAR: f64 = 0.1;
+/// Closure error below which a start counts as nearly closed: a table printed with two decimals.
+const NEAR: f64 = 1e-2;
+/// At a singular position an error e is closed by a motion of about √e. More than this many times is a leap.
+const LEAP: f64 = 5.0;
+/// Distance from dependence up to which constraints are surplus with exact dimensions.
+const EXACT: f64 = 1e-9;
+/// Length of a trial motion, root of the joints' squared motions: where curvature is 1, an ordinary constraint that was
+/// left out is open by 5e-3 after it.
+const TRIAL: f64 = 0.1;
+
+/// How a start was closed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Start {
+    /// All loops close.
+    Closed,
+    /// All but the misfit of rounded dimensions.
+    Rounded,
+    /// They do not close; a start that was nearly closed would have had to leap by the second number, which is infinite
+    /// where no closed position was found at all.
+    Open {
+        /// How far the loops are open where it was given up.
+        error: f64,
+        /// Largest joint motion, rad or sizes, to the closed position that was found.
+        leap: f64,
+    },
+}
+
+/// Closes the loops near `theta` without regard to a goal, within the limits, and learns the surplus constraints.
+/// `tolerance` is how far rounded dimensions may contradict each other; 0 for not at all. Where the loops stay open
+/// `theta` is as it was.
+pub fn close_start(
+    closer: &mut Closer,
+    scaled: &Scaled,
+    holding: &mut Holding,
+    tolerance: f64,
+    theta: &mut [f64],
+) -> Start {
+    closer.set_dependence(Dependence::FOUND);
+    let given = theta.to_vec();
+    let mut open = Start::Open {
+        error: closer.closure(scaled, &given).0,
+        leap: f64::INFINITY,
+    };
+    // Joints that meet a limit are held there; if that does not close, they may come back.
+    for hold in [true, false] {
+        theta.copy_from_slice(&given);
+        holding.clear();
+        let path = descend(closer, scaled, holding, hold, theta);
+        holding.clear();
+        let begins_near = path.error <= NEAR && path.near.as_deref() == Some(&given);
+        if path.closed && !path.leaps {
+            if let Some(rounded) = rounded(closer, scaled, theta, tolerance, true) {
+                theta.copy_from_slice(&rounded);
+                return Start::Rounded;
+            }
+            let (_, surplus) = closer.mobility(scaled, theta);
+            closer.set_dependence(Dependence::Implied(surplus));
+            return Start::Closed;
+        }
+        if let Some(near) = &path.near
+            && let Some(rounded) = rounded(closer, scaled, near, tolerance, false)
+        {
+            theta.copy_from_slice(&rounded);
+            return Start::Rounded;
+        }
+        if path.closed && !begins_near {
+            let (_, surplus) = closer.mobility(scaled, theta);
+            closer.set_dependence(Dependence::Implied(surplus));
+            return Start::Closed;
+        }
+        if path.closed {
+            let leap = Scaled::largest_motion(&given, theta).0;
+            open = Start::Open {
+                error: path.error,
+                leap,
+            };
+        }
+    }
+    theta.copy_from_slice(&given);
+    open
+}
+
+/// The way of the exact closing.
+struct Path {
+    closed: bool,
+    /// The first position on it that is nearly closed, and its closure error.
+    near: Option<Vec<f64>>,
+    error: f64,
+    /// From there on it went further than closing needs.
+    leaps: bool,
+}
+
+/// Gauss–Newton until the loops are closed, with steps of at most 1.
+fn descend(
+    closer: &mut Closer,
+    scaled: &Scaled,
+    holding: &mut Holding,
+    hold: bool,
+    theta: &mut [f64],
+) -> Path {
+    let mut path = Path {
+        closed: false,
+        near: None,
+        error: f64::INFINITY,
+        leaps: false,
+    };
+    let (mut correction, mut step) = (Vec::new(), vec![0.0; theta.len()]);
+    for _ in 0..STEPS {
+        holding.clamp(theta, hold);
+        let tangent = closer.tangent();
+        let open = tangent.evaluate(scaled.chains(), theta);
+        if let Some(near) = &path.near {
+            let moved = Scaled::largest_motion(near, theta).0;
+            path.leaps |= !(moved <= LEAP * path.error.sqrt());
+        } else if open <= NEAR {
+            path.near = Some(theta.to_vec());
+            path.error = open;
+        }
+        if open <= SOLVED {
+            path.closed = true;
+            break;
+        }
+        let blurred = Dependence::Within(BLUR * open.min(FAR));
+        tangent
+            .factor(holding.stops(), blurred)
+            .close(&mut correction, &mut step);
+        let longest = longest(&step);
+        if !longest.is_finite() {
+            break;
+        }
+        let scale = (1.0 / longest).min(1.0);
+        theta
+            .iter_mut()
+            .zip(&step)
+            .for_each(|(t, s)| *t += scale * s);
+    }
+    path
+}
+
+/// The position near `theta` that closes a linkage with rounded dimensions, if it is one; sets the dependence then, and
+/// leaves it alone else. `closed`: the loops are closed exactly at `theta`.
+fn rounded(
+    closer: &mut Closer,
+    scaled: &Scaled,
+    theta: &[f64],
+    tolerance: f64,
+    closed: bool,
+) -> Option<Vec<f64>> {
+    if !(tolerance > 0.0) {
+        return None;
+    }
+    let free = Holding::new(scaled.limits());
+    let before = closer.dependence();
+    let open = closer.tangent().evaluate(scaled.chains(), theta);
+    let blur = |open: f64| (ROUNDED_BLUR * open.min(FAR)).max(tolerance);
+    let tangent = closer.tangent();
+    // A linkage off singular positions, as most are, ends here.
+    if closed
+        && tangent.surplus_within(free.stops(), tolerance)
+            == tangent.surplus_within(free.stops(), EXACT)
+    {
+        return None;
+    }
+    let mut at = theta.to_vec();
+    let (mut correction, mut step) = (Vec::new(), vec![0.0; at.len()]);
+    let most = LEAP * open.max(CLOSED).sqrt();
+    for _ in 0..STEPS {
+        let open = closer.tangent().evaluate(scaled.chains(), &at);
+        let count = closer.tangent().surplus_within(free.stops(), blur(open));
+        let mut factored = closer
+            .tangent()
+            .factor(free.stops(), Dependence::Rounded(count));
+        let (open, misfit) = factored.closure();
+        if open <= SOLVED {
+            let moves = misfit <= tolerance && {
+                closer.set_dependence(Dependence::Rounded(count));
+                moves_within(closer, scaled, &free, tolerance, &at)
+            };
+            closer.set_dependence(if moves {
+                Dependence::Rounded(count)
+            } else {
+                before
+            });
+            return moves.then_some(at);
+        }
+        factored.close(&mut correction, &mut step);
+        at.iter_mut().zip(&step).for_each(|(t, s)| *t += s);
+        if !(Scaled::largest_motion(theta, &at).0 <= most) {
+            return None;
+        }
+    }
+    None
+}
+
+/// Whether the linkage moves some way along each of its free directions, to one side or the other, while the misfit
+/// stays within the tolerance.
+fn moves_within(
+    closer: &mut Closer,
+    scaled: &Scaled,
+    free: &Holding,
+    tolerance: f64,
+    theta: &[f64],
+) -> bool {
+    let dependence = closer.dependence();
+    closer.tangent().evaluate(scaled.chains(), theta);
+    let directions: Vec<Vec<f64>> = {
+        let span = closer.tangent().factor(free.stops(), dependence).free();
+        (0..span.count()).map(|i| span.rates(i).to_vec()).collect()
+    };
+    let reach = Reach {
+        shortest: Shortest::Twist,
+        each: TRIAL,
+        all: TRIAL,
+    };
+    !directions.is_empty()
+        && directions.iter().all(|rates| {
+            let length = dot(rates, rates).sqrt();
+            [TRIAL, -TRIAL].iter().any(|way| {
+                let mut at: Vec<f64> = theta
+                    .iter()
+                    .zip(rates)
+                    .map(|(t, r)| t + way / length * r)
+                    .collect();
+                closer.close(scaled, free.stops(), &reach, &mut at, &mut 0)
+                    && closer.closure(scaled, &at).1 <= tolerance
+            })
+        })
+}

@@ -1,0 +1,92 @@
+// A plan that takes long: how far it is, Stop, what there is so far, and on from there.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { after, before, test } from 'node:test';
+import { violations } from './axe.mjs';
+import { metricBecomes, openBrowser, otherMetric, scrubTo, text } from './browser.mjs';
+
+let browser;
+before(async () => {
+  browser = await openBrowser();
+});
+after(() => browser.close());
+
+const FRAMES = 10_000;
+const sample = JSON.parse(readFileSync(new URL('../../www/mechanisms/3rps.json', import.meta.url), 'utf8'));
+/** The paper's own method takes a minute and more for this. */
+const long = JSON.stringify({ ...sample, motion: { ...sample.motion, frames: FRAMES }, planner: { ...sample.planner, method: 'gradient' } });
+
+const openLong = (page) => page.locator('#file').setInputFiles({ name: 'long.json', mimeType: 'application/json', buffer: Buffer.from(long) });
+const says = (page, pattern) => page.locator('#planning-text').filter({ hasText: pattern }).waitFor();
+const frames = (page) => page.evaluate(() => window.document.querySelector('synthetica-linkage').trajectory.frames);
+const frameOf = (sentence) => Number(sentence.match(/frame (\d+) of 10000/)[1]);
+
+test('a long plan says how far it is; Stop, by the keyboard, shows what there is so far, and it goes on from there', async () => {
+  const { page, problems } = await browser.openPage();
+  assert.equal(await page.locator('#planning').isVisible(), false, 'a short plan says nothing');
+  await openLong(page);
+  await says(page, /^Planning frame \d+ of 10000\.$/);
+  const first = frameOf(await text(page, 'planning-text'));
+  await page.waitForFunction((old) => Number(page$('#planning-text').textContent.match(/\d+/)[0]) > old, first);
+  assert.match(await text(page, 'live'), /^Planning frame \d+ of 10000\. Stop shows/);
+  assert.equal(await page.locator('#live').getAttribute('aria-live'), 'polite');
+  assert.equal(await frames(page), 129, 'the last good motion is still there');
+  assert.deepEqual(await violations(page), []);
+
+  const stop = page.getByRole('button', { name: 'Stop', exact: true });
+  await stop.focus();
+  await page.keyboard.press('Enter');
+  await says(page, /^Planned to frame \d+ of 10000: the rest is not planned\.$/);
+  const planned = await frames(page);
+  assert.equal(frameOf(await text(page, 'planning-text')), planned);
+  assert.ok(planned > first && planned < FRAMES, `${planned}`);
+  assert.match(await page.locator('#strip').getAttribute('aria-label'), /the rest is not planned/);
+  assert.ok((await page.locator('#strip .unplanned').count()) === 1);
+  assert.match(await text(page, 'motion-summary'), /the rest is not planned/);
+  assert.equal(await page.locator('#scrub').getAttribute('max'), String(planned - 1));
+  assert.equal(await page.evaluate(() => pageFocus().id), 'planning-on', 'the focus stays');
+  assert.deepEqual(await violations(page), []);
+
+  await page.keyboard.press('Enter');
+  await says(page, /^Planning frame/);
+  assert.ok(frameOf(await text(page, 'planning-text')) > planned);
+  assert.equal(await page.evaluate(() => pageFocus().id), 'planning-stop');
+  assert.deepEqual(problems, []);
+});
+
+test('while a plan goes on the page answers: another frame is explained, and an edit takes the plan’s place', async () => {
+  const { page, problems } = await browser.openPage();
+  await openLong(page);
+  await says(page, /^Planning frame/);
+  const metric = await text(page, 'metric');
+  await scrubTo(page, 20);
+  await otherMetric(page, metric);
+  await page.keyboard.press('Control+z');
+  await page.locator('#planning').waitFor({ state: 'hidden' });
+  await page.waitForFunction(() => window.document.querySelector('synthetica-linkage').document.motion.frames === 129);
+  assert.equal(await frames(page), 129);
+  await scrubTo(page, 0);
+  await metricBecomes(page, metric);
+  assert.deepEqual(problems, []);
+});
+
+test('of two linkages one is planned while the other takes long', async () => {
+  const { page, problems } = await browser.blankPage();
+  const body = '<!doctype html><script type="module" src="./element.js"></script><synthetica-linkage></synthetica-linkage><synthetica-linkage></synthetica-linkage>';
+  await page.route(`${browser.address}two.html`, (route) => route.fulfill({ contentType: 'text/html', body }));
+  await page.goto(`${browser.address}two.html`);
+  const answer = await page.evaluate(
+    async ([slow, quick]) => {
+      const [one, two] = document.querySelectorAll('synthetica-linkage');
+      await customElements.whenDefined('synthetica-linkage');
+      one.document = slow;
+      const ready = new Promise((resolve) => two.addEventListener('ready', resolve, { once: true }));
+      two.document = quick;
+      await ready;
+      return [one.trajectory, two.trajectory.frames];
+    },
+    [long, JSON.stringify(sample)],
+  );
+  assert.deepEqual(answer, [null, 129]);
+  assert.deepEqual(problems, []);
+});

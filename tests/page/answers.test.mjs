@@ -1,0 +1,122 @@
+// What the worker does, in Node: documents that stay open, plans in portions, other questions in between.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { test } from 'node:test';
+import { Desk } from '../../www/desk.js';
+import { Planner } from '../../www/planner.js';
+import { createAnswers } from '../../www/planner.calls.js';
+
+const at = (path) => new URL(`../../www/${path}`, import.meta.url);
+for (const folder of ['pkg', 'pkg-first']) {
+  const { initSync } = await import(at(`${folder}/synthetica.js`));
+  initSync({ module: readFileSync(at(`${folder}/synthetica_bg.wasm`)) });
+}
+const sample = JSON.parse(readFileSync(at('mechanisms/3rps.json'), 'utf8'));
+const short = JSON.stringify(sample);
+/** By the paper's method, which takes long. */
+const long = JSON.stringify({ ...sample, motion: { ...sample.motion, frames: 2000 }, planner: { method: 'gradient' } });
+
+/** Answers with all that they say, and a promise of the last answer to a question. */
+function made() {
+  const said = [];
+  const waiting = new Map();
+  const { receive } = createAnswers((answer) => {
+    said.push(answer);
+    if (answer.kind !== 'progress') waiting.get(answer.id)?.(answer);
+  });
+  let ids = 0;
+  /** @returns {Promise<any> & {id: number}} */
+  const ask = (call, args = [], about = {}) => {
+    const id = ++ids;
+    const last = new Promise((resolve) => waiting.set(id, resolve));
+    receive({ kind: 'ask', id, call, args, ...about });
+    return Object.assign(last, { id });
+  };
+  const progress = async (id) => {
+    while (!said.some((answer) => answer.id === id && answer.kind === 'progress')) await new Promise((turn) => setImmediate(turn));
+  };
+  return { said, receive, ask, progress };
+}
+
+test('a document is opened with its text and then asked by its number', async () => {
+  const { ask, receive } = made();
+  const { value: motion } = await ask('plan', [], { document: 1, text: short });
+  assert.deepEqual([motion.frames, motion.partial], [129, false]);
+  const joints = motion.joints.slice(0, 15);
+  const goal = motion.goal.slice(0, 7);
+  assert.ok((await ask('pull', [joints, goal], { document: 1 })).value.closure <= 1e-10);
+  assert.equal((await ask('explain', [joints, goal], { document: 1 })).value.freedoms.length, 3);
+  assert.equal(JSON.parse((await ask('text', [], { document: 1 })).value).planner.method, 'newton');
+  // Of the whole package.
+  assert.equal((await ask('trace', [-1, joints], { document: 1 })).fault.where, 'motion.frames');
+  assert.match((await ask('export_motion', ['csv'], { document: 1 })).value, /^frame,/);
+  assert.equal((await ask('chain_by_index', [1.5, 0])).value, undefined);
+  assert.equal((await ask('plan', [], { document: 2, text: '{' })).fault.line, 1);
+  receive({ kind: 'close', document: 1 });
+  assert.equal((await ask('text', [], { document: 1 })).kind, 'failure');
+});
+
+test('other questions are answered between the portions of a plan, and another plan is made beside it', async () => {
+  const { said, ask, progress } = made();
+  const slow = ask('plan', [], { document: 1, text: long });
+  await progress(slow.id);
+  const { value: motion } = await ask('plan', [], { document: 2, text: short });
+  await ask('pull', [motion.joints.slice(0, 15), motion.goal.slice(0, 7)], { document: 1 });
+  assert.ok(said.every(({ id, kind }) => id !== slow.id || kind === 'progress'), 'it still goes on');
+});
+
+test('a plan that is stopped has the frames so far, as the whole has them; asked again it goes on from there', async () => {
+  const { said, ask, receive, progress } = made();
+  const some = { ...sample, motion: { ...sample.motion, frames: 160 }, planner: { method: 'gradient' } };
+  const about = { document: 1, text: JSON.stringify(some) };
+  const stopped = ask('plan', [], about);
+  await progress(stopped.id);
+  receive({ kind: 'stop', id: stopped.id });
+  const { value: part } = await stopped;
+  assert.equal(part.partial, true);
+  assert.ok(part.frames > 0 && part.frames < 160 && part.goal_frames === 160, `${part.frames}`);
+  const reported = said.filter(({ kind }) => kind === 'progress').map(({ progress }) => progress);
+  assert.ok(reported.every(({ done, frames }) => done <= part.frames && frames === 160));
+  for (const name of ['time', 'metric', 'status', 'sigma_min']) assert.equal(part[name].length, part.frames, name);
+
+  const on = ask('plan', [], { document: 1 });
+  const { value: whole } = await on;
+  assert.ok(said.filter(({ id }) => id === on.id).every(({ kind, progress }) => kind !== 'progress' || progress.done > part.frames));
+  const { value: afresh } = await made().ask('plan', [], about);
+  for (const name of ['joints', 'pose', 'metric', 'closure', 'sigma_min', 'iterations', 'status']) {
+    assert.deepEqual(whole[name], afresh[name], name);
+    assert.deepEqual(part[name], afresh[name].slice(0, part[name].length), name);
+  }
+});
+
+test('a plan that is taken back ends; its document is freed after it, and no sooner', async () => {
+  const { said, ask, receive, progress } = made();
+  const slow = ask('plan', [], { document: 1, text: long });
+  await progress(slow.id);
+  receive({ kind: 'close', document: 1 });
+  await new Promise((turn) => setTimeout(turn, 50));
+  receive({ kind: 'cancel', id: slow.id });
+  assert.equal((await slow).kind, 'cancelled');
+  const count = said.length;
+  await new Promise((turn) => setTimeout(turn, 100));
+  assert.equal(said.length, count, 'nothing more is said of it');
+});
+
+test('without a worker the page plans in portions too: a plan is stopped, another asker served meanwhile', async () => {
+  globalThis.Worker = class {
+    constructor() {
+      throw new Error('forbidden');
+    }
+  };
+  const desk = new Desk();
+  const [one, two] = [new Planner(desk), new Planner(desk)];
+  const stop = new AbortController();
+  const seen = [];
+  const slow = one.plan(long, { stop: stop.signal, onProgress: (progress) => seen.push(progress) });
+  const quick = await two.plan(short);
+  assert.equal(quick.frames, 129);
+  await two.explain(short, quick.joints.slice(0, 15), quick.goal.slice(0, 7));
+  stop.abort();
+  const part = await slow;
+  assert.ok(part.partial && part.frames < 2000 && seen.length > 0);
+});

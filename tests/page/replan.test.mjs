@@ -1,0 +1,50 @@
+// The result follows the document; a plan that takes long says how far it is.
+import assert from 'node:assert/strict';
+import { afterEach, beforeEach, mock, test } from 'node:test';
+import { createReplanning } from '../../www/replan.js';
+import { createStore } from '../../www/store.js';
+
+const named = (name) => ({ version: 1, name, chains: [], motion: { key_frames: [] } });
+const settled = () => new Promise((done) => setImmediate(done));
+
+let now = 0;
+beforeEach(() => mock.method(performance, 'now', () => now));
+afterEach(() => mock.restoreAll());
+
+function made() {
+  const plans = [];
+  const plan = (text, options) => new Promise((resolve, reject) => plans.push({ text, ...options, resolve, reject }));
+  const store = createStore(named('a'));
+  const { replan } = createReplanning({ store, planner: { plan } });
+  return { store, plans, replan };
+}
+
+test('only what takes longer than half a second says so, until it ends', async () => {
+  const { store, plans, replan } = made();
+  replan();
+  now += 400;
+  plans[0].onProgress({ done: 3, frames: 9 });
+  assert.equal(store.planning, null);
+  now += 200;
+  plans[0].onProgress({ done: 4, frames: 9 });
+  assert.deepEqual([store.planning.done, store.planning.frames], [4, 9]);
+  store.planning.stop();
+  assert.equal(plans[0].stop.aborted, true);
+  plans[0].resolve('a part');
+  await settled();
+  assert.deepEqual([store.planning, store.result.motion], [null, 'a part']);
+});
+
+test('of an older plan nothing is said', async () => {
+  const { store, plans } = made();
+  store.edit(() => named('b'));
+  now += 1000;
+  store.edit(() => named('c'));
+  plans[0].onProgress({ done: 3, frames: 9 });
+  assert.equal(store.planning, null);
+  now += 1000;
+  plans[1].onProgress({ done: 1, frames: 9 });
+  plans[0].reject(new Error('superseded'));
+  await settled();
+  assert.equal(store.planning.done, 1);
+});

@@ -1,0 +1,37 @@
+/**
+ * What stands over the view while a plan takes long: how far it is, and a way to stop it; then how far it came, and a way
+ * to go on.
+ */
+import { focusBeside, setText } from '../dom.js';
+import { partSentence } from './words.js';
+
+/** Least pause between two announcements of a progress, in milliseconds. */
+const SPEAK_EVERY = 10_000;
+
+/** @param {Pick<import('../workbench.js').App, 'find' | 'store' | 'replan'>} app */
+export function createPlanning({ find, store, replan }) {
+  const banner = find('planning');
+  const stop = find('planning-stop');
+  const on = find('planning-on');
+  let spoken = -Infinity;
+
+  function show() {
+    const { planning, result } = store;
+    const text = planning ? `Planning frame ${planning.done + 1} of ${planning.frames}.` : partSentence(result.motion);
+    const focused = [stop, on].some((button) => button === focusBeside(button));
+    banner.hidden = !text;
+    setText(find('planning-text'), text);
+    stop.hidden = !planning;
+    on.hidden = planning !== null;
+    if (focused) (!text ? find('play') : planning ? stop : on).focus();
+    if (!planning || performance.now() - spoken < SPEAK_EVERY) return;
+    spoken = performance.now();
+    setText(find('live'), `${text} Stop shows what is planned so far.`);
+  }
+
+  stop.addEventListener('click', () => store.planning?.stop());
+  on.addEventListener('click', () => replan());
+  store.subscribe('planning', show);
+  store.subscribe('result', show);
+  show();
+}
