@@ -179,6 +179,22 @@ impl LengthSource {
 }
 
 /// A planned motion.
+///
+/// ```
+/// use synthetica::{Session, Warning};
+///
+/// let motion = Session::open(include_str!("../../www/mechanisms/3rps.json"))?.plan();
+/// for frame in 0..motion.frames() {
+///     // Rad or lengths, chain by chain.
+///     assert_eq!(motion.joints_at(frame).len(), motion.variables);
+///     if motion.status[frame].is_certified() {
+///         assert!(motion.closure[frame] <= motion.bounds.closure);
+///         assert!(motion.projected_gradient[frame] <= motion.bounds.projected_gradient);
+///     }
+/// }
+/// assert!(!motion.warnings.iter().any(|warning| matches!(warning, Warning::BranchJump { .. })));
+/// # Ok::<(), synthetica::Fault>(())
+/// ```
 #[derive(Clone, Debug, Default)]
 pub struct Trajectory {
     /// Joint variables a frame: the length of the groups in `joints`.
