@@ -80,7 +80,7 @@ pub enum Warning {
     /// At this frame the distance to the goal keeps falling while a slider without limits runs away. `elsewhere`:
     /// another assembly, which no motion joins to this one, comes closest at a finite place.
     Runaway { frame: usize, elsewhere: bool },
-    /// The paper's gradient planner knows no joint limits; frames beyond one are not certified.
+    /// The gradient planner does not keep joint limits; frames beyond one are not certified.
     LimitsUnknown,
     /// The mobility by rank differs from the count of Eq. 10.
     MobilityDiffers { count: isize, rank: usize },

@@ -55,6 +55,7 @@ const ROUNDS: usize = 2;
 const SAME_POSE: f64 = 1e-6;
 /// Joint motion, rad or sizes, below which two configurations are the same.
 const SAME: f64 = 1e-3;
+
 /// Joint values (rad or lengths) for a mechanism of which some chains have none: the assembly that comes
 /// nearest to `first`, or, where some chains have values, to the pose that they give the workpiece.
 /// Among assemblies equally near, sliders of positive length (offset and variable together) are
@@ -104,7 +105,7 @@ struct Assembly {
     joints: Vec<f64>,
     /// The workpiece.
     pose: Pose,
-    /// Is the goal met?
+    /// Whether the goal is met.
     reached: bool,
     /// ½‖q − g‖² over the most that rotations or a translation by the size count in it.
     distance: f64,
@@ -128,7 +129,7 @@ struct Part {
     solver: Solver,
     /// Its variables among those of the mechanism.
     range: Range<usize>,
-    /// Were its values given?
+    /// Whether its values were given.
     held: bool,
 }
 

@@ -7,7 +7,7 @@ use crate::model::joint::{Limits, Moves};
 use std::f64::consts::{PI, TAU};
 
 /// Relative difference below which two distances, or two sums of squares, are equal: a hundred thousand
-/// times what rounding and the solver's stop leave, so that the order does not depend on the unit.
+/// times what rounding and the solver's stopping rule leave, so that the order does not depend on the unit.
 pub const EQUAL: f64 = 1e-9;
 
 /// A joint variable, lengths in sizes.

@@ -5,7 +5,7 @@
 //! and descend at once; near the last frame's answer two or three do. Anything out of the ordinary
 //! (a long step, slow progress, a limit, a curvature that is not positive) sends the frame the
 //! *guarded* way: a trust-region method whose iterates are all closed and whose objective only
-//! falls, from the last answer, so that the branch is followed and not jumped from.
+//! falls, from the last answer, so that the branch is followed without a leap.
 
 use crate::math::linalg;
 use crate::math::metric::{Metric, Target};
@@ -20,9 +20,9 @@ use crate::solve::objective::objective;
 use crate::solve::suspect::suspect;
 use crate::solve::trust_region::TrustRegion;
 
-/// Steps of the direct way; a warm start takes two or three.
+/// Steps of the direct way; from an extrapolation of the frames before, two or three suffice.
 const DIRECT_STEPS: usize = 8;
-/// Largest motion of a first direct step: further off, the prediction is not to be trusted.
+/// Largest joint motion of a first direct step, rad or sizes: further off, the prediction is not trusted.
 const DIRECT_STEP: f64 = 0.15;
 /// A step that is not below this fraction of the last one is not Newton's convergence.
 const CONTRACTION: f64 = 0.5;
@@ -83,13 +83,13 @@ pub struct Iterate<'a> {
     pub theta: &'a [f64],
     /// Norm of the objective's gradient along the free directions.
     pub projected_gradient: f64,
-    /// How far the loops are open.
+    /// The largest closure error; 0 on the guarded way, whose iterates are closed.
     pub closure_error: f64,
     /// Found on the guarded way.
     pub guarded: bool,
 }
 
-/// Sees every iterate.
+/// Called with every iterate.
 pub type Observer<'a> = dyn FnMut(&Iterate<'_>) + 'a;
 
 /// The solver of one mechanism; its buffers serve all frames.
@@ -150,7 +150,7 @@ impl Solver {
         &self.metric
     }
 
-    /// How far the loops are open, and mobility.
+    /// Closes the loops, and gives closure errors, mobility and singular values.
     pub fn closer(&mut self) -> &mut Closer {
         &mut self.closer
     }
@@ -160,17 +160,17 @@ impl Solver {
         &self.holding
     }
 
-    /// Takes back what a step that is not taken has found of limits.
+    /// Sets the stops: those from before a step that is not taken.
     pub fn set_holding(&mut self, holding: Holding) {
         self.holding = holding;
     }
 
-    /// Lets all joints go, before a position that has nothing to do with the last.
+    /// Clears all stops, before a position that is not a continuation of the last.
     pub fn clear_holding(&mut self) {
         self.holding.clear();
     }
 
-    /// The number that the misfit of rounded dimensions points at; see [`suspect`].
+    /// The number that explains the misfit of rounded dimensions best; see [`suspect`].
     pub fn suspect(&mut self, joints: &[f64]) -> Option<Suspect> {
         let theta = self.scaled.entered(joints);
         suspect(&self.scaled, &mut self.closer, &theta)
@@ -218,7 +218,7 @@ impl Solver {
         self.scaled.enter(joints, &mut theta);
         let target = self.target(goal, &theta);
         self.scaled.enter(predicted, &mut theta);
-        // The prediction knows nothing of limits, and a held joint stays where it is put.
+        // The prediction does not keep limits, and no step moves a held joint to its limit.
         self.holding.apply(&mut theta);
         let mut iterations = 0;
         let direct = self.direct(&target, &mut theta, &mut iterations, observe);
@@ -274,7 +274,7 @@ impl Solver {
         }
     }
 
-    /// Newton steps that close and descend at once; `None` at the first sign of trouble.
+    /// Newton steps that close and descend at once; `None` as soon as one of them is not as near an answer.
     fn direct(
         &mut self,
         target: &Target,

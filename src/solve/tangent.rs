@@ -2,7 +2,7 @@
 //!
 //! The linearised loops J_i Δθ_i = ξ + e_i (Eq. 21 with the workpiece's twist ξ in place of Δq) are
 //! solved chain by chain. A pivoted QR of the 6 × n_i matrix J_i leaves the chain's constraint
-//! wrenches N_i, and N_iᵀ ξ = −N_iᵀ e_i is all that the workpiece feels of it.
+//! wrenches N_i, and N_iᵀ ξ = −N_iᵀ e_i is its whole effect on the workpiece.
 //!
 //! Joints that hardly add a direction of their own (a stretched arm, a spherical joint near gimbal
 //! lock, a slider in the plane of an E) are not divided by: they stay explicit unknowns b, and the
@@ -12,7 +12,7 @@
 //!
 //! Each step of the evaluation is a view of the one before: [`Tangent::evaluate`] and [`Tangent::factor`], whose
 //! [`Factored`] closes the loops; [`Factored::free`] spans the free directions; [`Free::hold`] balances a pull, and with
-//! that [`Held::reduced_hessian`] is known. What is not asked for is not computed, and nothing can be asked too early.
+//! that [`Held::reduced_hessian`] is known. What is not asked for is not computed, and the types allow no other order.
 
 use crate::math::linalg::PivotedQr;
 use crate::math::pose::{Pose, difference};
@@ -27,11 +27,11 @@ use nalgebra::{Matrix6, Vector3, Vector6};
 #[derive(Clone, Debug)]
 pub struct Tangent {
     chains: Vec<ChainTangent>,
-    /// Of the last evaluation.
+    /// The largest of the last evaluation.
     closure_error: f64,
     /// QR of the stacked constraints' transpose, (6 + explicit joints) × (constraints).
     stacked: PivotedQr,
-    /// Of a rounded linkage: what was made of its constraints before they were stacked.
+    /// Of a rounded linkage: the combinations of its constraints that were stacked in their place.
     combination: Option<Combination>,
     unknowns: usize,
     constraints: usize,
@@ -68,7 +68,7 @@ impl Tangent {
         }
     }
 
-    /// Evaluates the chains at `theta`, and returns how far the loops are open; see [`closure_error`]. The workpiece
+    /// Evaluates the chains at `theta`, and returns the largest [`closure_error`]. The workpiece
     /// is where the first chain puts it.
     #[inline]
     pub fn evaluate(&mut self, chains: &[Chain], theta: &[f64]) -> f64 {
@@ -97,7 +97,7 @@ impl Tangent {
         self.chains.iter().map(|chain| &chain.state.jacobian[..chain.freedoms])
     }
 
-    /// Factors the constraints at the last evaluation; joints held at a stop stand still.
+    /// Factors the constraints at the last evaluation; joints with a stop do not move.
     #[inline]
     pub fn factor(&mut self, stops: &[Stop], dependence: Dependence) -> Factored<'_> {
         self.stack(stops);
@@ -115,7 +115,7 @@ impl Tangent {
         dependent::surplus_within(&self.forms(), self.unknowns, self.chains[0].constraints(), distance)
     }
 
-    /// Puts the chains' constraints together.
+    /// Stacks the chains' constraints.
     #[inline]
     fn stack(&mut self, stops: &[Stop]) {
         let mut unknowns = 6;
@@ -179,7 +179,7 @@ impl Tangent {
 pub struct Factored<'a>(&'a mut Tangent);
 
 impl<'a> Factored<'a> {
-    /// Constraints that the others imply, or contradict by the misfit.
+    /// Number of surplus constraints: those that the others imply, or contradict by the misfit.
     pub fn surplus(&self) -> usize {
         self.0.constraints - self.0.stacked.rank()
     }
@@ -190,8 +190,8 @@ impl<'a> Factored<'a> {
         self.0.unknowns - self.0.stacked.rank()
     }
 
-    /// How far the loops are open, and of a rounded linkage by how much its constraints contradict each other there
-    /// (else 0): the second part stays when the loops are closed, and is not counted in the first.
+    /// The largest closure error, and the misfit of a rounded linkage (else 0): by how much its constraints contradict
+    /// each other there. The misfit stays when the loops are closed, and is not counted in the closure error.
     #[inline]
     pub fn closure(&self) -> (f64, f64) {
         let Some(combination) = &self.0.combination else {
@@ -231,8 +231,8 @@ impl<'a> Factored<'a> {
         }
     }
 
-    /// What each surplus combination of constraints of a rounded linkage is: one wrench a chain, and by how much the
-    /// loops contradict it.
+    /// The surplus combinations of constraints of a rounded linkage: one wrench a chain, and by how much the loops
+    /// contradict it.
     pub fn contradictions(&self) -> Vec<(Vec<Vector6<f64>>, f64)> {
         let Some(combination) = &self.0.combination else {
             return Vec::new();
@@ -273,8 +273,8 @@ impl<'a> Factored<'a> {
         Free(tangent)
     }
 
-    /// The wrench systems that the chains can hold up among themselves without any pull, a basis of them: one for each
-    /// surplus constraint, one wrench a chain, Σ λ_i = 0. They are what the split of [`Free::hold`] is open by.
+    /// A basis of the wrench systems that the chains can exert on each other without any pull: one for each surplus
+    /// constraint, one wrench a chain, Σ λ_i = 0. The split of [`Free::hold`] is unique up to these.
     pub fn internal_wrenches(&self) -> Vec<Vec<Vector6<f64>>> {
         let stacked = &self.0.stacked;
         let (rank, order) = (stacked.rank(), stacked.order());
@@ -354,7 +354,7 @@ impl<'a> Free<'a> {
     }
 
     /// Distributes a pull over the chains: wrenches λ_i with Σ λ_i = `gradient` as far as the constraints can hold it.
-    /// Where constraints are dependent one of the many splits is taken.
+    /// Where there are surplus constraints, one of the many splits is taken.
     #[inline]
     pub fn hold(self, gradient: &Vector6<f64>) -> Held<'a> {
         let tangent = self.0;
