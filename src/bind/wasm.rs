@@ -222,7 +222,10 @@ fn motion(problem: &Problem, t: &Trajectory, milliseconds: f64) -> Result<Object
     for column in &COLUMNS {
         set(column.name, &typed(column, t))?;
     }
-    set("rows", &Float64Array::from(&placed(&problem.row_frames(t))[..]).into())?;
+    set(
+        "rows",
+        &Float64Array::from(&placed(&problem.row_frames(t))[..]).into(),
+    )?;
     Ok(motion)
 }
 
@@ -260,7 +263,10 @@ pub(crate) fn posture(
             }
         }
     }
-    set("rows", &Float64Array::from(&placed(&session.problem().row_frames(t))[..]))?;
+    set(
+        "rows",
+        &Float64Array::from(&placed(&session.problem().row_frames(t))[..]),
+    )?;
     if let Some(value) = posture.value {
         set("value", &value.into())?;
     }

@@ -48,7 +48,10 @@ impl Session {
     /// A `Fault` where the frame or the joint values are at fault.
     pub fn trace(&self, frame: f64, joints: &[f64]) -> Result<JsTrace, JsValue> {
         let problem = self.open.problem();
-        let trace = self.open.frame(frame).and_then(|frame| problem.trace(frame, joints));
+        let trace = self
+            .open
+            .frame(frame)
+            .and_then(|frame| problem.trace(frame, joints));
         let trace = trace.map_err(|fault| refusal(&fault))?;
         let object = Object::new();
         let set =
@@ -138,7 +141,8 @@ fn history(problem: &Problem, history: &History) -> Result<Object, JsValue> {
         .iter()
         .flat_map(|joints| problem.frames_at(joints))
         .collect();
-    let arrivals = |part: fn(&Arrival) -> f64| history.arrivals.iter().map(part).collect::<Vec<_>>();
+    let arrivals =
+        |part: fn(&Arrival) -> f64| history.arrivals.iter().map(part).collect::<Vec<_>>();
     set("iteration", &Uint32Array::from(&history.iteration[..]))?;
     numbers("joints", &history.joints.concat())?;
     numbers("pose", &placed(&history.poses))?;

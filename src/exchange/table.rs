@@ -2,8 +2,8 @@
 
 use crate::document::report::Report;
 use crate::document::schema::Document;
-use crate::motion::columns::{COLUMNS, Kind};
 use crate::model::mechanism::Mechanism;
+use crate::motion::columns::{COLUMNS, Kind};
 use crate::motion::trajectory::{Status, Trajectory};
 use std::fmt::Write;
 
@@ -79,21 +79,39 @@ fn columns(document: &Document, report: &Report, t: &Trajectory) -> Vec<Column> 
     for column in &COLUMNS {
         let (name, values) = (column.name, (column.values)(t));
         match column.kind {
-            Kind::Time | Kind::Number | Kind::Count | Kind::Status => add(name, "", values.into_owned()),
+            Kind::Time | Kind::Number | Kind::Count | Kind::Status => {
+                add(name, "", values.into_owned())
+            }
             Kind::Length => add(name, length, values.into_owned()),
             Kind::Angle => add(name, "deg", degrees(&values)),
             Kind::Pose => {
-                let prefix = if name == "pose" { String::new() } else { format!("{name}_") };
-                for (i, part) in ["x", "y", "z", "qx", "qy", "qz", "qw"].into_iter().enumerate() {
+                let prefix = if name == "pose" {
+                    String::new()
+                } else {
+                    format!("{name}_")
+                };
+                for (i, part) in ["x", "y", "z", "qx", "qy", "qz", "qw"]
+                    .into_iter()
+                    .enumerate()
+                {
                     let own = values.iter().skip(i).step_by(7).copied().collect();
-                    add(&format!("{prefix}{part}"), if i < 3 { length } else { "" }, own);
+                    add(
+                        &format!("{prefix}{part}"),
+                        if i < 3 { length } else { "" },
+                        own,
+                    );
                 }
             }
             Kind::Joints => {
                 let mut k = 0;
                 for (i, chain) in report.chains.iter().enumerate() {
                     for variable in &chain.variables {
-                        let own: Vec<f64> = values.iter().skip(k).step_by(t.variables).copied().collect();
+                        let own: Vec<f64> = values
+                            .iter()
+                            .skip(k)
+                            .step_by(t.variables)
+                            .copied()
+                            .collect();
                         let name = variable_name(i, &variable.label);
                         if variable.unit == "rad" {
                             add(&name, "deg", degrees(&own));
@@ -117,7 +135,11 @@ fn columns(document: &Document, report: &Report, t: &Trajectory) -> Vec<Column> 
 /// A line of headings, then a line a frame. Angles in degrees, lengths in the document's unit, as the
 /// headings say; every number with all its digits, empty where there is none.
 pub fn csv(document: &Document, mechanism: &Mechanism, t: &Trajectory) -> String {
-    let columns = columns(document, &Report::new(mechanism, &document.length_unit, t), t);
+    let columns = columns(
+        document,
+        &Report::new(mechanism, &document.length_unit, t),
+        t,
+    );
     let line = |fields: Vec<String>| fields.join(",") + "\n";
     let headings = columns.iter().map(|column| quoted(&column.heading()));
     let mut text = line(headings.collect());

@@ -40,22 +40,48 @@ pub struct Column {
 
 /// All, in the order of the tables.
 pub const COLUMNS: [Column; 13] = [
-    column("time", Kind::Time, "Time of each frame.", |t| (&t.time[..]).into()),
-    column("status", Kind::Status, "How the frame ended: index into report.statuses.", |t| {
-        t.status.iter().map(|status| f64::from(*status as u8)).collect()
+    column("time", Kind::Time, "Time of each frame.", |t| {
+        (&t.time[..]).into()
     }),
-    column("pose", Kind::Pose, "Reached pose.", |t| placed(&t.poses).into()),
+    column(
+        "status",
+        Kind::Status,
+        "How the frame ended: index into report.statuses.",
+        |t| {
+            t.status
+                .iter()
+                .map(|status| f64::from(*status as u8))
+                .collect()
+        },
+    ),
+    column("pose", Kind::Pose, "Reached pose.", |t| {
+        placed(&t.poses).into()
+    }),
     column("goal", Kind::Pose, "Goal.", |t| placed(&t.goals).into()),
-    column("joints", Kind::Joints, "Joint values, chain by chain.", |t| (&t.joints[..]).into()),
-    column("metric", Kind::Number, "Distance from the goal: ½‖q − g‖² in the metric of the report.", |t| {
-        (&t.metric[..]).into()
-    }),
-    column("translation_gap", Kind::Length, "Distance from goal to reached origin.", |t| {
-        (&t.translation_gap[..]).into()
-    }),
-    column("rotation_gap", Kind::Angle, "Angle from goal to reached rotation.", |t| {
-        (&t.rotation_gap[..]).into()
-    }),
+    column(
+        "joints",
+        Kind::Joints,
+        "Joint values, chain by chain.",
+        |t| (&t.joints[..]).into(),
+    ),
+    column(
+        "metric",
+        Kind::Number,
+        "Distance from the goal: ½‖q − g‖² in the metric of the report.",
+        |t| (&t.metric[..]).into(),
+    ),
+    column(
+        "translation_gap",
+        Kind::Length,
+        "Distance from goal to reached origin.",
+        |t| (&t.translation_gap[..]).into(),
+    ),
+    column(
+        "rotation_gap",
+        Kind::Angle,
+        "Angle from goal to reached rotation.",
+        |t| (&t.rotation_gap[..]).into(),
+    ),
     column(
         "closure",
         Kind::Number,

@@ -1,7 +1,7 @@
 //! Motions of the workpiece: the goal through its key frames, and the planned motion as columns.
 
-mod double_quaternion;
 pub mod columns;
+mod double_quaternion;
 pub mod goal;
 pub mod key_frames;
 mod quaternion_spline;

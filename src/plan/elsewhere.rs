@@ -2,13 +2,13 @@
 //! and in other assemblies. A closed walk is a path of short steps over positions whose loops are closed.
 
 use crate::math::pose::Pose;
+use crate::math::random::Random;
 use crate::model::mechanism::Mechanism;
 use crate::plan::modes;
-use crate::math::random::Random;
 use crate::plan::settings::Settings;
 use crate::solve::close::{Reach, Shortest, add_rates, dot, solve_gram};
 use crate::solve::close_start::Start;
-use crate::solve::newton::{Solved, Solver};
+use crate::solve::solver::{Solved, Solver};
 
 /// Walks, and positions on each from which a minimum is looked for: about 200 starts.
 const WALKS: u64 = 8;
@@ -18,7 +18,11 @@ const STRIDE: usize = 20;
 /// Length of a step, root of the joints' squared motions, and of its corrections: half of it, so that the walk does not
 /// leap.
 const STEP: f64 = 0.2;
-const REACH: Reach = Reach { shortest: Shortest::Joints, each: 0.5 * STEP, all: 0.5 * STEP };
+const REACH: Reach = Reach {
+    shortest: Shortest::Joints,
+    each: 0.5 * STEP,
+    all: 0.5 * STEP,
+};
 
 /// The closest finite certified pose found from positions that closed walks, within the limits, join to `joints`.
 pub fn joined(solver: &mut Solver, joints: &[f64], goal: &Pose) -> Option<(Vec<f64>, Solved)> {
@@ -37,7 +41,9 @@ pub fn joined(solver: &mut Solver, joints: &[f64], goal: &Pose) -> Option<(Vec<f
             let predicted = at.clone();
             solver.clear_holding();
             let solved = solver.solve(goal, &mut at, &predicted);
-            let better = best.as_ref().is_none_or(|(_, least)| solved.value < least.value);
+            let better = best
+                .as_ref()
+                .is_none_or(|(_, least)| solved.value < least.value);
             if solved.end.is_minimum() && better {
                 best = Some((at, solved));
             }
@@ -57,7 +63,9 @@ fn step(solver: &mut Solver, theta: &mut Vec<f64>, heading: &mut Vec<f64>) -> bo
     let tangent = closer.tangent();
     tangent.evaluate(scaled.chains(), theta);
     let free = tangent.factor(holding.stops(), dependence).free();
-    let mut coefficients: Vec<f64> = (0..free.count()).map(|i| dot(free.rates(i), heading)).collect();
+    let mut coefficients: Vec<f64> = (0..free.count())
+        .map(|i| dot(free.rates(i), heading))
+        .collect();
     if !solve_gram(&free, &mut Vec::new(), &mut coefficients) {
         return false;
     }
@@ -67,8 +75,13 @@ fn step(solver: &mut Solver, theta: &mut Vec<f64>, heading: &mut Vec<f64>) -> bo
     if !(length > 0.0) {
         return false;
     }
-    let mut next: Vec<f64> = theta.iter().zip(&*heading).map(|(t, d)| t + STEP / length * d).collect();
-    let closed = closer.close(scaled, holding.stops(), &REACH, &mut next, &mut 0) && holding.contains(&next);
+    let mut next: Vec<f64> = theta
+        .iter()
+        .zip(&*heading)
+        .map(|(t, d)| t + STEP / length * d)
+        .collect();
+    let closed =
+        closer.close(scaled, holding.stops(), &REACH, &mut next, &mut 0) && holding.contains(&next);
     if closed {
         *theta = next;
     }
@@ -80,7 +93,13 @@ fn random_heading(random: &mut Random, variables: usize) -> Vec<f64> {
 }
 
 /// Whether another assembly has a finite certified pose that is closer than `value`.
-pub fn another_assembly(mechanism: &Mechanism, goal: &Pose, settings: &Settings, extent: f64, value: f64) -> bool {
+pub fn another_assembly(
+    mechanism: &Mechanism,
+    goal: &Pose,
+    settings: &Settings,
+    extent: f64,
+    value: f64,
+) -> bool {
     let free = vec![None; mechanism.chains().len()];
     let found = modes::find(mechanism, &free, goal, extent, settings);
     let mut solver = settings.solver(mechanism, extent);
