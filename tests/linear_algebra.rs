@@ -7,7 +7,6 @@ use common::Random;
 use synthetica::math::lanczos::Lanczos;
 use synthetica::math::linalg::{
     PivotedQr, Svd, cholesky, solve_lower, solve_lower_transposed, svd, symmetric_eigen,
-    symmetric_eigenvalue,
 };
 
 /// Columns of equal length.
@@ -375,41 +374,6 @@ fn symmetric_eigenvectors() {
                 );
             }
         }
-    }
-}
-
-/// The k-th eigenvalue of A Aᵀ is the square of a singular value.
-#[test]
-fn single_eigenvalues_are_squares_of_singular_values() {
-    let mut source = Random(14);
-    let mut work = Vec::new();
-    for round in 0..1500 {
-        let (rows, n) = SHAPES[round % SHAPES.len()];
-        let rank = n - if source.below(2) == 0 {
-            source.below(n.min(4))
-        } else {
-            0
-        };
-        let a = of_rank(rows, n, rank, &mut source);
-        let sigma = svd(a.clone()).sigma;
-        let size = sigma[0] * sigma[0];
-        let indices = [0, n - rank, n / 2, n - 1];
-        for index in indices.into_iter().filter(|i| *i < n) {
-            let found = symmetric_eigenvalue(&mut gram(&a), n, index, &mut work);
-            let expected = sigma[n - 1 - index] * sigma[n - 1 - index];
-            assert!(
-                (found - expected).abs() <= 4e-15 * (n as f64) * size,
-                "{rows}×{n} rank {rank}, eigenvalue {index}: {found:e} for {expected:e}"
-            );
-        }
-    }
-    // Diagonal, with equal eigenvalues and zeros.
-    let diagonal = [3.0, 0.0, 3.0, 1.0, 0.0];
-    for (index, expected) in [0.0, 0.0, 1.0, 3.0, 3.0].into_iter().enumerate() {
-        let mut a: Vec<f64> = (0..25)
-            .map(|i| if i % 6 == 0 { diagonal[i / 6] } else { 0.0 })
-            .collect();
-        assert!((symmetric_eigenvalue(&mut a, 5, index, &mut work) - expected).abs() < 1e-14);
     }
 }
 

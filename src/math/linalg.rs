@@ -7,4 +7,4 @@
 pub use crate::math::cholesky::{cholesky, solve_lower, solve_lower_transposed};
 pub use crate::math::qr::PivotedQr;
 pub use crate::math::svd::{Svd, SvdFactors, svd};
-pub use crate::math::symmetric::{symmetric_eigen, symmetric_eigenvalue};
+pub use crate::math::symmetric::symmetric_eigen;

@@ -1,6 +1,5 @@
 //! Loop closure in the paper's variables r = (θ, q): the residual and the matrix \[A\] of Eq. 21.
 
-use crate::math::linalg;
 use crate::math::pose::{self, DualQuaternion};
 use crate::model::chain::{Chain, ChainState};
 use nalgebra::SMatrix;
@@ -95,66 +94,4 @@ pub fn linearise(chains: &[Chain], joints: &[f64], q: &DualQuaternion) -> Linear
     residual.push(real.norm_squared() - 1.0);
     residual.push(real.dot(&dual));
     Linearised { rows, residual }
-}
-
-/// The smallest singular value of \[A\], with buffers for one frame after the other.
-#[derive(Clone, Debug, Default)]
-pub struct SingularValues {
-    gram: Vec<f64>,
-    work: Vec<f64>,
-}
-
-impl SingularValues {
-    /// The smallest singular value of \[A\] that is not zero on account of `redundant` dependent
-    /// equations.
-    ///
-    /// It is the root of an eigenvalue of \[A\]\[A\]ᵀ, which is small and quickly formed from its
-    /// blocks; values below 1e-7 are therefore not told apart from 0.
-    pub fn smallest(&mut self, chains: &[Chain], joints: &[f64], redundant: usize) -> f64 {
-        let n = 6 * chains.len() + 2;
-        self.gram.clear();
-        self.gram.resize(n * n, 0.0);
-        let mut first = 0;
-        let mut state = ChainState::default();
-        let mut q = DualQuaternion::zeros();
-        for (i, chain) in chains.iter().enumerate() {
-            chain.evaluate(&joints[first..], &mut state);
-            if i == 0 {
-                q = pose::dual_quaternion(&state.pose, 1.0);
-            }
-            let mut block = SMatrix::<f64, 6, 6>::zeros();
-            for column in &state.jacobian[..chain.freedoms()] {
-                block += column * column.transpose();
-            }
-            add_block(&mut self.gram, n, 6 * i, 6 * i, &block);
-            first += chain.freedoms();
-        }
-        let (je, c) = (twist_of_rates(&q), condition_rates(&q));
-        let (je_je, c_je, c_c) = (je * je.transpose(), c * je.transpose(), c * c.transpose());
-        for i in 0..chains.len() {
-            for j in 0..=i {
-                add_block(&mut self.gram, n, 6 * i, 6 * j, &je_je);
-            }
-            add_block(&mut self.gram, n, n - 2, 6 * i, &-c_je);
-        }
-        add_block(&mut self.gram, n, n - 2, n - 2, &c_c);
-        let index = redundant.min(n - 1);
-        linalg::symmetric_eigenvalue(&mut self.gram, n, index, &mut self.work)
-            .max(0.0)
-            .sqrt()
-    }
-}
-
-fn add_block<const R: usize, const C: usize>(
-    a: &mut [f64],
-    stride: usize,
-    row: usize,
-    column: usize,
-    block: &SMatrix<f64, R, C>,
-) {
-    for j in 0..C {
-        for i in 0..R {
-            a[(column + j) * stride + row + i] += block[(i, j)];
-        }
-    }
 }

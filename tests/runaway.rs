@@ -1,0 +1,88 @@
+//! Motions that run away on the branch that is followed: a finite pose is looked for before there is said to be none.
+
+#[path = "common/fixtures.rs"]
+mod fixtures;
+
+use fixtures::{document, lines, problem, sample};
+use synthetica::document::problem::Problem;
+use synthetica::math::random::Random;
+use synthetica::motion::trajectory::{Status, Warning};
+use synthetica::solve::close::{Reach, Shortest, add_rates};
+use synthetica::solve::solver::Solver;
+
+/// Starts of the independent search.
+const STARTS: u64 = 200;
+
+/// Whether a walk of closed steps in random directions, of its own and not the planner's, comes to a position from which
+/// the frame ends at a finite certified pose.
+fn joined(problem: &Problem, joints: &[f64], frame: usize) -> bool {
+    let mut solver = problem.settings.solver(&problem.mechanism, problem.extent());
+    let mut from = joints.to_vec();
+    let _ = solver.close_start(&mut from, problem.settings.dimension_tolerance);
+    (0..STARTS).any(|start| {
+        let mut random = Random::new(1000 + start);
+        let mut theta = solver.scaled().entered(&from);
+        for _ in 0..30 {
+            step(&mut solver, &mut theta, &mut random);
+        }
+        let mut at = solver.scaled().left(&theta);
+        let predicted = at.clone();
+        solver.clear_holding();
+        solver.solve(&problem.goals[frame].pose, &mut at, &predicted).end.is_minimum()
+    })
+}
+
+fn step(solver: &mut Solver, theta: &mut Vec<f64>, random: &mut Random) {
+    const LENGTH: f64 = 0.15;
+    let (scaled, closer, holding) = solver.parts();
+    let dependence = closer.dependence_anywhere();
+    let stops = vec![synthetica::model::joint::Stop::None; theta.len()];
+    closer.tangent().evaluate(scaled.chains(), theta);
+    let free = closer.tangent().factor(&stops, dependence).free();
+    let coefficients: Vec<f64> = (0..free.count()).map(|_| random.between(-1.0, 1.0)).collect();
+    let mut rates = vec![0.0; theta.len()];
+    add_rates(&free, &coefficients, 1.0, &mut rates);
+    let length = rates.iter().map(|r| r * r).sum::<f64>().sqrt();
+    let mut next: Vec<f64> = theta.iter().zip(&rates).map(|(t, r)| t + LENGTH / length * r).collect();
+    let reach = Reach { shortest: Shortest::Joints, each: 0.5 * LENGTH, all: 0.5 * LENGTH };
+    if closer.close(scaled, &stops, &reach, &mut next, &mut 0) && holding.contains(&next) {
+        *theta = next;
+    }
+}
+
+fn check(step: usize) {
+    let mut failures = Vec::new();
+    let mut mended = 0;
+    for line in sample(lines("runaway"), step) {
+        let case = line["case"].as_str().expect("a name").to_owned();
+        let problem = problem(&document(&line));
+        let t = problem.plan();
+        let first = t.warnings.iter().find_map(|w| match w {
+            Warning::Runaway { frame, .. } => Some(*frame),
+            _ => None,
+        });
+        match first {
+            None => mended += 1,
+            Some(frame) => {
+                assert_eq!(t.status[frame], Status::Stalled, "{case}");
+                let before = if frame > 0 { t.joints_at(frame - 1) } else { &t.start };
+                if joined(&problem, before, frame) {
+                    failures.push(format!("{case}, frame {frame}"));
+                }
+            }
+        }
+    }
+    println!("{mended} motions keep to finite poses");
+    assert!(failures.is_empty(), "a finite pose is joined:\n{}", failures.join("\n"));
+}
+
+#[test]
+fn no_runaway_where_a_finite_pose_is_joined() {
+    check(8);
+}
+
+#[test]
+#[ignore = "a minute in release: cargo test --release --test runaway -- --ignored --nocapture"]
+fn no_runaway_where_a_finite_pose_is_joined_in_any() {
+    check(1);
+}
