@@ -1,5 +1,5 @@
 //! The direct way to a frame's minimum: full Newton steps that close the loops and descend at once. Near the last
-//! frame's answer two or three do; at the first sign of trouble it gives up.
+//! frame's answer two or three suffice; where anything is out of the ordinary the guarded way follows.
 
 use crate::math::linalg;
 use crate::math::metric::Target;
@@ -16,7 +16,7 @@ const DIRECT_STEP: f64 = 0.15;
 const CONTRACTION: f64 = 0.5;
 
 impl Solver {
-    /// Newton steps that close and descend at once; `None` as soon as one of them is not as near an answer.
+    /// Newton steps that close and descend at once; `None` as soon as a step is out of the ordinary.
     pub(super) fn solve_direct(
         &mut self,
         target: &Target,

@@ -1,4 +1,4 @@
-//! The solver's data: the linkage as it sees it, the metric, what is held, and its buffers; and how a frame ends.
+//! The solver's data: the linkage in its unit, the metric, the stops, and its buffers; and how a frame ends.
 
 use crate::math::metric::{Metric, Target};
 use crate::math::pose::Pose;
@@ -24,7 +24,7 @@ pub enum End {
 }
 
 impl End {
-    /// Is it a certified minimum?
+    /// Whether it is a certified minimum.
     pub fn is_minimum(self) -> bool {
         matches!(self, Self::Minimum | Self::MinimumAtLimit)
     }

@@ -26,7 +26,7 @@ use nalgebra::Vector6;
 #[derive(Clone, Debug)]
 pub struct Tangent {
     pub(super) chains: Vec<ChainTangent>,
-    /// Of the last evaluation.
+    /// The largest of the last evaluation.
     pub(super) closure_error: f64,
     /// QR of the stacked constraints' transpose, (6 + explicit joints) × (constraints).
     pub(super) stacked: PivotedQr,
@@ -262,7 +262,7 @@ impl Factored<'_> {
     }
 
     /// A basis of the wrench systems that the chains can exert on each other without any pull: one for each surplus
-    /// constraint, one wrench a chain, Σ λ_i = 0. The split of [`Free::hold`] is unique up to these.
+    /// constraint, one wrench a chain, Σ λ_i = 0. The split of [`Free::hold`](super::free::Free::hold) is unique up to these.
     pub fn internal_wrenches(&self) -> Vec<Vec<Vector6<f64>>> {
         let stacked = &self.0.stacked;
         let (rank, order) = (stacked.rank(), stacked.order());
