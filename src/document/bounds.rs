@@ -2,7 +2,7 @@
 
 use crate::document::fault::{Fault, FaultCode, Place};
 
-/// Largest length, in the document's unit: ten times the way to the sun in metres, and a micrometre is 1e-6.
+/// Largest length, in the document's unit: a thousand kilometres in micrometres.
 /// Closure is measured in shares of the mechanism's size, so that no digits are lost with the unit.
 pub const MAX_LENGTH: f64 = 1e12;
 /// Largest angle in degrees, almost 3,000 turns; as many digits are left.

@@ -22,6 +22,19 @@ use crate::plan::modes;
 use crate::plan::settings::{Settings, extent};
 
 /// What the planner needs, in radians.
+///
+/// ```
+/// use synthetica::{MetricKind, Problem, document::text};
+///
+/// // A sample with the paper's metric, planned in the default one.
+/// let mut document = text::parse(include_str!("../../www/mechanisms/2tpr.json"))?;
+/// document.planner.metric = MetricKind::Pose;
+/// document.planner.metric_length = None;
+/// let problem = Problem::new(&document)?;
+/// let motion = problem.plan();
+/// assert_eq!(Some(motion.metric_used.length), problem.mechanism.size());
+/// # Ok::<(), synthetica::Fault>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Problem {
     /// The linkage.

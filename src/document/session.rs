@@ -15,7 +15,7 @@ use std::cell::OnceCell;
 /// An open document.
 ///
 /// ```
-/// use synthetica::document::session::Session;
+/// use synthetica::Session;
 ///
 /// let session = Session::open(include_str!("../../www/mechanisms/3rps.json"))?;
 ///
@@ -31,7 +31,7 @@ use std::cell::OnceCell;
 /// let at = motion.poses[0].translation;
 /// let pulled = session.pull(joints, &[at.x + 0.1, at.y, at.z, 0.0, 0.0, 0.0, 1.0])?;
 /// assert!(pulled.frame.closure[0] <= 1e-10);
-/// # Ok::<(), synthetica::document::fault::Fault>(())
+/// # Ok::<(), synthetica::Fault>(())
 /// ```
 #[derive(Debug)]
 pub struct Session {

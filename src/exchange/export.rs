@@ -47,6 +47,18 @@ impl Format {
 }
 
 /// The motion of this document's mechanism in that format.
+///
+/// ```
+/// use synthetica::Session;
+/// use synthetica::export::{Format, write};
+///
+/// let session = Session::open(include_str!("../../www/mechanisms/2tpr.json"))?;
+/// let motion = session.plan();
+/// let csv = write(Format::Csv, session.document(), &session.problem().mechanism, &motion);
+/// assert!(csv.starts_with("frame,time,status,"));
+/// assert_eq!(csv.lines().count(), 1 + motion.frames());
+/// # Ok::<(), synthetica::Fault>(())
+/// ```
 pub fn write(
     format: Format,
     document: &Document,

@@ -2,20 +2,20 @@
 //!
 //! Both are f = ½‖q − g‖² of unit dual quaternions (Eq. 29), lengths divided by a characteristic length L. They differ in
 //! the point about which the translations are measured: with d the origin of a pose from there, the dual part is ½ d∘q.
-//! Measured about the goal's own origin f is ½(‖q_r − g_r‖² + ‖d − d_g‖² / 4L²): rotation and translation do not trade
-//! through a far origin, and no choice of the fixed frame changes it.
+//! Measured about the goal's own origin f is ½(‖q_r − g_r‖² + ‖d − d_g‖² / 4L²), rotation and translation apart, and no
+//! choice of the fixed frame changes it. About a far origin a small rotation counts like a large translation.
 
 use crate::math::pose::{Pose, dual_quaternion};
 use nalgebra::{UnitQuaternion, Vector3};
 
-/// About which point translations are measured, and which of the two quaternions of the goal is taken.
+/// About which point translations are measured, and which of the two quaternions of a rotation is taken.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum MetricKind {
-    /// About the goal's origin; the nearer rotation at every pose.
+    /// About the goal's origin; at every pose the quaternion that is nearer to the goal's.
     #[default]
     Pose,
-    /// About a given point, as the paper measures about the fixed frame's origin; the rotation that is nearer from the
-    /// pose before.
+    /// About a given point, as the paper measures about the fixed frame's origin; the quaternions of goal and pose that
+    /// are nearer to that of the pose before.
     DualQuaternion,
 }
 
@@ -26,12 +26,12 @@ pub struct Metric {
     pub kind: MetricKind,
     /// The characteristic length L: a translation by it weighs about as much as a rotation by 1 rad.
     pub length: f64,
-    /// The point about which [`MetricKind::DualQuaternion`] measures; the other does not read it.
+    /// The point about which [`MetricKind::DualQuaternion`] measures; not used by the other.
     pub origin: Vector3<f64>,
 }
 
 impl Default for Metric {
-    /// About the goal's origin, in units of length.
+    /// About the goal's origin, with the length 1.
     fn default() -> Self {
         Self {
             kind: MetricKind::Pose,
@@ -41,14 +41,14 @@ impl Default for Metric {
 }
 
 impl Metric {
-    /// The paper's: about the fixed frame's origin, in units of length.
+    /// The paper's: about the fixed frame's origin, with the length 1.
     pub const PAPER: Self = Self {
         kind: MetricKind::DualQuaternion,
         length: 1.0,
         origin: Vector3::new(0.0, 0.0, 0.0),
     };
 
-    /// The metric for lengths in another unit, measured from another point.
+    /// The same metric for positions measured in another unit and from another point.
     pub fn within(&self, unit: f64, origin: &Vector3<f64>) -> Self {
         Self {
             kind: self.kind,
@@ -57,7 +57,7 @@ impl Metric {
         }
     }
 
-    /// The goal as this metric measures towards it, from a pose before with the rotation `before`.
+    /// The goal with what this metric fixes for one frame; `before` is the rotation of the pose before.
     pub fn target(&self, goal: &Pose, before: &UnitQuaternion<f64>) -> Target {
         let about = match self.kind {
             MetricKind::Pose => goal.translation.vector,

@@ -5,7 +5,7 @@ use nalgebra::{Matrix3, Vector3, Vector6};
 use serde::Serialize;
 
 /// Singular value below which a direction is not in a space, or an axis not in a motion: the
-/// opening of a closed linkage, amplified.
+/// closure error of a closed linkage, amplified.
 const ZERO: f64 = 1e-8;
 
 /// Entry of a unit vector that is rounding.

@@ -83,7 +83,7 @@ pub(crate) enum Moves {
     Both,
 }
 
-/// The range of one joint variable: radians, or lengths for a slider; infinite where it is open.
+/// The range of one joint variable: radians, or lengths for a slider; infinite where there is no limit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
     /// Smallest value.

@@ -2,7 +2,7 @@
 
 use crate::model::chain::Chain;
 
-/// More chains than any linkage a person would enter; keeps a hostile document from costing time.
+/// More chains than any linkage that a person would enter; bounds the time that a document can cost.
 pub const MAX_CHAINS: usize = 24;
 
 /// The chains that share a workpiece.
@@ -45,7 +45,7 @@ impl Mechanism {
         self.chains.iter().map(Chain::freedoms).sum()
     }
 
-    /// Mobility M = 6 − ΣU (Eq. 10): the count, which the rank may exceed.
+    /// Mobility M = 6 − ΣU by counting joints (Eq. 10); that by rank is more where there are surplus constraints.
     pub fn mobility_count(&self) -> isize {
         let constraints: usize = self.chains.iter().map(Chain::constraints).sum();
         6 - constraints.cast_signed()

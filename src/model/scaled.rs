@@ -10,8 +10,8 @@ use crate::model::joint::Limits;
 use crate::model::mechanism::Mechanism;
 use nalgebra::{Vector3, Vector6};
 
-/// Largest closure error of a published frame: lengths as shares of the mechanism's size, angles in rad. A double tells
-/// 1e-16 apart, and a dozen products of rotations lose two or three digits.
+/// Largest closure error of a published frame: lengths as shares of the mechanism's size, angles in rad. A double has
+/// a relative precision of 1e-16, and a dozen products of rotations lose two or three digits.
 pub const CLOSED: f64 = 1e-10;
 /// The closure error that the solver asks for: ten times less than what is published.
 pub const SOLVED: f64 = 0.1 * CLOSED;
@@ -169,7 +169,7 @@ impl Scaled {
         })
     }
 
-    /// How far the loops are open at these joint values: the largest closure error of any chain against the first.
+    /// The largest closure error at these joint values, of any chain against the first.
     pub fn closure_error(&self, theta: &[f64]) -> f64 {
         let mut first = 0;
         let mut states = self.chains.iter().map(|chain| {
@@ -185,7 +185,8 @@ impl Scaled {
     }
 }
 
-/// How far a loop is open by a twist: the larger of its length and its angle.
+/// The closure error of a loop that is open by this twist: the larger of its length (shares of the size) and its angle
+/// (rad).
 #[inline]
 pub fn closure_error(twist: &Vector6<f64>) -> f64 {
     let square =

@@ -96,7 +96,7 @@ pub enum Warning {
     /// At this frame the distance to the goal keeps falling while a slider without limits runs away. `elsewhere`:
     /// another assembly, which no motion joins to this one, comes closest at a finite place.
     Runaway { frame: usize, elsewhere: bool },
-    /// The paper's gradient planner knows no joint limits; frames beyond one are not certified.
+    /// The gradient planner does not keep joint limits; frames beyond one are not certified.
     LimitsUnknown,
     /// The mobility by rank differs from the count of Eq. 10.
     MobilityDiffers { count: isize, rank: usize },
@@ -195,6 +195,22 @@ impl LengthSource {
 }
 
 /// A planned motion.
+///
+/// ```
+/// use synthetica::{Session, Warning};
+///
+/// let motion = Session::open(include_str!("../../www/mechanisms/3rps.json"))?.plan();
+/// for frame in 0..motion.frames() {
+///     // Rad or lengths, chain by chain.
+///     assert_eq!(motion.joints_at(frame).len(), motion.variables);
+///     if motion.status[frame].is_certified() {
+///         assert!(motion.closure[frame] <= motion.bounds.closure);
+///         assert!(motion.projected_gradient[frame] <= motion.bounds.projected_gradient);
+///     }
+/// }
+/// assert!(!motion.warnings.iter().any(|warning| matches!(warning, Warning::BranchJump { .. })));
+/// # Ok::<(), synthetica::Fault>(())
+/// ```
 #[derive(Clone, Debug, Default)]
 pub struct Trajectory {
     /// Joint variables a frame: the length of the groups in `joints`.

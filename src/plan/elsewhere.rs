@@ -1,5 +1,5 @@
-//! A finite closest pose where the followed branch has none: at positions that closed walks join to the present one, and
-//! in other assemblies.
+//! A finite closest pose where the followed branch has none: from positions that closed walks join to the present one,
+//! and in other assemblies. A closed walk is a path of short steps over positions whose loops are closed.
 
 use crate::math::pose::Pose;
 use crate::math::random::Random;
@@ -53,8 +53,8 @@ pub fn joined(solver: &mut Solver, joints: &[f64], goal: &Pose) -> Option<(Vec<f
     best
 }
 
-/// One closed step along the free direction nearest to `heading`, which it becomes; false where it does not close or
-/// leaves the limits.
+/// One closed step along the free direction nearest to `heading`, and `heading` becomes that direction; false where the
+/// loops do not close there or a joint would be beyond a limit.
 fn step(solver: &mut Solver, theta: &mut Vec<f64>, heading: &mut Vec<f64>) -> bool {
     let (scaled, closer, holding) = solver.parts();
     let mut holding = holding.clone();

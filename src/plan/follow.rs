@@ -1,4 +1,5 @@
-//! A motion, frame by frame: warm start, prediction, branch watch, report.
+//! A motion, frame by frame: the start closed, each frame solved from an extrapolation of those before, leaps and
+//! runaways checked, a report.
 
 use crate::model::joint::Limits;
 use crate::model::mechanism::Mechanism;
@@ -15,7 +16,7 @@ use crate::solve::gradient;
 use crate::solve::solver::{End, Solved, Solver};
 
 /// How far f may be above the minimum in a certified answer of the gradient planner: twice what its
-/// stop leaves in the flattest directions met.
+/// stopping rule leaves in the flattest directions met.
 const GRADIENT_FALL: f64 = 2e-8;
 
 /// Plans the motion closest to `goals` from the joint values `start`, which choose the assembly
@@ -62,7 +63,7 @@ pub struct Planning {
     checked: usize,
     leaps: Vec<Leap>,
     runaways: Vec<Warning>,
-    /// The frame from which the next search for a finite pose is worth its time.
+    /// The first frame at which the next search for a finite pose may be made: searches are slow, and get rarer.
     search_from: usize,
     searches: usize,
 }
@@ -116,7 +117,7 @@ impl Planning {
         }
     }
 
-    /// The same, with warnings that are known before.
+    /// The same plan with these warnings before its own.
     pub fn noted(mut self, notes: &[Warning]) -> Self {
         self.t.warnings.splice(..0, notes.iter().cloned());
         self
@@ -132,7 +133,8 @@ impl Planning {
         self.t.frames()
     }
 
-    /// Plans one more frame; false when there is none left. The last frames may be planned anew when a leap shows.
+    /// Plans one more frame; false when there is none left. The last frames may be taken back and planned again where a
+    /// leap shows, so that [`Planning::done`] falls.
     pub fn advance(&mut self) -> bool {
         let frame = self.done();
         if frame == self.frames() {
@@ -212,8 +214,8 @@ impl Planning {
         );
     }
 
-    /// A finite closest pose instead of a slider that runs away: at positions that a closed walk joins to this one, and
-    /// where there is none, whether another assembly has one.
+    /// Looks for a finite closest pose where a slider runs away, from positions that closed walks join to this one; where
+    /// there is none, the warning says whether another assembly has one.
     fn search(&mut self, frame: usize, runaway: Solved) -> Solved {
         /// Searches of one motion: each takes as long as a few hundred frames.
         const MOST: usize = 8;
@@ -249,8 +251,8 @@ impl Planning {
         runaway
     }
 
-    /// Looks at the intervals whose neighbours are known; where one leaps that need not, its frames and those after it
-    /// are taken back. Whether any were.
+    /// Checks the intervals whose neighbours are known. Where short steps through an interval lead to another branch than
+    /// the planned one, its end is replaced and the frames after it are taken back; true if so.
     fn check_leaps(&mut self) -> bool {
         let known = if self.done() == self.frames() {
             self.done()
@@ -260,13 +262,13 @@ impl Planning {
         while self.checked + 1 < known {
             let first = self.checked;
             self.checked += 1;
-            // A switch to a finite pose is told already.
+            // The leap away from a runaway has its warning already.
             let told = self.leaps.iter().any(|leap| leap.first == first);
             if !self.closed || told || !leaps::is_suspicious(&self.t, self.solver.scaled(), first) {
                 continue;
             }
             let (from, to) = (self.goals[first], self.goals[first + 1]);
-            // Which joints were held at the frame is not known any more; those that are now belong to a later one.
+            // The present stops are those of the last frame; those of this one are not known any more.
             let holding = self.solver.holding().clone();
             self.solver.clear_holding();
             let Some(way) = leaps::trace(&mut self.solver, self.t.joints_at(first), &from, &to)
@@ -283,7 +285,7 @@ impl Planning {
                 continue;
             }
             if self.settings.method == Method::Gradient {
-                // Its own branch is kept; that it left the one before is told.
+                // The gradient planner keeps the branch that it came to; the leap gets a warning.
                 let whole =
                     Leap::between(scaled, self.t.joints_at(first), self.t.joints_at(first + 1));
                 self.leaps.push(Leap {

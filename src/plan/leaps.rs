@@ -2,8 +2,8 @@
 //!
 //! A leap is a change of joints by more than 0.02 rad, or sizes, within 1e-6 of an interval. Between two frames the goal
 //! is taken to go straight and to turn steadily. The linkage is followed along that way in steps so short that no joint
-//! moves by more than half a leap; where the steps would become shorter than 1e-6 of the interval, it leaps. So a motion
-//! that is fast but continuous is told from one that leaves its branch.
+//! moves by more than half a leap; where the steps would become shorter than 1e-6 of the interval, it leaps. This
+//! distinguishes a motion that is fast but continuous from one that leaves its branch.
 
 use crate::math::pose::Pose;
 use crate::model::scaled::Scaled;
@@ -30,9 +30,9 @@ const STEPS: usize = 6000;
 pub struct Leap {
     /// It lies between this frame and the next.
     pub first: usize,
-    /// When.
+    /// When, in the key frames' unit of time.
     pub time: f64,
-    /// By how much the joint that moves most moves, rad or a length.
+    /// Motion of the joint variable that moves most, rad or a length.
     pub moved: f64,
     /// The same, rad or sizes.
     pub moved_scaled: f64,
@@ -73,7 +73,8 @@ impl Leap {
     }
 }
 
-/// Whether the interval after frame `first` goes on unlike its neighbours.
+/// Whether a joint variable changes in the interval after frame `first` unlike in the intervals beside it, or by much;
+/// false where a frame of it is not certified.
 pub fn is_suspicious(t: &Trajectory, scaled: &Scaled, first: usize) -> bool {
     let certified = |frame: usize| {
         t.status
@@ -143,7 +144,7 @@ pub fn trace(solver: &mut Solver, joints: &[f64], from: &Goal, to: &Goal) -> Opt
         if !solved.end.is_minimum() || !(leap.moved_scaled <= FINE) {
             if step > SHORTEST {
                 solver.set_holding(holding);
-                // The prediction may be what led astray.
+                // The prediction may be the cause.
                 rate.fill(0.0);
                 step = (0.25 * step).max(0.5 * SHORTEST);
                 continue;

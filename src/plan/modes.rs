@@ -56,6 +56,7 @@ const ROUNDS: usize = 2;
 const SAME_POSE: f64 = 1e-6;
 /// Joint motion, rad or sizes, below which two configurations are the same.
 const SAME: f64 = 1e-3;
+
 /// Joint values (rad or lengths) for a mechanism of which some chains have none: the assembly that comes
 /// nearest to `first`, or, where some chains have values, to the pose that they give the workpiece.
 /// Among assemblies equally near, sliders of positive length (offset and variable together) are

@@ -33,7 +33,7 @@ pub struct Part {
     pub solver: Solver,
     /// Its variables among those of the mechanism.
     pub range: Range<usize>,
-    /// Were its values given?
+    /// Whether its values were given.
     pub held: bool,
 }
 

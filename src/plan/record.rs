@@ -22,8 +22,8 @@ pub fn begin(
     extent: f64,
     settings: &Settings,
 ) -> Trajectory {
-    /// A length so many times longer or shorter than the linkage's weighs rotations against translations as nobody
-    /// means it: mostly a length of 1 that was meant in another unit.
+    /// With a length so many times longer or shorter than the linkage's, translations or rotations hardly count; mostly
+    /// it is a length of 1 that was meant in another unit.
     const FAR_OFF: f64 = 30.0;
     let tolerances = solver.tolerances();
     let metric = settings.metric_for(mechanism, extent);
@@ -124,8 +124,8 @@ pub fn largest_distances(t: &Trajectory, metrics: [&Metric; 2]) -> [f64; 2] {
     })
 }
 
-/// The smallest singular value of the frames that have none yet, not zero on account of constraints that are surplus
-/// all along; and the intervals that are nearly singular.
+/// The smallest singular value of every frame, not counting those that are 0 because of constraints that are surplus in
+/// all frames; and warnings of the runs of frames that are nearly singular.
 pub fn measure_singular(t: &mut Trajectory, solver: &mut Solver) {
     let (scaled, closer, _) = solver.parts();
     // In a singular start there are more surplus constraints.

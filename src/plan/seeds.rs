@@ -8,7 +8,7 @@ use crate::model::joint::{Limits, Moves};
 use std::f64::consts::{PI, TAU};
 
 /// Relative difference below which two distances, or two sums of squares, are equal: a hundred thousand
-/// times what rounding and the solver's stop leave, so that the order does not depend on the unit.
+/// times what rounding and the solver's stopping rule leave, so that the order does not depend on the unit.
 const EQUAL: f64 = 1e-9;
 
 /// A joint variable, lengths in sizes.
@@ -119,7 +119,7 @@ pub struct Assembly {
     pub pose: Pose,
     /// Do the loops close exactly, without a misfit of rounded dimensions?
     pub exact: bool,
-    /// Is the goal met?
+    /// Whether the goal is met.
     pub reached: bool,
     /// ½‖q − g‖² over the most that rotations or a translation by the size count in it.
     pub distance: f64,

@@ -1,4 +1,4 @@
-//! What a plan needs to know beside mechanism and goals.
+//! What a plan needs beside mechanism and goals: method, metric, tolerance of dimensions, limits of iterations.
 
 use crate::math::metric::{Metric, MetricKind};
 use crate::model::mechanism::Mechanism;
@@ -99,9 +99,9 @@ impl Settings {
     }
 }
 
-/// Linear systems that no certified frame was seen to need.
+/// Linear systems that a frame may take: more than any certified frame was seen to need.
 pub const NEWTON_ITERATIONS: usize = 500;
-/// Gradient steps; near gimbal lock the 3RPS takes some 20,000.
+/// Gradient steps that a frame may take; near gimbal lock the 3RPS takes some 20,000.
 pub const GRADIENT_ITERATIONS: usize = 30_000;
 
 /// The length by which a metric weighs translations where none is given: the mechanism's size, so that a turn by 1 rad

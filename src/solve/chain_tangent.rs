@@ -99,7 +99,7 @@ impl ChainTangent {
         wrench
     }
 
-    /// Joint rates that realise ξ + e with explicit joints as in `y`; fixed joints stay 0.
+    /// Joint rates that realise ξ + e with explicit joints as in `y`; those of held joints stay 0.
     #[inline]
     pub fn rates(&self, y: &[f64], open: Option<&Vector6<f64>>, out: &mut [f64]) {
         let mut x = [y[0], y[1], y[2], y[3], y[4], y[5]];

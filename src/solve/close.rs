@@ -1,4 +1,4 @@
-//! Closing the loops: near a position, by a few short corrections; at a start, from anywhere.
+//! Closing the loops near a position, by a few short corrections; from anywhere: see [`close_start`](super::close_start).
 //!
 //! A correction is a Gauss–Newton step of the loop equations. Of the many that close the loops to first order it is the
 //! shortest, in the workpiece's twist or in the joints.
@@ -81,7 +81,7 @@ impl Closer {
         }
     }
 
-    /// Sets what is known.
+    /// Sets what is known of the surplus constraints.
     pub fn set_dependence(&mut self, dependence: Dependence) {
         self.dependence = dependence;
     }
@@ -178,7 +178,7 @@ impl Closer {
         false
     }
 
-    /// How far the loops are open at `theta`, and the misfit of a rounded linkage there (else 0).
+    /// The largest closure error at `theta`, and the misfit of a rounded linkage there (else 0).
     pub fn closure(&mut self, scaled: &Scaled, theta: &[f64]) -> (f64, f64) {
         let open = self.tangent.evaluate(scaled.chains(), theta);
         if !self.dependence.is_rounded() {
@@ -188,7 +188,7 @@ impl Closer {
         self.tangent.factor(&free, self.dependence).closure()
     }
 
-    /// The smallest singular value of a position, not zero on account of so many surplus constraints; see
+    /// The smallest singular value of a position, not counting so many that are 0 because of surplus constraints; see
     /// [`SingularValues`].
     pub fn smallest_singular_value(
         &mut self,

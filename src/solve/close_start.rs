@@ -1,10 +1,10 @@
 //! Closing the loops at a start: from near or from anywhere, and what is learnt there about surplus constraints.
 //!
-//! A start that is nearly closed is meant: closing it may not leap to another assembly. Where the loops close exactly
-//! only by a leap, or not at all, or leave a linkage rigid that counts as nearly mobile, the dimensions may be rounded
-//! ones of an overconstrained linkage. That is tried by its meaning: with the surplus constraints met in the sense of
-//! least squares the linkage must close, and must move some way without the misfit growing beyond the tolerance. An
-//! ordinary linkage near a singular position does not: there the misfit grows with the square of the way.
+//! A start that is nearly closed chooses its assembly: closing it must not leap to another. Where the loops close
+//! exactly only by a leap, or not at all, or where constraints of a closed start are within the tolerance of being
+//! surplus, the dimensions may be rounded ones of an overconstrained linkage. Then, with the surplus constraints met in
+//! the sense of least squares, the linkage must close, and must move some way while the misfit stays within the
+//! tolerance. An ordinary linkage near a singular position does not: there the misfit grows with the square of the way.
 
 use crate::model::scaled::{CLOSED, SOLVED, Scaled};
 use crate::solve::close::{Closer, Reach, Shortest, dot, longest};
@@ -13,8 +13,8 @@ use crate::solve::limits::Holding;
 
 /// Gauss–Newton from a random start takes about a dozen steps.
 const STEPS: usize = 100;
-/// While the loops are open by e, surplus constraints look independent by about e: those closer to dependence than this
-/// share of e are left out.
+/// At a closure error e, surplus constraints look independent by about e: those closer to dependence than this share of
+/// e are left out.
 const BLUR: f64 = 0.1;
 /// The same where rounded dimensions are tried: a surplus constraint is independent by its misfit, which is what is left
 /// of e in the end.
@@ -41,7 +41,7 @@ pub enum Start {
     /// They do not close; a start that was nearly closed would have had to leap by the second number, which is infinite
     /// where no closed position was found at all.
     Open {
-        /// How far the loops are open where it was given up.
+        /// The closure error of the given start.
         error: f64,
         /// Largest joint motion, rad or sizes, to the closed position that was found.
         leap: f64,
@@ -103,7 +103,7 @@ pub fn close_start(
     open
 }
 
-/// The way of the exact closing.
+/// The path on which the loops were closed, dimensions taken as exact.
 struct Path {
     closed: bool,
     /// The first position on it that is nearly closed, and its closure error.
@@ -161,7 +161,7 @@ fn descend(
 }
 
 /// The position near `theta` that closes a linkage with rounded dimensions, if it is one; sets the dependence then, and
-/// leaves it alone else. `closed`: the loops are closed exactly at `theta`.
+/// leaves it alone else. `closed`: the loops are closed exactly at `theta`. Limits are not kept here.
 fn rounded(
     closer: &mut Closer,
     scaled: &Scaled,

@@ -13,7 +13,7 @@ use crate::math::linalg::svd;
 pub enum Dependence {
     /// Those closer than this to the span of the others.
     Within(f64),
-    /// That, and so many in any case: they are implied by the others.
+    /// The same by [`Dependence::FOUND`], and so many in any case: they are implied by the others.
     Implied(usize),
     /// So many combinations of constraints contradict the others by the misfit of rounded dimensions.
     Rounded(usize),
@@ -21,7 +21,7 @@ pub enum Dependence {
 
 impl Dependence {
     /// Distance from dependence below which a constraint of a closed linkage counts as implied by the others: the
-    /// closure error of 1e-12 amplified a thousandfold.
+    /// closure error of 1e-11 amplified a hundredfold.
     pub const FOUND: Self = Self::Within(1e-9);
 
     /// How many constraints are known to be surplus.
@@ -133,7 +133,7 @@ pub(super) fn surplus_within(forms: &[f64], unknowns: usize, own: usize, distanc
             .count()
 }
 
-/// What the first chain's constraints leave of the others': the part across them (Gram–Schmidt).
+/// The other chains' constraints without their parts along the first chain's (Gram–Schmidt).
 fn others_free(forms: &[f64], unknowns: usize, own: usize) -> Vec<Vec<f64>> {
     let (first, others) = forms.split_at(own * unknowns);
     let mut basis: Vec<Vec<f64>> = Vec::new();

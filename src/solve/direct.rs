@@ -1,5 +1,5 @@
 //! The direct way to a frame's minimum: full Newton steps that close the loops and descend at once. Near the last
-//! frame's answer two or three do; at the first sign of trouble it gives up.
+//! frame's answer two or three suffice; where anything is out of the ordinary the guarded way follows.
 
 use crate::math::linalg;
 use crate::math::metric::Target;
@@ -8,15 +8,15 @@ use crate::solve::close::longest;
 use crate::solve::objective::objective;
 use crate::solve::solver::{Iterate, Observer, Solved, Solver, minimum};
 
-/// Steps of the direct way; a warm start takes two or three.
+/// Steps of the direct way; from an extrapolation of the frames before, two or three suffice.
 const DIRECT_STEPS: usize = 8;
-/// Largest motion of a first direct step: further off, the prediction is not to be trusted.
+/// Largest joint motion of a first direct step, rad or sizes: further off, the prediction is not trusted.
 const DIRECT_STEP: f64 = 0.15;
 /// A step that is not below this fraction of the last one is not Newton's convergence.
 const CONTRACTION: f64 = 0.5;
 
 impl Solver {
-    /// Newton steps that close and descend at once; `None` at the first sign of trouble.
+    /// Newton steps that close and descend at once; `None` as soon as a step is out of the ordinary.
     pub(super) fn solve_direct(
         &mut self,
         target: &Target,

@@ -2,13 +2,13 @@
 //!
 //! Where the linkage has more freedoms than one, the others follow at the least rates: of all joint
 //! rates that keep the loops closed and move the driven joint, those with the least sum of squares
-//! (rad, and lengths in units of the mechanism's size). So the path does not depend on how many
-//! steps a hand took along it, but for the size of a step squared.
+//! (rad, and lengths in units of the mechanism's size). So the path does not depend on the
+//! number of steps, up to the square of their length.
 //!
 //! A step predicts along these rates and closes the loops by the shortest corrections with the driven
 //! joint held; it counts only if the corrections are short against it, else it is halved, so that the
-//! branch is followed and not jumped from. Where the driven joint comes to a turning point (a dead
-//! point) the rates of the others grow beyond all bounds, the steps shrink, and that is the end.
+//! branch is followed without a leap. Where the driven joint comes to a turning point (a dead
+//! point) the rates of the others grow beyond all bounds, the steps shrink, and the drive ends.
 //! Joints that come to a limit are held there as long as the motion pushes them against it.
 
 use crate::model::joint::Stop;
@@ -31,8 +31,8 @@ const LEVEL: f64 = 1e-9;
 const KICKS: [f64; 2] = [1e-2, 1e-3];
 /// Least progress of the driven joint that a kick must bring: above the error of a dead point.
 const PROGRESS: f64 = 1e-9;
-/// How far a slider without limits may run, in units of the size: where the driven value has an
-/// asymptote, it would run for ever.
+/// How far a slider without limits may move, in units of the size: where the driven value has an
+/// asymptote, it would move on for ever.
 const FARTHEST: f64 = 20.0;
 /// Steps of one drive: 30 turns of one joint alone.
 const STEPS: usize = 2000;
@@ -103,7 +103,7 @@ pub fn drive(
     scaled.leave(&theta, joints);
     let own_limit = ((target - asked).abs() > 0.0).then_some(Obstacle::OwnLimit);
     if obstacle.is_none() && own_limit.is_none() {
-        // Not its rounding in another unit; the loops do not feel the difference.
+        // As given, without the rounding of the change of units; the loops stay closed.
         joints[variable] = value;
     }
     Driven {
@@ -209,7 +209,7 @@ impl Path<'_> {
         }
     }
 
-    /// The longest step along `direction` up to `radius` that can be had; none where there is none.
+    /// The longest step along `direction` up to `radius` after which the loops close; none where there is none.
     fn advance(
         &mut self,
         theta: &[f64],
@@ -277,7 +277,7 @@ impl Path<'_> {
     }
 
     /// Closes the loops near `theta` by the shortest corrections, in all not longer than half of
-    /// `length`; false if that does not do.
+    /// `length`; false if they do not close so.
     fn close(&mut self, theta: &mut [f64], end: End, length: f64) -> bool {
         let held = match end {
             End::Value(value) => {
@@ -309,7 +309,7 @@ impl Path<'_> {
 
     /// A short step in some free direction after which the driven joint is further on the side `sign`.
     /// First in the direction, if there is one, in which the driven joint still moves: at a dead point
-    /// it tells the side from which the linkage came.
+    /// it points along the way that the linkage came.
     fn kick(&mut self, theta: &[f64], direction: Option<Vec<f64>>, sign: f64) -> Option<Vec<f64>> {
         let dependence = self.closer.dependence_anywhere();
         let tangent = self.closer.tangent();

@@ -84,7 +84,7 @@ impl<'a> Free<'a> {
     }
 
     /// Distributes a pull over the chains: wrenches λ_i with Σ λ_i = `gradient` as far as the constraints can hold it.
-    /// Where constraints are dependent one of the many splits is taken.
+    /// Where there are surplus constraints, one of the many splits is taken.
     #[inline]
     pub fn hold(self, gradient: &Vector6<f64>) -> Held<'a> {
         let tangent = self.0;

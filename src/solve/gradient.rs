@@ -3,8 +3,8 @@
 //! Kept as the reference for [`crate::solve::newton`] and for teaching. It converges linearly: several
 //! hundred iterations a frame where the goal is off the workspace. Its steps, the pseudo-inverse and
 //! the projection on the null space, are taken from a pivoted QR of \[A\]ᵀ, which gives the same steps
-//! as the singular value decomposition of Eq. 27 in a tenth of the time; the singular values
-//! themselves are there for whoever watches.
+//! as the singular value decomposition of Eq. 27 in a tenth of the time; an observer can ask for the
+//! singular values themselves.
 
 use crate::math::linalg::{PivotedQr, svd};
 use crate::math::metric::{MetricKind, Target};
@@ -25,11 +25,11 @@ const CLOSED: f64 = 1e-13;
 const ROUNDING: f64 = 1e-11;
 /// Corrections by Eq. 28 after one gradient step; quadratic convergence needs three or four.
 const CORRECTIONS: usize = 12;
-/// Equations within this share of the largest of being dependent are: rounding amplified a
-/// thousandfold.
+/// Share of the longest row of \[A\] within which an equation counts as dependent: the closure error of
+/// 1e-13 amplified a thousandfold.
 const ZERO: f64 = 1e-10;
 
-/// One turn of the loop in Fig. 3, after its corrections.
+/// One iterate of the loop in Fig. 3, after its corrections.
 #[derive(Clone, Debug)]
 pub struct Iteration<'a> {
     /// The mechanism in units of the metric's length.
@@ -53,7 +53,7 @@ pub struct Iteration<'a> {
 pub struct Arrival {
     /// The share of Δr = \[W\] a that was taken; 0 for the first iterate.
     pub share: f64,
-    /// Largest entry of E behind that step.
+    /// Largest entry of E after that step.
     pub opening: f64,
     /// Corrections that followed.
     pub corrections: usize,
@@ -80,8 +80,8 @@ pub struct Descent {
 }
 
 /// Moves `joints`, which must close the loops, to the closest pose to the target as Fig. 3 does, and
-/// shows every iteration to `observe`. The target and the joints are in the mechanism's own unit and frame. The paper's
-/// form of f, measured about another point, is every [metric](crate::math::metric) of this crate.
+/// shows every iteration to `observe`. The target and the joints are in the mechanism's own unit and frame. Both
+/// [metrics](crate::math::metric) are the paper's f, measured about the target's point.
 ///
 /// The one addition to the paper: a step after which the loops do not close, or the distance grew,
 /// is halved.

@@ -11,8 +11,8 @@ use crate::solve::solver::{End, Iterate, Observer, Solved, Solver, minimum};
 /// Largest rotation of a guarded step, rad, and its first radius: 0.3 still resembles the quadratic
 /// model.
 const STEP: f64 = 0.3;
-/// How far a slider may run in one frame, in units of the size. Without limits the objective can
-/// keep falling, ever more slowly, as a slider runs away; that is no answer.
+/// How far a joint variable may move in one frame, sizes or rad. Without limits the objective can keep falling, ever
+/// more slowly, while a slider moves away; there is then no minimum.
 const FARTHEST: f64 = 100.0;
 /// Trust radius at which the guarded way gives up.
 const SMALLEST_STEP: f64 = 1e-11;
@@ -152,7 +152,7 @@ impl Solver {
             ) && self.holding.contains(&trial)
                 && {
                     let gain = model.value - target.value(self.closer.tangent().pose());
-                    // f is known to within rounding of its scale, and the pull's work on what the loops are open.
+                    // f is known to within rounding of its scale, and the pull's work on the closure error.
                     let scale = self.tolerances.stationary / 1e-9;
                     let noise =
                         1e-15 * (scale.max(1.0) + model.value) + SOLVED * model.gradient.norm();

@@ -104,8 +104,8 @@ impl Holding {
         best.1
     }
 
-    /// The largest share of a step that keeps free joints within their limits, and the joint that stops it. Rates of
-    /// at most `level` are rounding, and the joint `except` has its own end.
+    /// The largest share of a step that keeps free joints within their limits, and the joint that meets its limit there.
+    /// Motions of at most `level` are rounding, and the joint `except` is left out.
     pub fn share(
         &self,
         theta: &[f64],
@@ -189,7 +189,7 @@ impl Holding {
             .collect()
     }
 
-    /// A limit may be passed by a joint that begins beyond it; it goes no further.
+    /// Widens the limits of joints that are beyond them to where they are.
     pub fn widen(&mut self, theta: &[f64]) {
         for (l, &t) in self.limits.iter_mut().zip(theta) {
             l.min = l.min.min(t);

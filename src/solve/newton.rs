@@ -5,7 +5,7 @@
 //! and descend at once; near the last frame's answer two or three do. Anything out of the ordinary
 //! (a long step, slow progress, a limit, a curvature that is not positive) sends the frame the
 //! *guarded* way: a trust-region method whose iterates are all closed and whose objective only
-//! falls, from the last answer, so that the branch is followed and not jumped from.
+//! falls, from the last answer, so that the branch is followed without a leap.
 
 use crate::math::pose::Pose;
 use crate::motion::trajectory::Suspect;
@@ -51,7 +51,7 @@ impl Solver {
         self.scaled.enter(joints, &mut theta);
         let target = self.target(goal, &theta);
         self.scaled.enter(predicted, &mut theta);
-        // The prediction knows nothing of limits, and a held joint stays where it is put.
+        // The prediction does not keep limits, and no step moves a held joint to its limit.
         self.holding.apply(&mut theta);
         let mut iterations = 0;
         let direct = self.solve_direct(&target, &mut theta, &mut iterations, observe);
@@ -98,7 +98,7 @@ impl Solver {
         }
     }
 
-    /// The number that the misfit of rounded dimensions points at; see [`suspect`].
+    /// The number that explains the misfit of rounded dimensions best; see [`suspect`].
     pub fn suspect(&mut self, joints: &[f64]) -> Option<Suspect> {
         let theta = self.scaled.entered(joints);
         suspect(&self.scaled, &mut self.closer, &theta)

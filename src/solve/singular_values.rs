@@ -7,14 +7,14 @@ use nalgebra::Vector6;
 /// The singular value that the conditions on a unit dual quaternion contribute: \[C\] has rows of
 /// length 2 and 1.
 const OF_CONDITIONS: f64 = 1.0;
-/// The singular value that dependent equations are given so as not to be found: any that is above
-/// [`OF_CONDITIONS`], beyond which none is looked for.
+/// The singular value that surplus constraints are given, so that none of them is the smallest: any that
+/// is above [`OF_CONDITIONS`], beyond which none is looked for.
 const OUT_OF_THE_WAY: f64 = 2.0;
 
 /// The smallest singular value of the linearised loops, position after position.
 ///
 /// σ_min of a position is the smallest singular value of the paper's \[A\] (Eq. 21), not counting those
-/// that are 0 because equations depend on each other all along, with
+/// that are 0 because of surplus constraints, with
 /// - lengths in units of the mechanism's size, and
 /// - the dual quaternion measured from the workpiece's origin, d = 0.
 ///
@@ -33,14 +33,14 @@ const OUT_OF_THE_WAY: f64 = 2.0;
 pub struct SingularValues {
     factor: LoopFactor,
     lanczos: Lanczos,
-    /// Wrench systems of the dependent equations.
+    /// Wrench systems of the surplus constraints.
     wrenches: Vec<f64>,
 }
 
 impl SingularValues {
     /// σ_min of the position where the chains have these Jacobians: the columns of each, twists (v, ω)
     /// of the workpiece's origin a unit of each joint variable, lengths in units of the mechanism's
-    /// size. `redundant` equations are dependent, so many of the smallest singular values do not count.
+    /// size. `redundant` constraints are surplus: so many of the smallest singular values do not count.
     ///
     /// Numbers that are not finite give 0.
     pub fn smallest<'a>(
@@ -51,7 +51,7 @@ impl SingularValues {
         self.factor.clear();
         jacobians.into_iter().for_each(|j| self.factor.push(j));
         let n = self.factor.equations();
-        // The six of the workpiece's twist are never dependent.
+        // Six equations, as many as the workpiece's twist has, are always independent.
         let redundant = redundant.min(n.saturating_sub(6));
         if n <= 6 {
             // One chain: of ‖Bᵀu‖² the second part alone is 4.
@@ -72,7 +72,7 @@ impl SingularValues {
     /// Finds one more wrench system u with the smallest ‖Bᵀu‖, and adds it to B, where it then has the
     /// singular value 2. An error of the direction changes the other singular values by its square only.
     fn put_away_dependent(&mut self, n: usize) {
-        /// Inverse iterations. One suffices where the equations depend exactly. Where dimensions are
+        /// Inverse iterations. One suffices where the dimensions are exact. Where dimensions are
         /// rounded, each one brings u nearer by the square of the ratio of the singular value that
         /// ought to be 0 to σ_min: four give six digits of σ_min up to a ratio of a third.
         const ROUNDS: usize = 4;

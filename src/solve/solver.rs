@@ -1,4 +1,4 @@
-//! The solver's data: the linkage as it sees it, the metric, what is held, and its buffers; and how a frame ends.
+//! The solver's data: the linkage in its unit, the metric, the stops, and its buffers; and how a frame ends.
 
 use crate::math::metric::{Metric, Target};
 use crate::math::pose::Pose;
@@ -24,7 +24,7 @@ pub enum End {
 }
 
 impl End {
-    /// Is it a certified minimum?
+    /// Whether it is a certified minimum.
     pub fn is_minimum(self) -> bool {
         matches!(self, Self::Minimum | Self::MinimumAtLimit)
     }
@@ -63,13 +63,13 @@ pub struct Iterate<'a> {
     pub theta: &'a [f64],
     /// Norm of the objective's gradient along the free directions.
     pub projected_gradient: f64,
-    /// How far the loops are open.
+    /// The largest closure error; 0 on the guarded way, whose iterates are closed.
     pub closure_error: f64,
     /// Found on the guarded way.
     pub guarded: bool,
 }
 
-/// Sees every iterate.
+/// Called with every iterate.
 pub type Observer<'a> = dyn FnMut(&Iterate<'_>) + 'a;
 
 /// The solver of one mechanism; its buffers serve all frames.
@@ -133,7 +133,7 @@ impl Solver {
         &self.metric
     }
 
-    /// How far the loops are open, and mobility.
+    /// Closes the loops, and gives closure errors, mobility and singular values.
     pub fn closer(&mut self) -> &mut Closer {
         &mut self.closer
     }
@@ -143,12 +143,12 @@ impl Solver {
         &self.holding
     }
 
-    /// Takes back what a step that is not taken has found of limits.
+    /// Sets the stops: those from before a step that is not taken.
     pub fn set_holding(&mut self, holding: Holding) {
         self.holding = holding;
     }
 
-    /// Lets all joints go, before a position that has nothing to do with the last.
+    /// Clears all stops, before a position that is not a continuation of the last.
     pub fn clear_holding(&mut self) {
         self.holding.clear();
     }

@@ -1,4 +1,4 @@
-//! Which number of a table a misfit of rounded dimensions points at.
+//! Which number of a table explains the misfit of rounded dimensions best.
 //!
 //! A surplus combination of constraints is a set of wrenches λ_i, one a chain, that do no work on any motion of the
 //! linkage; the loops contradict it by μ = Σ λ_i·e_i. A change δ of a row's number moves the end of its chain by the
@@ -14,7 +14,7 @@ use nalgebra::Vector6;
 /// Share of the best remedy's effect with which another one counts as equally good.
 const EQUAL: f64 = 0.99;
 
-/// The number that the misfit at the joint values `theta` points at; none where nothing contradicts.
+/// The number that explains the misfit at the joint values `theta` best; none where constraints agree.
 pub fn suspect(scaled: &Scaled, closer: &mut Closer, theta: &[f64]) -> Option<Suspect> {
     let dependence = closer.dependence();
     let free = vec![Stop::None; theta.len()];
@@ -75,7 +75,7 @@ fn remedy(
     chain: usize,
     twist: &Vector6<f64>,
 ) -> (f64, f64) {
-    /// Square of an effect per unit that is rounding.
+    /// Square of an effect per unit below which it is rounding.
     const NONE: f64 = 1e-6;
     let (mut along, mut square) = (0.0, 0.0);
     for (wrenches, misfit) in contradictions {
@@ -90,8 +90,8 @@ fn remedy(
     }
 }
 
-/// For each variable of a chain the row of its table and what moves in it; none for rows that belong to a T, S or E and
-/// are what they are, and for the second variable of a C.
+/// For each variable of a chain the row of its table and what moves in it; none for inner rows of a T, S or E, whose
+/// numbers are fixed, and for the second variable of a C.
 fn table_rows(
     joints: &[crate::model::joint::Joint],
 ) -> impl Iterator<Item = Option<(usize, Moves)>> {

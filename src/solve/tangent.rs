@@ -2,7 +2,7 @@
 //!
 //! The linearised loops J_i Δθ_i = ξ + e_i (Eq. 21 with the workpiece's twist ξ in place of Δq) are
 //! solved chain by chain. A pivoted QR of the 6 × n_i matrix J_i leaves the chain's constraint
-//! wrenches N_i, and N_iᵀ ξ = −N_iᵀ e_i is all that the workpiece feels of it.
+//! wrenches N_i, and N_iᵀ ξ = −N_iᵀ e_i is its whole effect on the workpiece.
 //!
 //! Joints that hardly add a direction of their own (a stretched arm, a spherical joint near gimbal
 //! lock, a slider in the plane of an E) are not divided by: they stay explicit unknowns b, and the
@@ -11,7 +11,7 @@
 //! unknowns together are y = (ξ, b).
 //!
 //! Each step of the evaluation is a view of the one before: [`Tangent::evaluate`] and [`Tangent::factor`], whose
-//! [`Factored`] closes the loops; [`free`](crate::solve::free) has what follows from there. What is not asked for is not computed, and nothing can be asked too early.
+//! [`Factored`] closes the loops; [`free`](crate::solve::free) has what follows from there. What is not asked for is not computed, and the types allow no other order.
 
 use crate::math::linalg::PivotedQr;
 use crate::math::pose::{Pose, difference};
@@ -26,11 +26,11 @@ use nalgebra::Vector6;
 #[derive(Clone, Debug)]
 pub struct Tangent {
     pub(super) chains: Vec<ChainTangent>,
-    /// Of the last evaluation.
+    /// The largest of the last evaluation.
     pub(super) closure_error: f64,
     /// QR of the stacked constraints' transpose, (6 + explicit joints) × (constraints).
     pub(super) stacked: PivotedQr,
-    /// Of a rounded linkage: what was made of its constraints before they were stacked.
+    /// Of a rounded linkage: the combinations of its constraints that were stacked in their place.
     pub(super) combination: Option<Combination>,
     pub(super) unknowns: usize,
     pub(super) constraints: usize,
@@ -67,7 +67,7 @@ impl Tangent {
         }
     }
 
-    /// Evaluates the chains at `theta`, and returns how far the loops are open; see [`closure_error`]. The workpiece
+    /// Evaluates the chains at `theta`, and returns the largest [`closure_error`]. The workpiece
     /// is where the first chain puts it.
     #[inline]
     pub fn evaluate(&mut self, chains: &[Chain], theta: &[f64]) -> f64 {
@@ -98,7 +98,7 @@ impl Tangent {
             .map(|chain| &chain.state.jacobian[..chain.freedoms])
     }
 
-    /// Factors the constraints at the last evaluation; joints held at a stop stand still.
+    /// Factors the constraints at the last evaluation; joints with a stop do not move.
     #[inline]
     pub fn factor(&mut self, stops: &[Stop], dependence: Dependence) -> Factored<'_> {
         self.stack(stops);
@@ -121,7 +121,7 @@ impl Tangent {
         )
     }
 
-    /// Puts the chains' constraints together.
+    /// Stacks the chains' constraints.
     #[inline]
     fn stack(&mut self, stops: &[Stop]) {
         let mut unknowns = 6;
@@ -185,7 +185,7 @@ impl Tangent {
 pub struct Factored<'a>(pub(super) &'a mut Tangent);
 
 impl Factored<'_> {
-    /// Constraints that the others imply, or contradict by the misfit.
+    /// Number of surplus constraints: those that the others imply, or contradict by the misfit.
     pub fn surplus(&self) -> usize {
         self.0.constraints - self.0.stacked.rank()
     }
@@ -196,8 +196,8 @@ impl Factored<'_> {
         self.0.unknowns - self.0.stacked.rank()
     }
 
-    /// How far the loops are open, and of a rounded linkage by how much its constraints contradict each other there
-    /// (else 0): the second part stays when the loops are closed, and is not counted in the first.
+    /// The largest closure error, and the misfit of a rounded linkage (else 0): by how much its constraints contradict
+    /// each other there. The misfit stays when the loops are closed, and is not counted in the closure error.
     #[inline]
     pub fn closure(&self) -> (f64, f64) {
         let Some(combination) = &self.0.combination else {
@@ -237,8 +237,8 @@ impl Factored<'_> {
         }
     }
 
-    /// What each surplus combination of constraints of a rounded linkage is: one wrench a chain, and by how much the
-    /// loops contradict it.
+    /// The surplus combinations of constraints of a rounded linkage: one wrench a chain, and by how much the loops
+    /// contradict it.
     pub fn contradictions(&self) -> Vec<(Vec<Vector6<f64>>, f64)> {
         let Some(combination) = &self.0.combination else {
             return Vec::new();
@@ -261,8 +261,8 @@ impl Factored<'_> {
         combination.dropped().map(wrenches).collect()
     }
 
-    /// The wrench systems that the chains can hold up among themselves without any pull, a basis of them: one for each
-    /// surplus constraint, one wrench a chain, Σ λ_i = 0. They are what the split of [`Free::hold`] is open by.
+    /// A basis of the wrench systems that the chains can exert on each other without any pull: one for each surplus
+    /// constraint, one wrench a chain, Σ λ_i = 0. The split of [`Free::hold`](super::free::Free::hold) is unique up to these.
     pub fn internal_wrenches(&self) -> Vec<Vec<Vector6<f64>>> {
         let stacked = &self.0.stacked;
         let (rank, order) = (stacked.rank(), stacked.order());

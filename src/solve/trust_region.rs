@@ -3,12 +3,12 @@
 use crate::math::linalg;
 use crate::solve::free::Free;
 
-/// Slope, and curvature, as a share of the flat one, that are rounding.
+/// Share of the flat curvature below which slopes and curvatures are rounding.
 const LEVEL: f64 = 1e-2;
 
 /// A quadratic model over the free directions, diagonal in a basis that is orthonormal in the
 /// motion of twist and joints together, |ξ|² + |Δθ|²: near singular positions a small twist costs
-/// large joint motions, and the radius must see them.
+/// large joint motions, which count against the radius.
 #[derive(Clone, Debug, Default)]
 pub struct TrustRegion {
     /// Curvature below which a direction counts as flat.
