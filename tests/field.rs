@@ -26,7 +26,9 @@ fn faults(right: &Map<String, Value>, problem: &Problem, t: &Trajectory) -> Vec<
     let number = |value: &Value| value.as_f64().expect("a number");
     let texts = |value: &Value| -> Vec<String> {
         let list = value.as_array().expect("a list");
-        list.iter().map(|text| text.as_str().expect("a text").to_owned()).collect()
+        list.iter()
+            .map(|text| text.as_str().expect("a text").to_owned())
+            .collect()
     };
     for (key, value) in right {
         let mut expect = |holds: bool, what: String| {
@@ -43,38 +45,72 @@ fn faults(right: &Map<String, Value>, problem: &Problem, t: &Trajectory) -> Vec<
                     expect(count == 0, format!("{count} {name}"));
                 }
             }
-            "rank" => expect(t.mobility_rank as u64 == value.as_u64().expect("a count"), format!("rank {}", t.mobility_rank)),
+            "rank" => expect(
+                t.mobility_rank as u64 == value.as_u64().expect("a count"),
+                format!("rank {}", t.mobility_rank),
+            ),
             "reached" => {
                 for frame in value.as_array().expect("frames") {
-                    let frame = usize::try_from(frame.as_u64().expect("a frame")).expect("an index");
-                    expect(t.status[frame] == Status::Reached, format!("frame {frame}: {:?}", t.status[frame]));
+                    let frame =
+                        usize::try_from(frame.as_u64().expect("a frame")).expect("an index");
+                    expect(
+                        t.status[frame] == Status::Reached,
+                        format!("frame {frame}: {:?}", t.status[frame]),
+                    );
                 }
             }
-            "gap" => expect(largest(&t.translation_gap) <= number(value), format!("gap {}", largest(&t.translation_gap))),
+            "gap" => expect(
+                largest(&t.translation_gap) <= number(value),
+                format!("gap {}", largest(&t.translation_gap)),
+            ),
             "last" => {
                 let last = t.translation_gap[t.frames() - 1];
                 expect(last <= number(value), format!("last gap {last}"));
             }
             "rot" => {
-                let turned = |pose: &synthetica::math::pose::Pose| pose.rotation.angle().to_degrees();
+                let turned =
+                    |pose: &synthetica::math::pose::Pose| pose.rotation.angle().to_degrees();
                 let most = t.poses.iter().map(turned).fold(0.0, f64::max);
                 expect(most <= number(value), format!("turned by {most} degrees"));
             }
             "joints" => {
-                let turns: Vec<bool> = problem.mechanism.chains().iter().flat_map(|c| c.turns().collect::<Vec<_>>()).collect();
+                let turns: Vec<bool> = problem
+                    .mechanism
+                    .chains()
+                    .iter()
+                    .flat_map(|c| c.turns().collect::<Vec<_>>())
+                    .collect();
                 for (frame, joints) in value.as_object().expect("frames") {
                     let at = t.joints_at(frame.parse().expect("a frame"));
                     for (joint, wanted) in joints.as_object().expect("joints") {
                         let joint: usize = joint.parse().expect("a joint");
-                        let got = if turns[joint] { at[joint].to_degrees() } else { at[joint] };
-                        let near = (got - number(wanted)).abs() <= 1e-6 * number(wanted).abs().max(1.0);
-                        expect(near, format!("frame {frame}, joint {joint}: {got} for {wanted}"));
+                        let got = if turns[joint] {
+                            at[joint].to_degrees()
+                        } else {
+                            at[joint]
+                        };
+                        let near =
+                            (got - number(wanted)).abs() <= 1e-6 * number(wanted).abs().max(1.0);
+                        expect(
+                            near,
+                            format!("frame {frame}, joint {joint}: {got} for {wanted}"),
+                        );
                     }
                 }
             }
             "positive" => {
-                let turns = problem.mechanism.chains().iter().flat_map(|c| c.turns().collect::<Vec<_>>());
-                let least = t.start.iter().zip(turns).filter(|(_, turns)| !turns).map(|(x, _)| *x).fold(0.0, f64::min);
+                let turns = problem
+                    .mechanism
+                    .chains()
+                    .iter()
+                    .flat_map(|c| c.turns().collect::<Vec<_>>());
+                let least = t
+                    .start
+                    .iter()
+                    .zip(turns)
+                    .filter(|(_, turns)| !turns)
+                    .map(|(x, _)| *x)
+                    .fold(0.0, f64::min);
                 expect(least > -1e-9, format!("a slider of {least}"));
             }
             "nowarn" => {
@@ -84,7 +120,10 @@ fn faults(right: &Map<String, Value>, problem: &Problem, t: &Trajectory) -> Vec<
             }
             "warn" => {
                 for code in texts(value) {
-                    expect(codes.contains(code.as_str()), format!("does not warn of {code}: {codes:?}"));
+                    expect(
+                        codes.contains(code.as_str()),
+                        format!("does not warn of {code}: {codes:?}"),
+                    );
                 }
             }
             "f_last_at_most" => {
@@ -114,14 +153,23 @@ fn what_is_right_holds() {
         let document = parse(&read(file)).unwrap_or_else(|fault| panic!("{file}: {fault}"));
         let problem = Problem::new(&document).unwrap_or_else(|fault| panic!("{file}: {fault}"));
         let t = problem.plan();
-        for fault in faults(entry["right"].as_object().expect("what is right"), &problem, &t) {
+        for fault in faults(
+            entry["right"].as_object().expect("what is right"),
+            &problem,
+            &t,
+        ) {
             failures.push(format!("{file}: {fault}"));
         }
     }
     assert!(failures.is_empty(), "{}", failures.join("\n"));
     let there: BTreeSet<String> = fs::read_dir(folder())
         .expect("the folder")
-        .map(|file| file.expect("a file").file_name().into_string().expect("a name"))
+        .map(|file| {
+            file.expect("a file")
+                .file_name()
+                .into_string()
+                .expect("a name")
+        })
         .collect();
     assert_eq!(there, listed, "every document is held against something");
 }
@@ -162,12 +210,18 @@ fn certified_frames_keep_the_published_bounds() {
         let bounds = &report.bounds;
         for frame in 0..t.frames() {
             if t.status[frame].is_certified() {
-                assert!(t.projected_gradient[frame] <= bounds.projected_gradient, "{file}, frame {frame}");
+                assert!(
+                    t.projected_gradient[frame] <= bounds.projected_gradient,
+                    "{file}, frame {frame}"
+                );
                 assert!(t.closure[frame] <= bounds.closure, "{file}, frame {frame}");
                 assert!(t.misfit[frame] <= bounds.misfit, "{file}, frame {frame}");
             }
             if t.status[frame] == Status::Reached {
-                assert!(t.metric[frame] <= bounds.reached * (1.0 + 1e-6), "{file}, frame {frame}");
+                assert!(
+                    t.metric[frame] <= bounds.reached * (1.0 + 1e-6),
+                    "{file}, frame {frame}"
+                );
             }
         }
     }

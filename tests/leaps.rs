@@ -25,9 +25,20 @@ fn between(from: &Goal, to: &Goal) -> Vec<Goal> {
     (0..=DENSE)
         .map(|i| {
             let s = i as f64 / DENSE as f64;
-            let position = from.pose.translation.vector.lerp(&to.pose.translation.vector, s);
-            let rotation = if i == DENSE { to.pose.rotation } else { from.pose.rotation.nlerp(&to.pose.rotation, s) };
-            Goal { time: from.time + s * (to.time - from.time), pose: Pose::from_parts(position.into(), rotation) }
+            let position = from
+                .pose
+                .translation
+                .vector
+                .lerp(&to.pose.translation.vector, s);
+            let rotation = if i == DENSE {
+                to.pose.rotation
+            } else {
+                from.pose.rotation.nlerp(&to.pose.rotation, s)
+            };
+            Goal {
+                time: from.time + s * (to.time - from.time),
+                pose: Pose::from_parts(position.into(), rotation),
+            }
         })
         .collect()
 }
@@ -36,7 +47,10 @@ fn between(from: &Goal, to: &Goal) -> Vec<Goal> {
 /// end is from the next frame.
 fn dense(problem: &Problem, scaled: &Scaled, t: &Trajectory, frame: usize) -> (f64, f64) {
     let goals = between(&problem.goals[frame], &problem.goals[frame + 1]);
-    let settings = Settings { dimension_tolerance: 0.0, ..problem.settings };
+    let settings = Settings {
+        dimension_tolerance: 0.0,
+        ..problem.settings
+    };
     let mut planning = Planning::new(&problem.mechanism, t.joints_at(frame), &goals, &settings);
     while planning.advance() {}
     let d = planning.finish();
@@ -67,8 +81,15 @@ fn check(step: usize) {
                 continue;
             }
             let change = moved(&scaled, t.joints_at(frame), t.joints_at(frame + 1));
-            let neighbours = [frame.checked_sub(1), Some(frame + 1).filter(|f| f + 1 < t.frames())];
-            let usual = neighbours.into_iter().flatten().map(|f| moved(&scaled, t.joints_at(f), t.joints_at(f + 1))).fold(0.0, f64::max);
+            let neighbours = [
+                frame.checked_sub(1),
+                Some(frame + 1).filter(|f| f + 1 < t.frames()),
+            ];
+            let usual = neighbours
+                .into_iter()
+                .flatten()
+                .map(|f| moved(&scaled, t.joints_at(f), t.joints_at(f + 1)))
+                .fold(0.0, f64::max);
             // What is looked at densely: where a leap is told, and where the joints move more than their neighbours say.
             let suspicious = change > usual + 0.02;
             if !told.contains(&frame) && !suspicious {
@@ -79,19 +100,30 @@ fn check(step: usize) {
             // In 512 steps a continuous motion of this interval moves by a few times 1/512 of it.
             let leaps = largest > 0.02 && largest > 0.1 * change;
             if told.contains(&frame) && !leaps && end < 0.02 {
-                failures.push(format!("{case}, frame {frame}: told, but moves by at most {largest:.4} of {change:.4}"));
+                failures.push(format!(
+                    "{case}, frame {frame}: told, but moves by at most {largest:.4} of {change:.4}"
+                ));
             }
             if !told.contains(&frame) && leaps {
-                failures.push(format!("{case}, frame {frame}: leaps by {largest:.4} of {change:.4}, and is not told"));
+                failures.push(format!(
+                    "{case}, frame {frame}: leaps by {largest:.4} of {change:.4}, and is not told"
+                ));
             }
             if !told.contains(&frame) && end > 0.02 {
-                failures.push(format!("{case}, frame {frame}: a continuous way ends {end:.4} from the next frame"));
+                failures.push(format!(
+                    "{case}, frame {frame}: a continuous way ends {end:.4} from the next frame"
+                ));
             }
         }
     }
     println!("{leaps} leaps told, {intervals} intervals looked at");
     assert!(intervals > 0);
-    assert!(failures.is_empty(), "{} failures\n{}", failures.len(), failures.join("\n"));
+    assert!(
+        failures.is_empty(),
+        "{} failures\n{}",
+        failures.len(),
+        failures.join("\n")
+    );
 }
 
 #[test]

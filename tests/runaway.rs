@@ -16,7 +16,9 @@ const STARTS: u64 = 200;
 /// Whether a walk of closed steps in random directions, of its own and not the planner's, comes to a position from which
 /// the frame ends at a finite certified pose.
 fn joined(problem: &Problem, joints: &[f64], frame: usize) -> bool {
-    let mut solver = problem.settings.solver(&problem.mechanism, problem.extent());
+    let mut solver = problem
+        .settings
+        .solver(&problem.mechanism, problem.extent());
     let mut from = joints.to_vec();
     let _ = solver.close_start(&mut from, problem.settings.dimension_tolerance);
     (0..STARTS).any(|start| {
@@ -28,7 +30,10 @@ fn joined(problem: &Problem, joints: &[f64], frame: usize) -> bool {
         let mut at = solver.scaled().left(&theta);
         let predicted = at.clone();
         solver.clear_holding();
-        solver.solve(&problem.goals[frame].pose, &mut at, &predicted).end.is_minimum()
+        solver
+            .solve(&problem.goals[frame].pose, &mut at, &predicted)
+            .end
+            .is_minimum()
     })
 }
 
@@ -39,12 +44,22 @@ fn step(solver: &mut Solver, theta: &mut Vec<f64>, random: &mut Random) {
     let stops = vec![synthetica::model::joint::Stop::None; theta.len()];
     closer.tangent().evaluate(scaled.chains(), theta);
     let free = closer.tangent().factor(&stops, dependence).free();
-    let coefficients: Vec<f64> = (0..free.count()).map(|_| random.between(-1.0, 1.0)).collect();
+    let coefficients: Vec<f64> = (0..free.count())
+        .map(|_| random.between(-1.0, 1.0))
+        .collect();
     let mut rates = vec![0.0; theta.len()];
     add_rates(&free, &coefficients, 1.0, &mut rates);
     let length = rates.iter().map(|r| r * r).sum::<f64>().sqrt();
-    let mut next: Vec<f64> = theta.iter().zip(&rates).map(|(t, r)| t + LENGTH / length * r).collect();
-    let reach = Reach { shortest: Shortest::Joints, each: 0.5 * LENGTH, all: 0.5 * LENGTH };
+    let mut next: Vec<f64> = theta
+        .iter()
+        .zip(&rates)
+        .map(|(t, r)| t + LENGTH / length * r)
+        .collect();
+    let reach = Reach {
+        shortest: Shortest::Joints,
+        each: 0.5 * LENGTH,
+        all: 0.5 * LENGTH,
+    };
     if closer.close(scaled, &stops, &reach, &mut next, &mut 0) && holding.contains(&next) {
         *theta = next;
     }
@@ -65,7 +80,11 @@ fn check(step: usize) {
             None => mended += 1,
             Some(frame) => {
                 assert_eq!(t.status[frame], Status::Stalled, "{case}");
-                let before = if frame > 0 { t.joints_at(frame - 1) } else { &t.start };
+                let before = if frame > 0 {
+                    t.joints_at(frame - 1)
+                } else {
+                    &t.start
+                };
                 if joined(&problem, before, frame) {
                     failures.push(format!("{case}, frame {frame}"));
                 }
@@ -73,7 +92,11 @@ fn check(step: usize) {
         }
     }
     println!("{mended} motions keep to finite poses");
-    assert!(failures.is_empty(), "a finite pose is joined:\n{}", failures.join("\n"));
+    assert!(
+        failures.is_empty(),
+        "a finite pose is joined:\n{}",
+        failures.join("\n")
+    );
 }
 
 #[test]

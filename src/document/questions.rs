@@ -99,7 +99,7 @@ impl Problem {
         let mut closed = joints.to_vec();
         // A joint that moves by less closes what is published as closed.
         let moved = match solver.close_start(&mut closed, self.settings.dimension_tolerance) {
-            Start::Open { .. } => f64::INFINITY,
+            Start::Open { .. } | Start::Rigid { .. } => f64::INFINITY,
             Start::Closed | Start::Rounded => {
                 Scaled::largest_motion(&theta, &solver.scaled().entered(&closed)).0
             }

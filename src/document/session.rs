@@ -90,13 +90,7 @@ impl Session {
 
     /// Plans the motion in portions. The start is searched for here.
     pub fn planning(&self) -> Planning {
-        let Problem {
-            mechanism,
-            goals,
-            settings,
-            ..
-        } = &self.problem;
-        Planning::new(mechanism, self.start(), goals, settings)
+        self.problem.planning(self.start())
     }
 
     /// See [`Problem::pull`].

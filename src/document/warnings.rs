@@ -59,11 +59,7 @@ pub fn warning(warning: &Warning, wording: &Wording<'_>) -> WarningReport {
         ),
         Warning::StartRigid { error, leap } => say(
             "start-rigid",
-            format!(
-                "The dimensions do not fit together: the loops are open by {} of the mechanism's size, or rad, at the given start, and the nearest position where they close is a joint motion of {} rad, or sizes, away. With these dimensions the linkage is rigid, or the start belongs to another one.",
-                readable(error),
-                readable(leap)
-            ),
+            start_rigid(error, leap),
             None,
         ),
         Warning::RoundedDimensions { misfit, suspect } => say(
@@ -158,6 +154,20 @@ pub fn warning(warning: &Warning, wording: &Wording<'_>) -> WarningReport {
             Some((frame, frame)),
         ),
     }
+}
+
+fn start_rigid(error: f64, leap: Option<f64>) -> String {
+    let nearest = match leap {
+        Some(leap) => format!(
+            "the nearest position found where they close is a joint motion of {} rad, or sizes, away",
+            readable(leap)
+        ),
+        None => "no position was found where they close".to_owned(),
+    };
+    format!(
+        "The dimensions do not fit together: at the given start the loops are open by {} of the mechanism's size, or rad, and {nearest}. With these dimensions the linkage is rigid, or the start belongs to another one.",
+        readable(error)
+    )
 }
 
 fn rounded_dimensions(misfit: f64, suspect: Option<&Suspect>, wording: &Wording<'_>) -> String {

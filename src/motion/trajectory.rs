@@ -68,9 +68,9 @@ pub enum Warning {
     },
     /// The start's loops could not be closed; `error` is how far they are open, lengths as shares of the size.
     StartOpen { error: f64 },
-    /// The start is nearly closed, open by `error`, but closes only where a joint variable has moved by `leap` (rad or
-    /// sizes): with these dimensions the linkage is rigid, or does not belong together.
-    StartRigid { error: f64, leap: f64 },
+    /// The start is nearly closed, open by `error`, and no closed position is near; the nearest that was found is a joint
+    /// motion of `leap` (rad or sizes) away. With these dimensions the linkage is rigid, or does not fit together.
+    StartRigid { error: f64, leap: Option<f64> },
     /// The dimensions of an overconstrained linkage contradict each other by up to `misfit` (rad or shares of the size).
     RoundedDimensions {
         misfit: f64,

@@ -7,7 +7,6 @@ use crate::model::mechanism::Mechanism;
 use crate::plan::modes;
 use crate::plan::settings::Settings;
 use crate::solve::close::{Reach, Shortest, add_rates, dot, solve_gram};
-use crate::solve::close_start::Start;
 use crate::solve::solver::{Solved, Solver};
 
 /// Walks, and positions on each from which a minimum is looked for: about 200 starts.
@@ -104,10 +103,10 @@ pub fn another_assembly(
     let found = modes::find(mechanism, &free, goal, extent, settings);
     let mut solver = settings.solver(mechanism, extent);
     let mut joints = found.clone();
-    if matches!(
-        solver.close_start(&mut joints, settings.dimension_tolerance),
-        Start::Open { .. }
-    ) {
+    if !solver
+        .close_start(&mut joints, settings.dimension_tolerance)
+        .is_closed()
+    {
         return false;
     }
     let predicted = joints.clone();

@@ -336,11 +336,11 @@ pub(super) fn close_start(
     const MOVED: f64 = 1e-6;
     let given = solver.scaled().entered(joints);
     match solver.close_start(joints, settings.dimension_tolerance) {
-        Start::Open { error, leap } if leap.is_finite() => {
+        Start::Rigid { error, leap } => {
             warnings.push(Warning::StartRigid { error, leap });
             false
         }
-        Start::Open { error, .. } => {
+        Start::Open { error } => {
             warnings.push(Warning::StartOpen { error });
             false
         }

@@ -310,7 +310,7 @@ impl Search {
         match self.together.close_start(joints, tolerance) {
             Start::Closed => Some(true),
             Start::Rounded => Some(false),
-            Start::Open { .. } => None,
+            Start::Open { .. } | Start::Rigid { .. } => None,
         }
     }
 

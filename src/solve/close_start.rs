@@ -23,8 +23,9 @@ const ROUNDED_BLUR: f64 = 3.0;
 const FAR: f64 = 0.1;
 /// Closure error below which a start counts as nearly closed: a table printed with two decimals.
 const NEAR: f64 = 1e-2;
-/// At a singular position an error e is closed by a motion of about √e. More than this many times is a leap.
-const LEAP: f64 = 5.0;
+/// At a singular position an error e is closed by a motion of about √(e/κ), κ the curvature there, 0.01 and more where
+/// links are well proportioned. More than this many times √e is a leap.
+const LEAP: f64 = 10.0;
 /// Distance from dependence up to which constraints are surplus with exact dimensions.
 const EXACT: f64 = 1e-9;
 /// Length of a trial motion, root of the joints' squared motions: where curvature is 1, an ordinary constraint that was
@@ -38,14 +39,26 @@ pub enum Start {
     Closed,
     /// All but the misfit of rounded dimensions.
     Rounded,
-    /// They do not close; a start that was nearly closed would have had to leap by the second number, which is infinite
-    /// where no closed position was found at all.
+    /// They do not close.
     Open {
         /// The closure error of the given start.
         error: f64,
-        /// Largest joint motion, rad or sizes, to the closed position that was found.
-        leap: f64,
     },
+    /// The start is nearly closed, but no closed position is near it: with these dimensions the linkage is rigid, or does
+    /// not fit together.
+    Rigid {
+        /// The closure error of the given start.
+        error: f64,
+        /// Largest joint motion, rad or sizes, to the closed position that was found, if one was.
+        leap: Option<f64>,
+    },
+}
+
+impl Start {
+    /// Whether a motion can begin here.
+    pub fn is_closed(&self) -> bool {
+        matches!(self, Self::Closed | Self::Rounded)
+    }
 }
 
 /// Closes the loops near `theta` without regard to a goal, within the limits, and learns the surplus constraints.
@@ -62,7 +75,6 @@ pub fn close_start(
     let given = theta.to_vec();
     let mut open = Start::Open {
         error: closer.closure(scaled, &given).0,
-        leap: f64::INFINITY,
     };
     // Joints that meet a limit are held there; if that does not close, they may come back.
     for hold in [true, false] {
@@ -91,9 +103,10 @@ pub fn close_start(
             closer.set_dependence(Dependence::Implied(surplus));
             return Start::Closed;
         }
-        if path.closed {
-            let leap = Scaled::largest_motion(&given, theta).0;
-            open = Start::Open {
+        if begins_near {
+            let moved = Scaled::largest_motion(&given, theta).0;
+            let leap = path.closed.then_some(moved);
+            open = Start::Rigid {
                 error: path.error,
                 leap,
             };
@@ -132,10 +145,7 @@ fn descend(
         holding.clamp(theta, hold);
         let tangent = closer.tangent();
         let open = tangent.evaluate(scaled.chains(), theta);
-        if let Some(near) = &path.near {
-            let moved = Scaled::largest_motion(near, theta).0;
-            path.leaps |= !(moved <= LEAP * path.error.sqrt());
-        } else if open <= NEAR {
+        if path.near.is_none() && open <= NEAR {
             path.near = Some(theta.to_vec());
             path.error = open;
         }
@@ -157,6 +167,9 @@ fn descend(
             .zip(&step)
             .for_each(|(t, s)| *t += scale * s);
     }
+    if let Some(near) = &path.near {
+        path.leaps = !(Scaled::largest_motion(near, theta).0 <= LEAP * path.error.sqrt());
+    }
     path
 }
 
@@ -173,6 +186,7 @@ fn rounded(
         return None;
     }
     let free = Holding::new(scaled.limits());
+    let mut held = free.clone();
     let before = closer.dependence();
     let open = closer.tangent().evaluate(scaled.chains(), theta);
     let blur = |open: f64| (ROUNDED_BLUR * open.min(FAR)).max(tolerance);
@@ -192,7 +206,7 @@ fn rounded(
         let count = closer.tangent().surplus_within(free.stops(), blur(open));
         let mut factored = closer
             .tangent()
-            .factor(free.stops(), Dependence::Rounded(count));
+            .factor(held.stops(), Dependence::Rounded(count));
         let (open, misfit) = factored.closure();
         if open <= SOLVED {
             let moves = misfit <= tolerance && {
@@ -208,6 +222,7 @@ fn rounded(
         }
         factored.close(&mut correction, &mut step);
         at.iter_mut().zip(&step).for_each(|(t, s)| *t += s);
+        held.clamp(&mut at, true);
         if !(Scaled::largest_motion(theta, &at).0 <= most) {
             return None;
         }
@@ -215,8 +230,8 @@ fn rounded(
     None
 }
 
-/// Whether the linkage moves some way along each of its free directions, to one side or the other, while the misfit
-/// stays within the tolerance.
+/// Whether the linkage moves some way along each of its free directions, to both sides, while the misfit stays within the
+/// tolerance, and along one of them only so: near a singular position of an ordinary linkage all of them close exactly.
 fn moves_within(
     closer: &mut Closer,
     scaled: &Scaled,
@@ -230,22 +245,35 @@ fn moves_within(
         let span = closer.tangent().factor(free.stops(), dependence).free();
         (0..span.count()).map(|i| span.rates(i).to_vec()).collect()
     };
-    let reach = Reach {
-        shortest: Shortest::Twist,
-        each: TRIAL,
-        all: TRIAL,
-    };
-    !directions.is_empty()
-        && directions.iter().all(|rates| {
-            let length = dot(rates, rates).sqrt();
-            [TRIAL, -TRIAL].iter().any(|way| {
-                let mut at: Vec<f64> = theta
-                    .iter()
-                    .zip(rates)
-                    .map(|(t, r)| t + way / length * r)
-                    .collect();
-                closer.close(scaled, free.stops(), &reach, &mut at, &mut 0)
-                    && closer.closure(scaled, &at).1 <= tolerance
-            })
-        })
+    let mut only_so = false;
+    for rates in &directions {
+        let length = dot(rates, rates).sqrt();
+        let mut exact = false;
+        for way in [TRIAL, -TRIAL] {
+            let mut at: Vec<f64> = theta
+                .iter()
+                .zip(rates)
+                .map(|(t, r)| t + way / length * r)
+                .collect();
+            let reach = Reach {
+                shortest: Shortest::Twist,
+                each: TRIAL,
+                all: TRIAL,
+            };
+            if !closer.close(scaled, free.stops(), &reach, &mut at, &mut 0) {
+                return false;
+            }
+            let misfit = closer.closure(scaled, &at).1;
+            if !(misfit <= tolerance) {
+                return false;
+            }
+            let all = LEAP * misfit.max(CLOSED).sqrt();
+            let near = Reach { all, ..reach };
+            closer.set_dependence(Dependence::FOUND);
+            exact |= closer.close(scaled, free.stops(), &near, &mut at, &mut 0);
+            closer.set_dependence(dependence);
+        }
+        only_so |= !exact;
+    }
+    only_so
 }

@@ -26,7 +26,7 @@ impl Solver {
             tolerance,
             &mut theta,
         );
-        if !matches!(start, Start::Open { .. }) {
+        if start.is_closed() {
             self.scaled.leave(&theta, joints);
         }
         start

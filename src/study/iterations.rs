@@ -7,7 +7,6 @@ use crate::model::mechanism::Mechanism;
 use crate::model::scaled::Scaled;
 use crate::plan::settings::{Method, Settings};
 use crate::solve::close::Closer;
-use crate::solve::close_start::Start;
 use crate::solve::gradient::{self, Arrival};
 use crate::solve::singular_values::SingularValues;
 
@@ -93,10 +92,10 @@ pub fn trace(
         newton: History::default(),
         minimum: None,
     };
-    if matches!(
-        solver.close_start(&mut from, settings.dimension_tolerance),
-        Start::Open { .. }
-    ) {
+    if !solver
+        .close_start(&mut from, settings.dimension_tolerance)
+        .is_closed()
+    {
         return trace;
     }
     let scaled = solver.scaled().clone();
