@@ -112,12 +112,7 @@ fn solve(task: &Task) -> Answer {
     let mut microseconds = [0.0; RUNS];
     let run = || {
         let clock = Instant::now();
-        let t = plan(
-            &task.mechanism,
-            &task.start,
-            &task.goals,
-            &Settings::PAPER,
-        );
+        let t = plan(&task.mechanism, &task.start, &task.goals, &Settings::PAPER);
         (
             t,
             clock.elapsed().as_secs_f64() * 1e6 / task.goals.len() as f64,

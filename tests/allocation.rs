@@ -6,9 +6,11 @@ mod common;
 use common::{Random, assemblies, goals, linkage};
 use stats_alloc::{INSTRUMENTED_SYSTEM, Region, StatsAlloc};
 use std::alloc::System;
+use synthetica::model::chain::ChainState;
 use synthetica::model::mechanism::Mechanism;
 use synthetica::plan::settings::Settings;
 use synthetica::solve::close_start::Start;
+use synthetica::solve::singular_values::SingularValues;
 
 #[global_allocator]
 static GLOBAL: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
@@ -40,6 +42,28 @@ fn allocations(
     again.min().unwrap_or(usize::MAX)
 }
 
+/// Allocations of one more call: the fewest of three, as above.
+fn allocations_of_singular_values(linkage: &common::Linkage, redundant: usize) -> usize {
+    let mut state = ChainState::default();
+    let jacobians: Vec<_> = linkage
+        .mechanism
+        .split(&linkage.home)
+        .map(|(chain, theta)| {
+            chain.evaluate(theta, &mut state);
+            state.jacobian[..theta.len()].to_vec()
+        })
+        .collect();
+    let mut values = SingularValues::default();
+    let mut smallest = || values.smallest(jacobians.iter().map(Vec::as_slice), redundant);
+    smallest();
+    let again = (0..3).map(|_| {
+        let region = Region::new(GLOBAL);
+        smallest();
+        region.change().allocations
+    });
+    again.min().unwrap_or(usize::MAX)
+}
+
 /// One test, so that no other test allocates meanwhile.
 #[test]
 fn a_frame_allocates_nothing() {
@@ -63,5 +87,9 @@ fn a_frame_allocates_nothing() {
             0,
             "{kinds:?}"
         );
+        for redundant in [0, 2] {
+            let found = allocations_of_singular_values(&linkage, redundant);
+            assert_eq!(found, 0, "{kinds:?}");
+        }
     }
 }

@@ -170,7 +170,14 @@ fn dual_quaternions_come_back() {
         for q in [q, -q] {
             assert!(difference(&from_dual_quaternion(&q, length), &pose).norm() < 1e-13);
         }
-        assert!(Metric { length, ..Metric::PAPER }.value(&pose, &pose) < 1e-28);
+        assert!(
+            Metric {
+                length,
+                ..Metric::PAPER
+            }
+            .value(&pose, &pose)
+                < 1e-28
+        );
     }
 }
 

@@ -121,7 +121,10 @@ fn a_whole_document_becomes_a_problem() {
     assert_eq!(problem.goals[8].time, 3.0);
     assert_eq!(problem.settings.metric_length, Some(2.0));
     assert_eq!(problem.settings.metric, MetricKind::DualQuaternion);
-    assert_eq!(problem.settings.metric_origin, Some(Vector3::new(1.0, 2.0, 3.0)));
+    assert_eq!(
+        problem.settings.metric_origin,
+        Some(Vector3::new(1.0, 2.0, 3.0))
+    );
     assert_eq!(problem.settings.dimension_tolerance, 0.001);
     assert_eq!(problem.settings.max_iterations, Some(100));
     assert!((chains[0].base().rotation.angle().to_degrees() - 30.0).abs() < 1e-12);

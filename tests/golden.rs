@@ -62,7 +62,14 @@ fn smallest_singular_value() {
                 t.sigma_min[i]
             );
         }
-        let papers = |joints: &[f64]| smallest(&dense::singular_values_about(m, 1.0, &Vector3::zeros(), joints));
+        let papers = |joints: &[f64]| {
+            smallest(&dense::singular_values_about(
+                m,
+                1.0,
+                &Vector3::zeros(),
+                joints,
+            ))
+        };
         let on_branch = task.reference.iter().map(|(joints, _)| papers(joints));
         let least = on_branch.fold(f64::INFINITY, f64::min);
         let told = task.min_sigma.expect("the file has it");

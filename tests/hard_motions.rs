@@ -11,8 +11,7 @@ mod common;
 
 use by_axes::{Line, chain, limited};
 use checks::{
-    GRADIENT, NEWTON, at, between, both_ways, goals, is_certified, is_honest,
-    is_reached, mechanism,
+    GRADIENT, NEWTON, at, between, both_ways, goals, is_certified, is_honest, is_reached, mechanism,
 };
 use common::{Random, golden};
 use std::f64::consts::PI;
@@ -346,7 +345,10 @@ fn slider_that_runs_away() {
         is_honest("RP far away", &t, 2);
         assert_eq!(t.status[0], Status::Stalled);
         assert!(
-            t.warnings.contains(&Warning::Runaway { frame: 0, elsewhere: false }),
+            t.warnings.contains(&Warning::Runaway {
+                frame: 0,
+                elsewhere: false
+            }),
             "{:?}",
             t.warnings
         );

@@ -4,8 +4,9 @@
 mod common;
 
 use common::Random;
+use synthetica::math::lanczos::Lanczos;
 use synthetica::math::linalg::{
-    PivotedQr, cholesky, solve_lower, solve_lower_transposed, svd, symmetric_eigen,
+    PivotedQr, Svd, cholesky, solve_lower, solve_lower_transposed, svd, symmetric_eigen,
     symmetric_eigenvalue,
 };
 
@@ -143,6 +144,59 @@ fn svd_of_nothing_much() {
     // More columns than rows: the surplus is zero.
     let wide = svd(vec![vec![3.0, 0.0], vec![0.0, 4.0], vec![0.0, 0.0]]);
     assert_eq!(wide.sigma, [4.0, 3.0, 0.0]);
+}
+
+/// One value after matrices of other shapes gives what a new one gives.
+#[test]
+fn svd_again() {
+    let mut source = Random(3);
+    let mut again = Svd::default();
+    for round in 0..200 {
+        let (rows, columns) = SHAPES[round % SHAPES.len()];
+        let a = of_rank(rows, columns, columns.min(1 + source.below(6)), &mut source);
+        again.clear(rows);
+        a.iter().for_each(|c| again.push(c));
+        again.factor();
+        let once = svd(a);
+        assert_eq!(again.sigma(), once.sigma);
+        for k in 0..columns {
+            assert_eq!(again.u(k), once.u[k]);
+            assert_eq!(again.v(k), once.v[k]);
+        }
+    }
+}
+
+/// Eigenvalues over decades, equal ones, and ones that are close to the largest.
+#[test]
+fn lanczos_finds_the_largest_eigenvalue() {
+    let mut source = Random(1950);
+    let mut lanczos = Lanczos::default();
+    for round in 0..3000 {
+        let n = 1 + round % 30;
+        let mut values: Vec<f64> = (0..n)
+            .map(|_| libm::pow(10.0, source.between(-3.0, 3.0)))
+            .collect();
+        let largest = values.iter().copied().fold(0.0, f64::max);
+        if n > 2 && source.below(2) == 0 {
+            values[0] = largest;
+            values[1] = largest * (1.0 - libm::pow(10.0, source.between(-9.0, -1.0)));
+        }
+        // On axes turned by a reflection.
+        let axis = &random(n, 1, &mut source)[0];
+        let turn = |x: &mut [f64]| {
+            let along = 2.0 * dot(axis, x) / dot(axis, axis);
+            x.iter_mut().zip(axis).for_each(|(x, a)| *x -= along * a);
+        };
+        let found = lanczos.largest(n, |x| {
+            turn(x);
+            x.iter_mut().zip(&values).for_each(|(x, v)| *x *= v);
+            turn(x);
+        });
+        assert!(
+            (found - largest).abs() <= 1e-7 * largest,
+            "order {n}: {found:e} for {largest:e}"
+        );
+    }
 }
 
 #[test]

@@ -424,7 +424,9 @@ fn random_linkages_are_driven_closed() {
 }
 
 fn metric_of(problem: &Problem) -> Metric {
-    problem.settings.metric_for(&problem.mechanism, problem.extent())
+    problem
+        .settings
+        .metric_for(&problem.mechanism, problem.extent())
 }
 
 fn moved(pose: &Pose, twist: &Vector6<f64>, share: f64) -> Pose {

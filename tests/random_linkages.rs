@@ -4,11 +4,11 @@ mod common;
 
 use common::{Linkage, Random, assemblies, goals, linkage};
 use std::ops::Range;
+use synthetica::model::scaled::CLOSED;
 use synthetica::motion::goal::Goal;
 use synthetica::motion::trajectory::{Status, Trajectory};
 use synthetica::plan::follow::plan;
 use synthetica::plan::settings::Settings;
-use synthetica::model::scaled::CLOSED;
 
 /// The share of frames that must end as certified optima.
 const CERTIFIED: f64 = 0.995;
@@ -68,12 +68,7 @@ fn tally(seeds: Range<u64>) -> Tally {
         for kinds in assemblies(&mut random) {
             let linkage = linkage(&kinds, &mut random);
             let off = goals(&linkage, FRAMES, &mut random);
-            let motion = plan(
-                &linkage.mechanism,
-                &linkage.home,
-                &off,
-                &Settings::PAPER,
-            );
+            let motion = plan(&linkage.mechanism, &linkage.home, &off, &Settings::PAPER);
             tally.count(seed, &linkage, "off", &motion);
             let reached = motion.poses.iter().zip(&motion.time);
             let on: Vec<Goal> = reached.map(|(&pose, &time)| Goal { time, pose }).collect();

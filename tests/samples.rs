@@ -5,15 +5,15 @@ mod golden;
 
 use serde_json::Value;
 use std::collections::BTreeSet;
-use synthetica::math::metric::Metric;
 use synthetica::document::problem::Problem;
 use synthetica::document::report::Report;
 use synthetica::document::schema::{Document, FrameEntry, RowEntry};
 use synthetica::document::text;
+use synthetica::math::metric::Metric;
 use synthetica::model::joint::JointKind;
+use synthetica::model::scaled::CLOSED;
 use synthetica::motion::trajectory::{Status, Trajectory, Warning};
 use synthetica::plan::follow::plan;
-use synthetica::model::scaled::CLOSED;
 
 /// File names and texts.
 macro_rules! files {

@@ -288,8 +288,7 @@ fn is_local_minimum(m: &Mechanism, joints: &[f64], goal: &Goal, f: f64) {
                 .map(|(a, b)| (a - b).abs())
                 .fold(0.0, f64::max);
             if far < 2.0 * step {
-                let other =
-                    Metric::PAPER.value(&m.chains()[0].pose(&near), &goal.pose);
+                let other = Metric::PAPER.value(&m.chains()[0].pose(&near), &goal.pose);
                 assert!(
                     other >= f - 1e-10,
                     "{joints:?}: f {f}, but {other} at {near:?}"

@@ -130,7 +130,9 @@ fn the_matrix_has_the_rank_and_singular_values_of_the_planner() {
             );
             if frame > 0 {
                 // Away from a start that may be singular.
-                let mut solver = problem.settings.solver(&problem.mechanism, problem.extent());
+                let mut solver = problem
+                    .settings
+                    .solver(&problem.mechanism, problem.extent());
                 let (mobility, surplus) = solver.mobility(joints);
                 assert_eq!(a.columns - a.rank, mobility, "n − rank [A]");
                 assert_eq!(a.rows - a.rank, surplus, "equations that depend on others");

@@ -62,12 +62,7 @@ fn all_of(motion: &JsValue) -> String {
 #[wasm_bindgen_test]
 fn golden_motions_are_met() {
     for task in golden::tasks() {
-        let t = plan(
-            &task.mechanism,
-            &task.start,
-            &task.goals,
-            &Settings::PAPER,
-        );
+        let t = plan(&task.mechanism, &task.start, &task.goals, &Settings::PAPER);
         for (i, (_, f)) in task.reference.iter().enumerate() {
             assert!(
                 t.closure[i] <= 1e-10,

@@ -7,7 +7,7 @@ use crate::document::problem::Problem;
 use crate::document::questions::Posture;
 use crate::document::report::Report;
 use crate::document::session;
-use crate::math::pose::Pose;
+use crate::motion::columns::{COLUMNS, Column, Kind, placed};
 use crate::motion::trajectory::Trajectory;
 use crate::plan::follow::Planning;
 use js_sys::{Float64Array, Object, Reflect, Uint8Array, Uint32Array};
@@ -212,28 +212,36 @@ pub fn defaults() -> Result<JsDefaults, JsValue> {
 fn motion(problem: &Problem, t: &Trajectory, milliseconds: f64) -> Result<Object, JsValue> {
     let motion = Object::new();
     let set = |name: &str, value: &JsValue| Reflect::set(&motion, &name.into(), value).map(drop);
-    let numbers = |values: &[f64]| Float64Array::from(values);
     set("frames", &t.frames().into())?;
     let frames_in_all = problem.goals.len();
     set("partial", &(t.frames() < frames_in_all).into())?;
     set("goal_frames", &frames_in_all.into())?;
-    set("report", &to_js(&Report::new(&problem.mechanism, t))?)?;
+    let report = Report::new(&problem.mechanism, &problem.length_unit, t);
+    set("report", &to_js(&report)?)?;
     set("milliseconds", &milliseconds.into())?;
-    set("time", &numbers(&t.time))?;
-    set("goal", &numbers(&placed(&t.goals)))?;
-    set("pose", &numbers(&placed(&t.poses)))?;
-    set("joints", &numbers(&t.joints))?;
-    set("rows", &numbers(&placed(&problem.row_frames(t))))?;
-    set("metric", &numbers(&t.metric))?;
-    set("translation_gap", &numbers(&t.translation_gap))?;
-    set("rotation_gap", &numbers(&t.rotation_gap))?;
-    set("closure", &numbers(&t.closure))?;
-    set("sigma_min", &numbers(&t.sigma_min))?;
-    set("projected_gradient", &numbers(&t.projected_gradient))?;
-    set("iterations", &Uint32Array::from(&t.iterations[..]))?;
-    let codes: Vec<u8> = t.status.iter().map(|s| *s as u8).collect();
-    set("status", &Uint8Array::from(&codes[..]))?;
+    for column in &COLUMNS {
+        set(column.name, &typed(column, t))?;
+    }
+    set(
+        "rows",
+        &Float64Array::from(&placed(&problem.row_frames(t))[..]).into(),
+    )?;
     Ok(motion)
+}
+
+/// A column as the typed array that its kind has in wasm.d.ts.
+fn typed(column: &Column, t: &Trajectory) -> JsValue {
+    let values = (column.values)(t);
+    match column.kind {
+        Kind::Status => {
+            let codes: Vec<u8> = t.status.iter().map(|status| *status as u8).collect();
+            Uint8Array::from(&codes[..]).into()
+        }
+        Kind::Count => Uint32Array::from(&t.iterations[..]).into(),
+        Kind::Time | Kind::Length | Kind::Angle | Kind::Number | Kind::Pose | Kind::Joints => {
+            Float64Array::from(&values[..]).into()
+        }
+    }
 }
 
 pub(crate) fn posture(
@@ -243,20 +251,22 @@ pub(crate) fn posture(
     let posture = posture.map_err(|fault| refusal(&fault))?;
     let object = Object::new();
     let set = |name: &str, value: &JsValue| Reflect::set(&object, &name.into(), value).map(drop);
-    let numbers = |values: &[f64]| Float64Array::from(values);
     let t = &posture.frame;
-    set("joints", &numbers(&t.joints))?;
-    set("pose", &numbers(&placed(&t.poses)))?;
-    set("rows", &numbers(&placed(&session.problem().row_frames(t))))?;
-    set("goal", &numbers(&placed(&t.goals)))?;
-    set("status", &t.status[0].name().into())?;
-    set("metric", &t.metric[0].into())?;
-    set("translation_gap", &t.translation_gap[0].into())?;
-    set("rotation_gap", &t.rotation_gap[0].into())?;
-    set("closure", &t.closure[0].into())?;
-    set("sigma_min", &t.sigma_min[0].into())?;
-    set("projected_gradient", &t.projected_gradient[0].into())?;
-    set("iterations", &t.iterations[0].into())?;
+    for column in &COLUMNS {
+        let values = (column.values)(t);
+        match column.kind {
+            Kind::Status => set(column.name, &t.status[0].name().into())?,
+            Kind::Pose | Kind::Joints => set(column.name, &Float64Array::from(&values[..]))?,
+            Kind::Time => {}
+            Kind::Length | Kind::Angle | Kind::Number | Kind::Count => {
+                set(column.name, &values[0].into())?;
+            }
+        }
+    }
+    set(
+        "rows",
+        &Float64Array::from(&placed(&session.problem().row_frames(t))[..]),
+    )?;
     if let Some(value) = posture.value {
         set("value", &value.into())?;
     }
@@ -264,16 +274,6 @@ pub(crate) fn posture(
         set("obstacle", &obstacle.into())?;
     }
     Ok(object.unchecked_into())
-}
-
-/// x y z qx qy qz qw of each pose.
-pub(crate) fn placed<'a>(poses: impl IntoIterator<Item = &'a Pose>) -> Vec<f64> {
-    let mut column = Vec::new();
-    for pose in poses {
-        column.extend_from_slice(pose.translation.vector.as_slice());
-        column.extend_from_slice(pose.rotation.coords.as_slice());
-    }
-    column
 }
 
 pub(crate) fn refusal(fault: &Fault) -> JsValue {

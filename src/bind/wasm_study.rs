@@ -1,16 +1,17 @@
 //! The bindings that a page asks for only now and then: a joint driven by hand, the planners' iterations, exports,
 //! tables of types, linkages of a type, the schema. The package that a page loads first is built without them (feature `study`).
 
-use crate::bind::wasm::{JsPosture, Session, placed, posture, refusal, to_js};
+use crate::bind::wasm::{JsPosture, Session, posture, refusal, to_js};
+use crate::document::example_document;
 use crate::document::problem::Problem;
 use crate::document::schema::SCHEMA;
 use crate::document::session::index;
 use crate::exchange::export::{self, Format};
 use crate::math::pose::Pose;
+use crate::motion::columns::placed;
 use crate::solve::gradient::Arrival;
-use crate::study::iterations::{self, Course};
-use crate::types::enumerate;
-use crate::types::example;
+use crate::study::iterations::History;
+use crate::types::{enumerate, tables};
 use js_sys::{Float64Array, Object, Reflect, Uint8Array, Uint32Array};
 use wasm_bindgen::prelude::*;
 
@@ -47,20 +48,18 @@ impl Session {
     /// A `Fault` where the frame or the joint values are at fault.
     pub fn trace(&self, frame: f64, joints: &[f64]) -> Result<JsTrace, JsValue> {
         let problem = self.open.problem();
-        let trace = self.open.frame(frame).and_then(|frame| {
-            if !joints.is_empty() {
-                self.open.check_joints(joints)?;
-            }
-            iterations::trace(problem, frame, joints)
-        });
+        let trace = self
+            .open
+            .frame(frame)
+            .and_then(|frame| problem.trace(frame, joints));
         let trace = trace.map_err(|fault| refusal(&fault))?;
         let object = Object::new();
         let set =
             |name: &str, value: &JsValue| Reflect::set(&object, &name.into(), value).map(drop);
         set("goal", &Float64Array::from(&placed([&trace.goal])[..]))?;
         set("minimum", &trace.minimum.into())?;
-        set("gradient", &course(problem, &trace.gradient)?.into())?;
-        set("newton", &course(problem, &trace.newton)?.into())?;
+        set("gradient", &history(problem, &trace.gradient)?.into())?;
+        set("newton", &history(problem, &trace.newton)?.into())?;
         Ok(object.unchecked_into())
     }
 
@@ -69,8 +68,7 @@ impl Session {
     /// # Errors
     /// A `Fault` where the joint values are at fault.
     pub fn matrix(&self, joints: &[f64]) -> Result<JsMatrix, JsValue> {
-        let checked = self.open.check_joints(joints);
-        let matrix = checked.and_then(|()| iterations::matrix(self.open.problem(), joints));
+        let matrix = self.open.problem().matrix(joints);
         to_js(&matrix.map_err(|fault| refusal(&fault))?).map(JsCast::unchecked_into)
     }
 
@@ -95,7 +93,7 @@ impl Session {
 /// A `Fault` where the text is no type.
 #[wasm_bindgen]
 pub fn assemble(kinds: &str) -> Result<String, JsValue> {
-    let document = example::assemble(kinds).map_err(|fault| refusal(&fault))?;
+    let document = example_document::example(kinds).map_err(|fault| refusal(&fault))?;
     Ok(document.text())
 }
 
@@ -111,7 +109,7 @@ pub fn schema() -> String {
 /// Never for a reason of the caller's.
 #[wasm_bindgen]
 pub fn enumeration() -> Result<JsEnumeration, JsValue> {
-    to_js(&enumerate::tables()).map(JsCast::unchecked_into)
+    to_js(&tables::tables()).map(JsCast::unchecked_into)
 }
 
 /// The k-th chain with this degree of constraint, such as RPS; undefined if there is none.
@@ -134,31 +132,32 @@ pub fn assembly_by_index(constraints: f64, k: f64) -> Option<Vec<String>> {
     )
 }
 
-fn course(problem: &Problem, course: &Course) -> Result<Object, JsValue> {
+fn history(problem: &Problem, history: &History) -> Result<Object, JsValue> {
     let object = Object::new();
     let set = |name: &str, value: &JsValue| Reflect::set(&object, &name.into(), value).map(drop);
     let numbers = |name, values: &[f64]| set(name, &Float64Array::from(values));
-    let rows: Vec<Pose> = course
+    let rows: Vec<Pose> = history
         .joints
         .iter()
         .flat_map(|joints| problem.frames_at(joints))
         .collect();
-    let arrivals = |part: fn(&Arrival) -> f64| course.arrivals.iter().map(part).collect::<Vec<_>>();
-    set("iteration", &Uint32Array::from(&course.iteration[..]))?;
-    numbers("joints", &course.joints.concat())?;
-    numbers("pose", &placed(&course.poses))?;
+    let arrivals =
+        |part: fn(&Arrival) -> f64| history.arrivals.iter().map(part).collect::<Vec<_>>();
+    set("iteration", &Uint32Array::from(&history.iteration[..]))?;
+    numbers("joints", &history.joints.concat())?;
+    numbers("pose", &placed(&history.poses))?;
     numbers("rows", &placed(&rows))?;
-    numbers("metric", &course.metric)?;
-    numbers("projected_gradient", &course.projected_gradient)?;
-    numbers("closure", &course.opening)?;
-    numbers("sigma_min", &course.sigma_min)?;
+    numbers("metric", &history.metric)?;
+    numbers("projected_gradient", &history.projected_gradient)?;
+    numbers("closure", &history.closure_error)?;
+    numbers("sigma_min", &history.sigma_min)?;
     numbers("share", &arrivals(|a| a.share))?;
     numbers("opening", &arrivals(|a| a.opening))?;
     numbers("corrections", &arrivals(|a| a.corrections as f64))?;
     numbers("correction", &arrivals(|a| a.correction))?;
-    let guarded: Vec<u8> = course.guarded.iter().map(|g| u8::from(*g)).collect();
+    let guarded: Vec<u8> = history.guarded.iter().map(|g| u8::from(*g)).collect();
     set("guarded", &Uint8Array::from(&guarded[..]))?;
-    set("last", &course.last.into())?;
-    set("converged", &course.converged.into())?;
+    set("last", &history.last.into())?;
+    set("converged", &history.converged.into())?;
     Ok(object)
 }

@@ -10,6 +10,7 @@ mod parts;
 pub mod problem;
 pub mod questions;
 mod reader;
+mod refusal;
 pub mod report;
 pub mod schema;
 pub mod session;

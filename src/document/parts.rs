@@ -20,7 +20,10 @@ pub(crate) fn frame(entry: &FrameEntry, place: &Place<'_>) -> Result<Pose, Fault
 }
 
 /// A point, where one is given.
-pub(crate) fn point(entry: Option<&[f64]>, place: &Place<'_>) -> Result<Option<Vector3<f64>>, Fault> {
+pub(crate) fn point(
+    entry: Option<&[f64]>,
+    place: &Place<'_>,
+) -> Result<Option<Vector3<f64>>, Fault> {
     let Some(values) = entry else {
         return Ok(None);
     };

@@ -2,9 +2,9 @@
 //! rule of the model told as a fault with its place.
 
 use crate::document::bounds::{
-    MAX_ABOUT, MAX_ITERATIONS, MAX_LENGTH, MAX_NAME, MAX_ROW_FRAMES, MAX_SCHEMA, MAX_UNIT,
-    MAX_DIMENSION_TOLERANCE, MIN_METRIC_LENGTH, angle, check_text, joint_value, length, not_finite, out_of_range,
-    wrong_count,
+    MAX_ABOUT, MAX_DIMENSION_TOLERANCE, MAX_ITERATIONS, MAX_LENGTH, MAX_NAME, MAX_ROW_FRAMES,
+    MAX_SCHEMA, MAX_UNIT, MIN_METRIC_LENGTH, angle, check_text, joint_value, length, not_finite,
+    out_of_range, wrong_count,
 };
 use crate::document::fault::{Fault, FaultCode, Place};
 use crate::document::motion::goal_of;
@@ -269,7 +269,10 @@ fn given_start(
 fn settings(document: &Document) -> Result<Settings, Fault> {
     const PLACE: Place<'static> = Place::WHOLE.field("planner");
     let entry = &document.planner;
-    if let Some(length) = entry.metric_length.filter(|length| !(MIN_METRIC_LENGTH..=MAX_LENGTH).contains(length)) {
+    if let Some(length) = entry
+        .metric_length
+        .filter(|length| !(MIN_METRIC_LENGTH..=MAX_LENGTH).contains(length))
+    {
         let accepted = format!("a length from {MIN_METRIC_LENGTH:e} to {MAX_LENGTH:e}, or null");
         let place = PLACE.field("metric_length");
         return Err(out_of_range(&place, format_args!("{length:?}"), &accepted));
@@ -278,13 +281,27 @@ fn settings(document: &Document) -> Result<Settings, Fault> {
     if !(0.0..=MAX_DIMENSION_TOLERANCE).contains(&tolerance) {
         let accepted = format!("a share of the size from 0 to {MAX_DIMENSION_TOLERANCE}");
         let place = PLACE.field("dimension_tolerance");
-        return Err(out_of_range(&place, format_args!("{tolerance:?}"), &accepted));
+        return Err(out_of_range(
+            &place,
+            format_args!("{tolerance:?}"),
+            &accepted,
+        ));
     }
-    if let Some(most) = entry.max_iterations.filter(|most| !(1..=MAX_ITERATIONS).contains(most)) {
+    if let Some(most) = entry
+        .max_iterations
+        .filter(|most| !(1..=MAX_ITERATIONS).contains(most))
+    {
         let accepted = format!("a whole number from 1 to {MAX_ITERATIONS}, or null");
-        return Err(out_of_range(&PLACE.field("max_iterations"), most, &accepted));
+        return Err(out_of_range(
+            &PLACE.field("max_iterations"),
+            most,
+            &accepted,
+        ));
     }
-    let origin = point(entry.metric_origin.as_deref(), &PLACE.field("metric_origin"))?;
+    let origin = point(
+        entry.metric_origin.as_deref(),
+        &PLACE.field("metric_origin"),
+    )?;
     Ok(Settings {
         method: entry.method,
         metric: entry.metric,

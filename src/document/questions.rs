@@ -8,8 +8,8 @@ use crate::document::problem::Problem;
 use crate::document::wording::Wording;
 use crate::math::pose::Pose;
 use crate::model::chain::Chain;
-use crate::motion::trajectory::Trajectory;
 use crate::model::scaled::Scaled;
+use crate::motion::trajectory::Trajectory;
 use crate::plan::configuration::{drive_joint, pull};
 use crate::solve::close_start::Start;
 use crate::solve::drive::Obstacle;
@@ -37,7 +37,13 @@ impl Problem {
     /// When there is not one finite joint value a joint variable, or the goal is no pose.
     pub fn pull(&self, joints: &[f64], goal: &[f64]) -> Result<Posture, Fault> {
         self.check_joints(joints)?;
-        let moved = pull(&self.mechanism, joints, &pose(goal)?, self.extent(), &self.settings);
+        let moved = pull(
+            &self.mechanism,
+            joints,
+            &pose(goal)?,
+            self.extent(),
+            &self.settings,
+        );
         Ok(Posture {
             frame: moved.frame,
             value: None,
@@ -61,7 +67,14 @@ impl Problem {
             return Err(out_of_range(&VARIABLE, variable, &accepted));
         };
         check_value(value, turns, &VALUE)?;
-        let moved = drive_joint(&self.mechanism, joints, variable, value, self.extent(), &self.settings);
+        let moved = drive_joint(
+            &self.mechanism,
+            joints,
+            variable,
+            value,
+            self.extent(),
+            &self.settings,
+        );
         let reached = &moved.frame.joints;
         let sentence = |o: &Obstacle| self.sentence(o, variable, reached, value);
         Ok(Posture {
@@ -137,7 +150,10 @@ impl Problem {
 
     /// How the mechanism is spoken of.
     pub fn wording(&self) -> Wording<'_> {
-        Wording { mechanism: &self.mechanism, unit: &self.length_unit }
+        Wording {
+            mechanism: &self.mechanism,
+            unit: &self.length_unit,
+        }
     }
 
     fn turns(&self) -> Vec<bool> {

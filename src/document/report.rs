@@ -4,8 +4,8 @@ use crate::document::chain_report::{ChainReport, chain};
 use crate::document::problem::start_values;
 use crate::document::warnings::{WarningReport, warning};
 use crate::document::wording::Wording;
-use crate::model::mechanism::Mechanism;
 use crate::math::metric::MetricKind;
+use crate::model::mechanism::Mechanism;
 use crate::motion::trajectory::{Bounds, Status, Trajectory};
 use serde::Serialize;
 
@@ -74,7 +74,13 @@ impl Report {
     pub fn new(mechanism: &Mechanism, unit: &str, trajectory: &Trajectory) -> Self {
         let wording = Wording { mechanism, unit };
         let metric = &trajectory.metric_used;
-        let Bounds { closure, misfit, projected_gradient, curvature, reached } = trajectory.bounds;
+        let Bounds {
+            closure,
+            misfit,
+            projected_gradient,
+            curvature,
+            reached,
+        } = trajectory.bounds;
         Self {
             statuses: Status::ALL.map(Status::name).to_vec(),
             chains: mechanism.chains().iter().map(chain).collect(),
@@ -86,9 +92,19 @@ impl Report {
                 length_source: trajectory.length_source.name(),
                 origin: (metric.kind == MetricKind::DualQuaternion).then(|| metric.origin.into()),
             },
-            bounds: BoundsReport { closure, misfit, projected_gradient, curvature, reached },
+            bounds: BoundsReport {
+                closure,
+                misfit,
+                projected_gradient,
+                curvature,
+                reached,
+            },
             misfit: trajectory.misfit.iter().copied().fold(0.0, f64::max),
-            warnings: trajectory.warnings.iter().map(|w| warning(w, &wording)).collect(),
+            warnings: trajectory
+                .warnings
+                .iter()
+                .map(|w| warning(w, &wording))
+                .collect(),
             start: start_values(mechanism, &trajectory.start),
         }
     }

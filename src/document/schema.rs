@@ -7,8 +7,8 @@ use crate::plan::settings::{Method, Settings};
 #[cfg(feature = "schema")]
 use crate::{
     document::bounds::{
-        MAX_ABOUT, MAX_ANGLE, MAX_ITERATIONS, MAX_LENGTH, MAX_NAME, MAX_SCHEMA, MAX_TIME, MAX_UNIT,
-        MAX_DIMENSION_TOLERANCE, MIN_METRIC_LENGTH,
+        MAX_ABOUT, MAX_ANGLE, MAX_DIMENSION_TOLERANCE, MAX_ITERATIONS, MAX_LENGTH, MAX_NAME,
+        MAX_SCHEMA, MAX_TIME, MAX_UNIT, MIN_METRIC_LENGTH,
     },
     model::chain::MAX_FREEDOMS,
     model::mechanism::MAX_CHAINS,

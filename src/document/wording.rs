@@ -32,7 +32,11 @@ impl Wording<'_> {
     /// The chain's name, or its number.
     pub fn chain(&self, chain: usize) -> String {
         let name = self.mechanism.chains()[chain].name();
-        if name.is_empty() { format!("chain {}", chain + 1) } else { excerpt(name) }
+        if name.is_empty() {
+            format!("chain {}", chain + 1)
+        } else {
+            excerpt(name)
+        }
     }
 
     /// A value of a joint variable, rad or a length, with its unit.
@@ -47,7 +51,11 @@ impl Wording<'_> {
 
     /// A length with its unit.
     pub fn length(&self, value: f64) -> String {
-        if self.unit.is_empty() { readable(value) } else { format!("{} {}", readable(value), self.unit) }
+        if self.unit.is_empty() {
+            readable(value)
+        } else {
+            format!("{} {}", readable(value), self.unit)
+        }
     }
 
     /// Such as: the twist α of row 2 of chain 1, which would fit with 3.7e−6 rad more.
@@ -59,7 +67,9 @@ impl Wording<'_> {
             Dimension::Offset => "the offset d",
         };
         let amount = match suspect.dimension {
-            Dimension::Twist | Dimension::Angle => format!("{}°", readable(suspect.change.abs().to_degrees())),
+            Dimension::Twist | Dimension::Angle => {
+                format!("{}°", readable(suspect.change.abs().to_degrees()))
+            }
             Dimension::Length | Dimension::Offset => self.length(suspect.change.abs()),
         };
         let side = if suspect.change < 0.0 { "less" } else { "more" };
@@ -79,7 +89,11 @@ pub fn readable(x: f64) -> String {
     let text = if (-3..6).contains(&exponent) {
         let places = usize::try_from(3 - exponent).unwrap_or(0);
         let plain = format!("{x:.places$}");
-        if plain.contains('.') { plain.trim_end_matches('0').trim_end_matches('.').to_owned() } else { plain }
+        if plain.contains('.') {
+            plain.trim_end_matches('0').trim_end_matches('.').to_owned()
+        } else {
+            plain
+        }
     } else {
         let mantissa = mantissa.trim_end_matches('0').trim_end_matches('.');
         format!("{mantissa}e{exponent}")

@@ -2,8 +2,8 @@
 
 use crate::document::report::Report;
 use crate::document::schema::Document;
-use crate::math::pose::Pose;
 use crate::model::mechanism::Mechanism;
+use crate::motion::columns::{COLUMNS, Kind};
 use crate::motion::trajectory::{Status, Trajectory};
 use std::fmt::Write;
 
@@ -76,59 +76,70 @@ fn columns(document: &Document, report: &Report, t: &Trajectory) -> Vec<Column> 
     };
     let degrees = |angles: &[f64]| angles.iter().map(|angle| angle.to_degrees()).collect();
     add("frame", "", (1..=t.frames()).map(|i| i as f64).collect());
-    add("time", "", t.time.clone());
-    for (prefix, poses) in [("", &t.poses), ("goal_", &t.goals)] {
-        for (i, axis) in ["x", "y", "z"].into_iter().enumerate() {
-            let of = |pose: &Pose| pose.translation.vector[i];
-            add(
-                &format!("{prefix}{axis}"),
-                length,
-                poses.iter().map(of).collect(),
-            );
-        }
-        for (i, part) in ["qx", "qy", "qz", "qw"].into_iter().enumerate() {
-            let of = |pose: &Pose| pose.rotation.coords[i];
-            add(
-                &format!("{prefix}{part}"),
-                "",
-                poses.iter().map(of).collect(),
-            );
-        }
-    }
-    let mut k = 0;
-    for (i, chain) in report.chains.iter().enumerate() {
-        for variable in &chain.variables {
-            let values: Vec<f64> = (0..t.frames()).map(|f| t.joints_at(f)[k]).collect();
-            let name = variable_name(i, &variable.label);
-            if variable.unit == "rad" {
-                add(&name, "deg", degrees(&values));
-            } else {
-                add(&name, length, values);
+    for column in &COLUMNS {
+        let (name, values) = (column.name, (column.values)(t));
+        match column.kind {
+            Kind::Time | Kind::Number | Kind::Count | Kind::Status => {
+                add(name, "", values.into_owned())
             }
-            k += 1;
+            Kind::Length => add(name, length, values.into_owned()),
+            Kind::Angle => add(name, "deg", degrees(&values)),
+            Kind::Pose => {
+                let prefix = if name == "pose" {
+                    String::new()
+                } else {
+                    format!("{name}_")
+                };
+                for (i, part) in ["x", "y", "z", "qx", "qy", "qz", "qw"]
+                    .into_iter()
+                    .enumerate()
+                {
+                    let own = values.iter().skip(i).step_by(7).copied().collect();
+                    add(
+                        &format!("{prefix}{part}"),
+                        if i < 3 { length } else { "" },
+                        own,
+                    );
+                }
+            }
+            Kind::Joints => {
+                let mut k = 0;
+                for (i, chain) in report.chains.iter().enumerate() {
+                    for variable in &chain.variables {
+                        let own: Vec<f64> = values
+                            .iter()
+                            .skip(k)
+                            .step_by(t.variables)
+                            .copied()
+                            .collect();
+                        let name = variable_name(i, &variable.label);
+                        if variable.unit == "rad" {
+                            add(&name, "deg", degrees(&own));
+                        } else {
+                            add(&name, length, own);
+                        }
+                        k += 1;
+                    }
+                }
+            }
         }
     }
-    add("metric", "", t.metric.clone());
-    add("translation_gap", length, t.translation_gap.clone());
-    add("rotation_gap", "deg", degrees(&t.rotation_gap));
-    add("closure", "", t.closure.clone());
-    add("sigma_min", "", t.sigma_min.clone());
-    add("projected_gradient", "", t.projected_gradient.clone());
-    let iterations = t.iterations.iter().map(|&n| f64::from(n)).collect();
-    add("iterations", "", iterations);
-    let status = Column {
-        name: "status".to_owned(),
-        unit: String::new(),
-        values: Values::Statuses(t.status.clone()),
-    };
-    list.insert(2, status);
+    for column in &mut list {
+        if column.name == "status" {
+            column.values = Values::Statuses(t.status.clone());
+        }
+    }
     list
 }
 
 /// A line of headings, then a line a frame. Angles in degrees, lengths in the document's unit, as the
 /// headings say; every number with all its digits, empty where there is none.
 pub fn csv(document: &Document, mechanism: &Mechanism, t: &Trajectory) -> String {
-    let columns = columns(document, &Report::new(mechanism, &document.length_unit, t), t);
+    let columns = columns(
+        document,
+        &Report::new(mechanism, &document.length_unit, t),
+        t,
+    );
     let line = |fields: Vec<String>| fields.join(",") + "\n";
     let headings = columns.iter().map(|column| quoted(&column.heading()));
     let mut text = line(headings.collect());

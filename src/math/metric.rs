@@ -33,7 +33,10 @@ pub struct Metric {
 impl Default for Metric {
     /// About the goal's origin, in units of length.
     fn default() -> Self {
-        Self { kind: MetricKind::Pose, ..Self::PAPER }
+        Self {
+            kind: MetricKind::Pose,
+            ..Self::PAPER
+        }
     }
 }
 
@@ -169,7 +172,10 @@ mod tests {
     fn a_frame_keeps_its_side() {
         let goal = pose(1.0, 3.0);
         let target = Metric::PAPER.target(&goal, &pose(1.0, 0.0).rotation);
-        let (before, behind) = (target.value(&pose(1.0, -0.1)), target.value(&pose(1.0, -0.2)));
+        let (before, behind) = (
+            target.value(&pose(1.0, -0.1)),
+            target.value(&pose(1.0, -0.2)),
+        );
         assert!(behind > before);
         let pose_metric = Metric {
             kind: MetricKind::Pose,

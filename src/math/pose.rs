@@ -111,3 +111,17 @@ pub fn gaps(a: &Pose, b: &Pose) -> (f64, f64) {
     let r = a.rotation.quaternion() * b.rotation.quaternion().conjugate();
     (translation, 2.0 * libm::atan2(r.imag().norm(), r.w.abs()))
 }
+
+/// The mean of the positions and of the quaternions, whose signs are chosen one after another.
+pub fn mean(poses: &[Pose]) -> Pose {
+    let mut translation = Vector3::zeros();
+    let mut sum = Quaternion::new(0.0, 0.0, 0.0, 0.0);
+    for pose in poses {
+        translation += pose.translation.vector / poses.len() as f64;
+        let rotation = *pose.rotation.quaternion();
+        let away = rotation.coords.dot(&sum.coords) < 0.0;
+        sum += if away { -rotation } else { rotation };
+    }
+    // With these signs the sum is no shorter than the first one.
+    Pose::from_parts(translation.into(), UnitQuaternion::from_quaternion(sum))
+}

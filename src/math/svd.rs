@@ -5,6 +5,10 @@ const SWEEPS: usize = 60;
 /// Cosine of the angle between two columns that count as orthogonal: a few units of the last place.
 const ORTHOGONAL: f64 = 1e-15;
 
+/// Share of the Frobenius norm below which two columns are rounding, whatever their angle: it would
+/// stay an arbitrary one however often they are turned.
+const ROUNDING: f64 = 1e-16;
+
 /// Thin singular value decomposition A = U Σ Vᵀ by one-sided Jacobi rotations on the columns.
 ///
 /// Accurate to a few units of the last place of the largest singular value whatever the rank. At most
@@ -45,13 +49,14 @@ impl Svd {
         let (m, n) = (self.rows, self.order.len());
         self.v.resize(n * n, 0.0);
         self.v.iter_mut().step_by(n + 1).for_each(|x| *x = 1.0);
+        let rounding = ROUNDING * ROUNDING * dot(&self.a, &self.a);
         for _ in 0..SWEEPS {
             let mut turned = false;
             for p in 0..n {
                 for q in p + 1..n {
                     let (x, y) = pair(&mut self.a, m, p, q);
                     let (xx, yy, xy) = (dot(x, x), dot(y, y), dot(x, y));
-                    if xy.abs() <= ORTHOGONAL * (xx * yy).sqrt() {
+                    if xy.abs() <= rounding.max(ORTHOGONAL * (xx * yy).sqrt()) {
                         continue;
                     }
                     turned = true;

@@ -237,7 +237,12 @@ impl Chain {
             let seat = frame * x_displacement(p.row.alpha, p.row.a);
             frame = seat * z_displacement(angle, offset);
             let (z, o) = (seat.rotation * Vector3::z(), seat.translation.vector);
-            [turn(&before.0, &before.1), shift(&before.0), turn(&z, &o), shift(&z)]
+            [
+                turn(&before.0, &before.1),
+                shift(&before.0),
+                turn(&z, &o),
+                shift(&z),
+            ]
         });
         rows.collect()
     }

@@ -65,7 +65,12 @@ impl Mechanism {
 
     /// The size, or `extent` where there is none, or 1 where that is no length either.
     pub fn size_or(&self, extent: f64) -> f64 {
-        self.size().unwrap_or(if extent.is_normal() && extent > 0.0 { extent } else { 1.0 })
+        self.size()
+            .unwrap_or(if extent.is_normal() && extent > 0.0 {
+                extent
+            } else {
+                1.0
+            })
     }
 
     /// The part of a joint vector that belongs to each chain.

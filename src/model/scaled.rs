@@ -70,7 +70,11 @@ impl Scaled {
 
     /// In any unit, from any point.
     pub fn about(mechanism: &Mechanism, unit: f64, origin: &Vector3<f64>) -> Self {
-        let chains: Vec<Chain> = mechanism.chains().iter().map(|chain| chain.within(unit, origin)).collect();
+        let chains: Vec<Chain> = mechanism
+            .chains()
+            .iter()
+            .map(|chain| chain.within(unit, origin))
+            .collect();
         Self {
             limits: chains.iter().flat_map(Chain::limits).collect(),
             turns: chains.iter().flat_map(Chain::turns).collect(),
@@ -156,7 +160,13 @@ impl Scaled {
     /// the largest of all.
     pub fn largest_motion(from: &[f64], to: &[f64]) -> (f64, usize) {
         let moves = from.iter().zip(to).map(|(a, b)| (a - b).abs()).enumerate();
-        moves.fold((0.0, 0), |most, (joint, moved)| if moved <= most.0 { most } else { (moved, joint) })
+        moves.fold((0.0, 0), |most, (joint, moved)| {
+            if moved <= most.0 {
+                most
+            } else {
+                (moved, joint)
+            }
+        })
     }
 
     /// How far the loops are open at these joint values: the largest closure error of any chain against the first.
@@ -169,19 +179,28 @@ impl Scaled {
             state.pose
         });
         let leader = states.next().unwrap_or_default();
-        states.fold(0.0, |worst, pose| larger(worst, closure_error(&pose::difference(&leader, &pose))))
+        states.fold(0.0, |worst, pose| {
+            larger(worst, closure_error(&pose::difference(&leader, &pose)))
+        })
     }
 }
 
 /// How far a loop is open by a twist: the larger of its length and its angle.
 #[inline]
 pub fn closure_error(twist: &Vector6<f64>) -> f64 {
-    let square = |i: usize| twist[i] * twist[i] + twist[i + 1] * twist[i + 1] + twist[i + 2] * twist[i + 2];
+    let square =
+        |i: usize| twist[i] * twist[i] + twist[i + 1] * twist[i + 1] + twist[i + 2] * twist[i + 2];
     larger(square(0), square(3)).sqrt()
 }
 
 /// The larger of two; NaN if either is, so that it never passes for closed.
 #[inline]
 pub fn larger(a: f64, b: f64) -> f64 {
-    if b <= a { a } else if a.is_nan() { a } else { b }
+    if b <= a {
+        a
+    } else if a.is_nan() {
+        a
+    } else {
+        b
+    }
 }

@@ -1,5 +1,6 @@
 //! Motions of the workpiece: the goal through its key frames, and the planned motion as columns.
 
+pub mod columns;
 mod double_quaternion;
 pub mod goal;
 pub mod key_frames;

@@ -61,22 +61,38 @@ pub enum Warning {
     /// The start's loops were open, and were closed by moving a joint variable by `moved` (rad or a length).
     StartMoved { moved: f64, variable: usize },
     /// A given start value (rad or a length) was beyond this limit of the joint variable, and was moved to it.
-    StartOutsideLimits { variable: usize, value: f64, limit: f64 },
+    StartOutsideLimits {
+        variable: usize,
+        value: f64,
+        limit: f64,
+    },
     /// The start's loops could not be closed; `error` is how far they are open, lengths as shares of the size.
     StartOpen { error: f64 },
     /// The start is nearly closed, open by `error`, but closes only where a joint variable has moved by `leap` (rad or
     /// sizes): with these dimensions the linkage is rigid, or does not belong together.
     StartRigid { error: f64, leap: f64 },
     /// The dimensions of an overconstrained linkage contradict each other by up to `misfit` (rad or shares of the size).
-    RoundedDimensions { misfit: f64, suspect: Option<Suspect> },
+    RoundedDimensions {
+        misfit: f64,
+        suspect: Option<Suspect>,
+    },
     /// The gradient planner takes rounded dimensions as they are, and finds no closed position.
     RoundedUnknown,
     /// The linkage leaps at `time`, between frames `first` and `first + 1`: the joint variable `variable` moves by
     /// `moved` (rad or a length) at once.
-    BranchJump { first: usize, time: f64, moved: f64, variable: usize },
+    BranchJump {
+        first: usize,
+        time: f64,
+        moved: f64,
+        variable: usize,
+    },
     /// Frames `first` to `last` are close to a singular position: the smallest singular value falls
     /// to `smallest`.
-    NearSingular { first: usize, last: usize, smallest: f64 },
+    NearSingular {
+        first: usize,
+        last: usize,
+        smallest: f64,
+    },
     /// At this frame the distance to the goal keeps falling while a slider without limits runs away. `elsewhere`:
     /// another assembly, which no motion joins to this one, comes closest at a finite place.
     Runaway { frame: usize, elsewhere: bool },

@@ -8,7 +8,7 @@ use crate::plan::follow::close_start;
 use crate::plan::record::{begin, measure_singular, record};
 use crate::plan::settings::{Method, Settings};
 use crate::solve::drive::{self, Obstacle};
-use crate::solve::newton::{End, Solved, Solver};
+use crate::solve::solver::{End, Solved, Solver};
 
 /// A configuration as a motion of one frame.
 #[derive(Clone, Debug)]
@@ -24,7 +24,13 @@ pub struct Configuration {
 ///
 /// # Panics
 /// When `from` does not have one value a joint variable.
-pub fn pull(mechanism: &Mechanism, from: &[f64], goal: &Pose, extent: f64, settings: &Settings) -> Configuration {
+pub fn pull(
+    mechanism: &Mechanism,
+    from: &[f64],
+    goal: &Pose,
+    extent: f64,
+    settings: &Settings,
+) -> Configuration {
     move_from(mechanism, from, extent, settings, |solver, joints| {
         let predicted = joints.to_vec();
         let solved = solver.solve(goal, joints, &predicted);
@@ -67,7 +73,10 @@ fn move_from(
     settings: &Settings,
     go: impl FnOnce(&mut Solver, &mut [f64]) -> (Solved, Option<Pose>, Option<Obstacle>),
 ) -> Configuration {
-    let newton = Settings { method: Method::Newton, ..*settings };
+    let newton = Settings {
+        method: Method::Newton,
+        ..*settings
+    };
     let mut solver = newton.solver(mechanism, extent);
     let mut t = begin(mechanism, &solver, extent, &newton);
     let mut joints = from.to_vec();

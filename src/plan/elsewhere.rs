@@ -2,22 +2,27 @@
 //! in other assemblies.
 
 use crate::math::pose::Pose;
+use crate::math::random::Random;
 use crate::model::mechanism::Mechanism;
 use crate::plan::modes;
-use crate::math::random::Random;
 use crate::plan::settings::Settings;
-use crate::solve::close::{Reach, Shortest};
+use crate::solve::close::{Reach, Shortest, add_rates, dot, solve_gram};
 use crate::solve::close_start::Start;
-use crate::solve::newton::{Solved, Solver};
+use crate::solve::solver::{Solved, Solver};
 
-/// Walks, and positions on each from which a minimum is looked for.
-const WALKS: u64 = 12;
-const STOPS: usize = 16;
-/// Steps from one to the next, and the length of one, root of the joints' squared motions.
-const STRIDE: usize = 3;
-const STEP: f64 = 0.3;
-/// Corrections after a step stay in its range: the walk does not leap.
-const REACH: Reach = Reach { shortest: Shortest::Joints, each: STEP, all: STEP };
+/// Walks, and positions on each from which a minimum is looked for: about 200 starts.
+const WALKS: u64 = 8;
+const STOPS: usize = 24;
+/// Steps from one to the next, straight on where that is possible: 4 rad, or sizes, so that a walk crosses the workspace.
+const STRIDE: usize = 20;
+/// Length of a step, root of the joints' squared motions, and of its corrections: half of it, so that the walk does not
+/// leap.
+const STEP: f64 = 0.2;
+const REACH: Reach = Reach {
+    shortest: Shortest::Joints,
+    each: 0.5 * STEP,
+    all: 0.5 * STEP,
+};
 
 /// The closest finite certified pose found from positions that closed walks, within the limits, join to `joints`.
 pub fn joined(solver: &mut Solver, joints: &[f64], goal: &Pose) -> Option<(Vec<f64>, Solved)> {
@@ -26,14 +31,19 @@ pub fn joined(solver: &mut Solver, joints: &[f64], goal: &Pose) -> Option<(Vec<f
         let mut random = Random::new(walk);
         let mut theta = solver.scaled().entered(joints);
         for _ in 0..STOPS {
+            let mut heading = random_heading(&mut random, theta.len());
             for _ in 0..STRIDE {
-                step(solver, &mut theta, &mut random);
+                if !step(solver, &mut theta, &mut heading) {
+                    heading = random_heading(&mut random, theta.len());
+                }
             }
             let mut at = solver.scaled().left(&theta);
             let predicted = at.clone();
             solver.clear_holding();
             let solved = solver.solve(goal, &mut at, &predicted);
-            let better = best.as_ref().is_none_or(|(_, least)| solved.value < least.value);
+            let better = best
+                .as_ref()
+                .is_none_or(|(_, least)| solved.value < least.value);
             if solved.end.is_minimum() && better {
                 best = Some((at, solved));
             }
@@ -43,8 +53,9 @@ pub fn joined(solver: &mut Solver, joints: &[f64], goal: &Pose) -> Option<(Vec<f
     best
 }
 
-/// One closed step in a random free direction; none where it does not close or leaves the limits.
-fn step(solver: &mut Solver, theta: &mut Vec<f64>, random: &mut Random) {
+/// One closed step along the free direction nearest to `heading`, which it becomes; false where it does not close or
+/// leaves the limits.
+fn step(solver: &mut Solver, theta: &mut Vec<f64>, heading: &mut Vec<f64>) -> bool {
     let (scaled, closer, holding) = solver.parts();
     let mut holding = holding.clone();
     holding.clear();
@@ -52,23 +63,43 @@ fn step(solver: &mut Solver, theta: &mut Vec<f64>, random: &mut Random) {
     let tangent = closer.tangent();
     tangent.evaluate(scaled.chains(), theta);
     let free = tangent.factor(holding.stops(), dependence).free();
-    let mut direction = vec![0.0; theta.len()];
-    for i in 0..free.count() {
-        let c = random.between(-1.0, 1.0);
-        direction.iter_mut().zip(free.rates(i)).for_each(|(d, r)| *d += c * r);
+    let mut coefficients: Vec<f64> = (0..free.count())
+        .map(|i| dot(free.rates(i), heading))
+        .collect();
+    if !solve_gram(&free, &mut Vec::new(), &mut coefficients) {
+        return false;
     }
-    let length = direction.iter().map(|x| x * x).sum::<f64>().sqrt();
+    heading.fill(0.0);
+    add_rates(&free, &coefficients, 1.0, heading);
+    let length = dot(heading, heading).sqrt();
     if !(length > 0.0) {
-        return;
+        return false;
     }
-    let mut next: Vec<f64> = theta.iter().zip(&direction).map(|(t, d)| t + STEP / length * d).collect();
-    if closer.close(scaled, holding.stops(), &REACH, &mut next, &mut 0) && holding.contains(&next) {
+    let mut next: Vec<f64> = theta
+        .iter()
+        .zip(&*heading)
+        .map(|(t, d)| t + STEP / length * d)
+        .collect();
+    let closed =
+        closer.close(scaled, holding.stops(), &REACH, &mut next, &mut 0) && holding.contains(&next);
+    if closed {
         *theta = next;
     }
+    closed
+}
+
+fn random_heading(random: &mut Random, variables: usize) -> Vec<f64> {
+    (0..variables).map(|_| random.between(-1.0, 1.0)).collect()
 }
 
 /// Whether another assembly has a finite certified pose that is closer than `value`.
-pub fn another_assembly(mechanism: &Mechanism, goal: &Pose, settings: &Settings, extent: f64, value: f64) -> bool {
+pub fn another_assembly(
+    mechanism: &Mechanism,
+    goal: &Pose,
+    settings: &Settings,
+    extent: f64,
+    value: f64,
+) -> bool {
     let free = vec![None; mechanism.chains().len()];
     let found = modes::find(mechanism, &free, goal, extent, settings);
     let mut solver = settings.solver(mechanism, extent);

@@ -12,7 +12,7 @@ use crate::plan::record::{begin, measure_singular, record};
 use crate::plan::settings::{Method, Settings, extent};
 use crate::solve::close_start::Start;
 use crate::solve::gradient;
-use crate::solve::newton::{End, Solved, Solver};
+use crate::solve::solver::{End, Solved, Solver};
 
 /// How far f may be above the minimum in a certified answer of the gradient planner: twice what its
 /// stop leaves in the flattest directions met.
@@ -23,7 +23,12 @@ const GRADIENT_FALL: f64 = 2e-8;
 ///
 /// # Panics
 /// When `start` does not have one value a joint variable.
-pub fn plan(mechanism: &Mechanism, start: &[f64], goals: &[Goal], settings: &Settings) -> Trajectory {
+pub fn plan(
+    mechanism: &Mechanism,
+    start: &[f64],
+    goals: &[Goal],
+    settings: &Settings,
+) -> Trajectory {
     Planning::new(mechanism, start, goals, settings).finish()
 }
 
@@ -68,7 +73,11 @@ impl Planning {
     /// # Panics
     /// When `start` does not have one value a joint variable.
     pub fn new(mechanism: &Mechanism, start: &[f64], goals: &[Goal], settings: &Settings) -> Self {
-        assert_eq!(start.len(), mechanism.variables(), "one start value a joint variable");
+        assert_eq!(
+            start.len(),
+            mechanism.variables(),
+            "one start value a joint variable"
+        );
         let extent = extent(goals);
         let mut solver = settings.solver(mechanism, extent);
         let mut t = begin(mechanism, &solver, extent, settings);
@@ -156,7 +165,11 @@ impl Planning {
         match self.settings.method {
             Method::Newton => {
                 let solved = self.solver.solve(&goal, &mut self.joints, &self.predicted);
-                if solved.end == End::Runaway { self.search(frame, solved) } else { solved }
+                if solved.end == End::Runaway {
+                    self.search(frame, solved)
+                } else {
+                    solved
+                }
             }
             Method::Gradient => {
                 let before = self.joints.clone();
@@ -164,10 +177,22 @@ impl Planning {
                 let rotation = self.mechanism.chains()[0].pose(&before).rotation;
                 let target = metric.target(&goal, &rotation);
                 let most = self.settings.iterations();
-                let descent = gradient::descend(&self.mechanism, &target, &mut self.joints, most, &mut |_| {});
-                let certified = self.solver.certify(&goal, &before, &self.joints, GRADIENT_FALL);
+                let descent = gradient::descend(
+                    &self.mechanism,
+                    &target,
+                    &mut self.joints,
+                    most,
+                    &mut |_| {},
+                );
+                let certified = self
+                    .solver
+                    .certify(&goal, &before, &self.joints, GRADIENT_FALL);
                 Solved {
-                    end: if descent.converged { certified.end } else { End::Stalled },
+                    end: if descent.converged {
+                        certified.end
+                    } else {
+                        End::Stalled
+                    },
                     iterations: descent.iterations,
                     projected_gradient: descent.projected_gradient,
                     ..certified
@@ -177,7 +202,14 @@ impl Planning {
     }
 
     fn keep(&mut self, frame: usize, before: &[f64], solved: &Solved) {
-        record(&mut self.t, &mut self.solver, &self.goals[frame], before, &self.joints, solved);
+        record(
+            &mut self.t,
+            &mut self.solver,
+            &self.goals[frame],
+            before,
+            &self.joints,
+            solved,
+        );
     }
 
     /// A finite closest pose instead of a slider that runs away: at positions that a closed walk joins to this one, and
@@ -191,16 +223,27 @@ impl Planning {
             self.search_from = frame + (1 << self.searches);
             let goal = self.goals[frame].pose;
             let before = self.joints.clone();
-            if let Some((joints, solved)) = elsewhere::joined(&mut self.solver, &self.joints, &goal) {
+            if let Some((joints, solved)) = elsewhere::joined(&mut self.solver, &self.joints, &goal)
+            {
                 let leap = Leap::between(self.solver.scaled(), &before, &joints);
                 if frame > 0 {
                     let time = self.goals[frame].time;
-                    self.leaps.push(Leap { first: frame - 1, time, ..leap });
+                    self.leaps.push(Leap {
+                        first: frame - 1,
+                        time,
+                        ..leap
+                    });
                 }
                 self.joints = joints;
                 return solved;
             }
-            elsewhere = elsewhere::another_assembly(&self.mechanism, &goal, &self.settings, extent(&self.goals), runaway.value);
+            elsewhere = elsewhere::another_assembly(
+                &self.mechanism,
+                &goal,
+                &self.settings,
+                extent(&self.goals),
+                runaway.value,
+            );
         }
         self.runaways.push(Warning::Runaway { frame, elsewhere });
         runaway
@@ -209,7 +252,11 @@ impl Planning {
     /// Looks at the intervals whose neighbours are known; where one leaps that need not, its frames and those after it
     /// are taken back. Whether any were.
     fn check_leaps(&mut self) -> bool {
-        let known = if self.done() == self.frames() { self.done() } else { self.done().saturating_sub(2) };
+        let known = if self.done() == self.frames() {
+            self.done()
+        } else {
+            self.done().saturating_sub(2)
+        };
         while self.checked + 1 < known {
             let first = self.checked;
             self.checked += 1;
@@ -222,7 +269,8 @@ impl Planning {
             // Which joints were held at the frame is not known any more; those that are now belong to a later one.
             let holding = self.solver.holding().clone();
             self.solver.clear_holding();
-            let Some(way) = leaps::trace(&mut self.solver, self.t.joints_at(first), &from, &to) else {
+            let Some(way) = leaps::trace(&mut self.solver, self.t.joints_at(first), &from, &to)
+            else {
                 self.solver.set_holding(holding);
                 continue;
             };
@@ -236,14 +284,20 @@ impl Planning {
             }
             if self.settings.method == Method::Gradient {
                 // Its own branch is kept; that it left the one before is told.
-                let whole = Leap::between(scaled, self.t.joints_at(first), self.t.joints_at(first + 1));
-                self.leaps.push(Leap { first, time: to.time, ..whole });
+                let whole =
+                    Leap::between(scaled, self.t.joints_at(first), self.t.joints_at(first + 1));
+                self.leaps.push(Leap {
+                    first,
+                    time: to.time,
+                    ..whole
+                });
                 self.solver.set_holding(holding);
                 continue;
             }
             self.leaps.retain(|leap| leap.first < first);
             self.leaps.extend(leaps);
-            self.runaways.retain(|w| !matches!(w, Warning::Runaway { frame, .. } if *frame > first));
+            self.runaways
+                .retain(|w| !matches!(w, Warning::Runaway { frame, .. } if *frame > first));
             let before = self.t.joints_at(first).to_vec();
             self.t.truncate(first + 1);
             self.joints = way.joints;
@@ -258,7 +312,9 @@ impl Planning {
         let misfit = self.t.misfit.iter().copied().fold(0.0, f64::max);
         if misfit > CLOSED {
             let suspect = self.solver.suspect(self.t.joints_at(0));
-            self.t.warnings.push(Warning::RoundedDimensions { misfit, suspect });
+            self.t
+                .warnings
+                .push(Warning::RoundedDimensions { misfit, suspect });
         }
         let leaps = self.leaps.iter().map(Leap::warning);
         self.t.warnings.extend(leaps);
@@ -289,7 +345,10 @@ pub(super) fn close_start(
         Start::Closed | Start::Rounded => {
             let leap = Leap::between(solver.scaled(), &solver.scaled().left(&given), joints);
             if leap.moved_scaled > MOVED {
-                warnings.push(Warning::StartMoved { moved: leap.moved, variable: leap.variable });
+                warnings.push(Warning::StartMoved {
+                    moved: leap.moved,
+                    variable: leap.variable,
+                });
             }
             true
         }

@@ -9,7 +9,7 @@ use crate::math::pose::Pose;
 use crate::model::scaled::Scaled;
 use crate::motion::goal::Goal;
 use crate::motion::trajectory::{Trajectory, Warning};
-use crate::solve::newton::{Solved, Solver};
+use crate::solve::solver::{Solved, Solver};
 
 /// Joint motion, rad or sizes, that is a leap where it happens at once.
 pub const LEAP: f64 = 0.02;
@@ -43,36 +43,66 @@ pub struct Leap {
 impl Leap {
     /// From one set of joint values to another.
     pub fn between(scaled: &Scaled, from: &[f64], to: &[f64]) -> Self {
-        let (moved_scaled, variable) = Scaled::largest_motion(&scaled.entered(from), &scaled.entered(to));
+        let (moved_scaled, variable) =
+            Scaled::largest_motion(&scaled.entered(from), &scaled.entered(to));
         let moved = (to[variable] - from[variable]).abs();
-        Self { first: 0, time: 0.0, moved, moved_scaled, variable }
+        Self {
+            first: 0,
+            time: 0.0,
+            moved,
+            moved_scaled,
+            variable,
+        }
     }
 
     /// As a warning.
     pub fn warning(&self) -> Warning {
-        let Self { first, time, moved, variable, .. } = *self;
-        Warning::BranchJump { first, time, moved, variable }
+        let Self {
+            first,
+            time,
+            moved,
+            variable,
+            ..
+        } = *self;
+        Warning::BranchJump {
+            first,
+            time,
+            moved,
+            variable,
+        }
     }
 }
 
 /// Whether the interval after frame `first` goes on unlike its neighbours.
 pub fn is_suspicious(t: &Trajectory, scaled: &Scaled, first: usize) -> bool {
-    let certified = |frame: usize| t.status.get(frame).is_some_and(|status| status.is_certified());
+    let certified = |frame: usize| {
+        t.status
+            .get(frame)
+            .is_some_and(|status| status.is_certified())
+    };
     if !(certified(first) && certified(first + 1)) {
         return false;
     }
     let change = |frame: usize, joint: usize| {
         let moved = t.joints_at(frame + 1)[joint] - t.joints_at(frame)[joint];
-        if scaled.turns()[joint] { moved } else { moved / scaled.unit() }
+        if scaled.turns()[joint] {
+            moved
+        } else {
+            moved / scaled.unit()
+        }
     };
     let last = t.frames() - 2;
     (0..t.variables).any(|joint| {
         let own = change(first, joint);
         let expected = match (first.checked_sub(1), first < last) {
             (Some(before), true) => 0.5 * (change(before, joint) + change(first + 1, joint)),
-            (None, true) if first + 1 < last => 2.0 * change(first + 1, joint) - change(first + 2, joint),
+            (None, true) if first + 1 < last => {
+                2.0 * change(first + 1, joint) - change(first + 2, joint)
+            }
             (None, true) => change(first + 1, joint),
-            (Some(before), false) if before > 0 => 2.0 * change(before, joint) - change(before - 1, joint),
+            (Some(before), false) if before > 0 => {
+                2.0 * change(before, joint) - change(before - 1, joint)
+            }
             (Some(before), false) => change(before, joint),
             (None, false) => 0.0,
         };
@@ -101,7 +131,11 @@ pub fn trace(solver: &mut Solver, joints: &[f64], from: &Goal, to: &Goal) -> Opt
     for _ in 0..STEPS {
         let next = (done + step).min(1.0);
         let mut trial = at.clone();
-        let predicted: Vec<f64> = at.iter().zip(&rate).map(|(x, r)| x + r * (next - done)).collect();
+        let predicted: Vec<f64> = at
+            .iter()
+            .zip(&rate)
+            .map(|(x, r)| x + r * (next - done))
+            .collect();
         let holding = solver.holding().clone();
         let goal = between(from, to, next);
         let solved = solver.solve(&goal, &mut trial, &predicted);
@@ -120,7 +154,9 @@ pub fn trace(solver: &mut Solver, joints: &[f64], from: &Goal, to: &Goal) -> Opt
             // In a valley that is nearly flat the answer is known to within the stationary slope only; a move that does
             // not lower the distance by more than that slope allows is no leap.
             let fall = solver.value(&goal, &at) - solved.value;
-            if leap.moved_scaled > LEAP && fall > SLOPE * solver.tolerances().stationary * leap.moved_scaled {
+            if leap.moved_scaled > LEAP
+                && fall > SLOPE * solver.tolerances().stationary * leap.moved_scaled
+            {
                 let time = from.time + next * (to.time - from.time);
                 leaps.push(Leap { time, ..leap });
             }
@@ -133,7 +169,11 @@ pub fn trace(solver: &mut Solver, joints: &[f64], from: &Goal, to: &Goal) -> Opt
         at = trial;
         done = next;
         if done >= 1.0 {
-            return Some(Way { joints: at, solved, leaps });
+            return Some(Way {
+                joints: at,
+                solved,
+                leaps,
+            });
         }
         step *= 2.0;
     }

@@ -6,6 +6,7 @@ pub mod follow;
 pub mod given;
 pub mod leaps;
 pub mod modes;
+mod one_chain;
 pub mod record;
 mod seeds;
 pub mod settings;

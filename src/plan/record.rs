@@ -8,15 +8,20 @@ use crate::motion::goal::Goal;
 use crate::motion::trajectory::{Bounds, LengthSource, Status, Trajectory, Warning};
 use crate::plan::settings::{Method, Settings, characteristic_length};
 use crate::solve::gradient;
-use crate::solve::newton::{End, Solved, Solver};
 use crate::solve::singular_values::SingularValues;
+use crate::solve::solver::{End, Solved, Solver};
 
 /// Smallest singular value below which a position is reported as nearly singular: some joint rate is then a hundred
 /// times the workpiece's, lengths as shares of the size.
 const NEAR_SINGULAR: f64 = 1e-2;
 
 /// An empty motion that says by what it will be judged; warns of a metric length that is far off.
-pub fn begin(mechanism: &Mechanism, solver: &Solver, extent: f64, settings: &Settings) -> Trajectory {
+pub fn begin(
+    mechanism: &Mechanism,
+    solver: &Solver,
+    extent: f64,
+    settings: &Settings,
+) -> Trajectory {
     /// A length so many times longer or shorter than the linkage's weighs rotations against translations as nobody
     /// means it: mostly a length of 1 that was meant in another unit.
     const FAR_OFF: f64 = 30.0;
@@ -38,11 +43,14 @@ pub fn begin(mechanism: &Mechanism, solver: &Solver, extent: f64, settings: &Set
             reached: tolerances.reached,
         },
         metric_used: metric,
-        length_source: settings.metric_length.map_or(source, |_| LengthSource::Given),
+        length_source: settings
+            .metric_length
+            .map_or(source, |_| LengthSource::Given),
         ..Trajectory::default()
     };
     let given = metric.length;
-    if settings.metric_length.is_some() && !(1.0 / FAR_OFF..=FAR_OFF).contains(&(given / proposed)) {
+    if settings.metric_length.is_some() && !(1.0 / FAR_OFF..=FAR_OFF).contains(&(given / proposed))
+    {
         t.warnings.push(Warning::MetricLength { given, proposed });
     }
     t
@@ -50,12 +58,21 @@ pub fn begin(mechanism: &Mechanism, solver: &Solver, extent: f64, settings: &Set
 
 /// Appends a frame. How far the loops are open is measured anew, from the joint values that are published. `before` are
 /// the joint values of the frame before.
-pub fn record(t: &mut Trajectory, solver: &mut Solver, goal: &Goal, before: &[f64], joints: &[f64], solved: &Solved) {
+pub fn record(
+    t: &mut Trajectory,
+    solver: &mut Solver,
+    goal: &Goal,
+    before: &[f64],
+    joints: &[f64],
+    solved: &Solved,
+) {
     let scaled = solver.scaled();
     let (theta, theta_before) = (scaled.entered(joints), scaled.entered(before));
     let chain = &scaled.chains()[0];
     let (near, near_before) = (chain.pose(&theta), chain.pose(&theta_before));
-    let target = solver.metric().target(&scaled.enter_pose(&goal.pose), &near_before.rotation);
+    let target = solver
+        .metric()
+        .target(&scaled.enter_pose(&goal.pose), &near_before.rotation);
     let reached = scaled.leave_pose(&near);
     let (translation, rotation) = gaps(scaled, &near, &goal.pose);
     t.time.push(goal.time);
@@ -70,8 +87,10 @@ pub fn record(t: &mut Trajectory, solver: &mut Solver, goal: &Goal, before: &[f6
     t.closure.push(closure);
     t.misfit.push(misfit);
     t.projected_gradient.push(solved.projected_gradient);
-    t.iterations.push(u32::try_from(solved.iterations).unwrap_or(u32::MAX));
-    t.status.push(status(solved, closure, misfit, t.bounds.misfit));
+    t.iterations
+        .push(u32::try_from(solved.iterations).unwrap_or(u32::MAX));
+    t.status
+        .push(status(solved, closure, misfit, t.bounds.misfit));
 }
 
 /// What a frame is called. Only loops that are closed as published make it an answer.
@@ -99,7 +118,9 @@ fn gaps(scaled: &Scaled, near: &Pose, goal: &Pose) -> (f64, f64) {
 pub fn largest_distances(t: &Trajectory, metrics: [&Metric; 2]) -> [f64; 2] {
     metrics.map(|metric| {
         let pairs = t.poses.iter().zip(&t.goals);
-        pairs.map(|(pose, goal)| metric.value(pose, goal)).fold(0.0, f64::max)
+        pairs
+            .map(|(pose, goal)| metric.value(pose, goal))
+            .fold(0.0, f64::max)
     })
 }
 
@@ -111,7 +132,11 @@ pub fn measure_singular(t: &mut Trajectory, solver: &mut Solver) {
     let mut surplus = closer.mobility(scaled, &scaled.entered(&t.start)).1;
     for frame in 0..t.frames() {
         if surplus > 0 {
-            surplus = surplus.min(closer.mobility(scaled, &scaled.entered(t.joints_at(frame))).1);
+            surplus = surplus.min(
+                closer
+                    .mobility(scaled, &scaled.entered(t.joints_at(frame)))
+                    .1,
+            );
         }
     }
     let mut values = SingularValues::default();
@@ -119,15 +144,26 @@ pub fn measure_singular(t: &mut Trajectory, solver: &mut Solver) {
     let mut theta = vec![0.0; t.variables];
     for frame in 0..t.frames() {
         scaled.enter(t.joints_at(frame), &mut theta);
-        t.sigma_min.push(closer.smallest_singular_value(scaled, &theta, surplus, &mut values));
+        t.sigma_min
+            .push(closer.smallest_singular_value(scaled, &theta, surplus, &mut values));
     }
     let mut frame = 0;
     while frame < t.frames() {
-        let run = t.sigma_min[frame..].iter().take_while(|s| **s < NEAR_SINGULAR).count();
+        let run = t.sigma_min[frame..]
+            .iter()
+            .take_while(|s| **s < NEAR_SINGULAR)
+            .count();
         if run > 0 {
             let (first, last) = (frame, frame + run - 1);
-            let smallest = t.sigma_min[first..=last].iter().copied().fold(f64::INFINITY, f64::min);
-            t.warnings.push(Warning::NearSingular { first, last, smallest });
+            let smallest = t.sigma_min[first..=last]
+                .iter()
+                .copied()
+                .fold(f64::INFINITY, f64::min);
+            t.warnings.push(Warning::NearSingular {
+                first,
+                last,
+                smallest,
+            });
         }
         frame += run + 1;
     }
@@ -138,7 +174,13 @@ mod tests {
     use super::*;
 
     fn solved(end: End) -> Solved {
-        Solved { end, reached: false, value: 0.1, projected_gradient: 0.0, iterations: 1 }
+        Solved {
+            end,
+            reached: false,
+            value: 0.1,
+            projected_gradient: 0.0,
+            iterations: 1,
+        }
     }
 
     /// Whatever the solver says, open loops are not published as an answer.
@@ -147,7 +189,11 @@ mod tests {
         let minimum = solved(End::Minimum);
         assert_eq!(status(&minimum, 1e-11, 0.0, 0.0), Status::Closest);
         for closure in [1.1e-10, 1e-8, 1e-6, f64::NAN, f64::INFINITY] {
-            assert_eq!(status(&minimum, closure, 0.0, 1e-4), Status::ClosureLost, "{closure}");
+            assert_eq!(
+                status(&minimum, closure, 0.0, 1e-4),
+                Status::ClosureLost,
+                "{closure}"
+            );
         }
     }
 

@@ -1,6 +1,7 @@
 //! Joint values drawn at random for the search of a start, and what is preferred among those found. Lengths are
 //! in units of the mechanism's size.
 
+use crate::math::pose::Pose;
 use crate::math::random::Random;
 use crate::model::chain::Chain;
 use crate::model::joint::{Limits, Moves};
@@ -8,7 +9,7 @@ use std::f64::consts::{PI, TAU};
 
 /// Relative difference below which two distances, or two sums of squares, are equal: a hundred thousand
 /// times what rounding and the solver's stop leave, so that the order does not depend on the unit.
-pub const EQUAL: f64 = 1e-9;
+const EQUAL: f64 = 1e-9;
 
 /// A joint variable, lengths in sizes.
 pub struct Variable {
@@ -32,6 +33,18 @@ impl Variable {
                 held,
             })
             .collect()
+    }
+
+    /// The same value but for its digits from the seventh on, in which another unit of length, or rather its
+    /// rounding, would show and grow on the way to a closed assembly. Given values stay as they are.
+    pub fn rounded(&self, x: f64) -> f64 {
+        /// A power of two: the products are exact.
+        const GRID: f64 = (1_u64 << 20) as f64;
+        if self.held {
+            x
+        } else {
+            libm::round(x * GRID) / GRID
+        }
     }
 
     /// The value within the limits that is nearest to `x`.
@@ -95,6 +108,36 @@ impl Shape {
     pub fn before(&self, other: &Self) -> bool {
         let less = self.bend < other.bend - EQUAL * (1.0 + other.bend);
         self.negative < other.negative || (self.negative == other.negative && less)
+    }
+}
+
+/// A closed assembly, and what it is judged by.
+#[derive(Clone, Debug)]
+pub struct Assembly {
+    pub joints: Vec<f64>,
+    /// The workpiece.
+    pub pose: Pose,
+    /// Do the loops close exactly, without a misfit of rounded dimensions?
+    pub exact: bool,
+    /// Is the goal met?
+    pub reached: bool,
+    /// ½‖q − g‖² over the most that rotations or a translation by the size count in it.
+    pub distance: f64,
+    pub shape: Shape,
+}
+
+impl Assembly {
+    pub fn nearer(&self, other: &Self) -> bool {
+        // Dimensions that contradict each other by chance, near a singular position, are no rounded ones.
+        if self.exact != other.exact {
+            return self.exact;
+        }
+        let less = self.distance < other.distance - EQUAL * other.distance.max(1.0);
+        (self.reached && !other.reached) || (self.reached == other.reached && less)
+    }
+
+    pub fn before(&self, other: &Self) -> bool {
+        self.nearer(other) || (!other.nearer(self) && self.shape.before(&other.shape))
     }
 }
 

@@ -2,10 +2,10 @@
 
 use crate::math::metric::{Metric, MetricKind};
 use crate::model::mechanism::Mechanism;
+use crate::model::scaled::Scaled;
 use crate::motion::goal::Goal;
 use crate::motion::trajectory::LengthSource;
-use crate::model::scaled::Scaled;
-use crate::solve::newton::Solver;
+use crate::solve::solver::Solver;
 use nalgebra::Vector3;
 
 /// Which of the two planners.
@@ -72,7 +72,9 @@ impl Settings {
     pub fn metric_for(&self, mechanism: &Mechanism, extent: f64) -> Metric {
         Metric {
             kind: self.metric,
-            length: self.metric_length.unwrap_or_else(|| characteristic_length(mechanism, extent).0),
+            length: self
+                .metric_length
+                .unwrap_or_else(|| characteristic_length(mechanism, extent).0),
             origin: self.metric_origin.unwrap_or_default(),
         }
     }
@@ -80,7 +82,11 @@ impl Settings {
     /// A solver of this mechanism for a motion of this extent.
     pub fn solver(&self, mechanism: &Mechanism, extent: f64) -> Solver {
         let scaled = Scaled::new(mechanism, extent);
-        Solver::new(scaled, &self.metric_for(mechanism, extent), self.iterations())
+        Solver::new(
+            scaled,
+            &self.metric_for(mechanism, extent),
+            self.iterations(),
+        )
     }
 
     /// Iterations that a frame may take.
@@ -116,5 +122,7 @@ pub fn extent(goals: &[Goal]) -> f64 {
     let Some(first) = goals.first().map(|goal| goal.pose.translation.vector) else {
         return 0.0;
     };
-    positions.map(|position| (position - first).norm()).fold(0.0, f64::max)
+    positions
+        .map(|position| (position - first).norm())
+        .fold(0.0, f64::max)
 }

@@ -7,8 +7,9 @@ use crate::math::linalg;
 use crate::model::joint::Stop;
 use crate::model::scaled::{SOLVED, Scaled};
 use crate::solve::dependent::Dependence;
+use crate::solve::free::Free;
 use crate::solve::singular_values::SingularValues;
-use crate::solve::tangent::{Free, Tangent};
+use crate::solve::tangent::Tangent;
 
 /// Corrections near a closed position: quadratic convergence needs three or four.
 const CORRECTIONS: usize = 12;
@@ -73,7 +74,11 @@ impl Closer {
 
     /// For positions where the surplus is to be found anew: a rounded linkage's stays what it is.
     pub fn dependence_anywhere(&self) -> Dependence {
-        if self.dependence.is_rounded() { self.dependence } else { Dependence::FOUND }
+        if self.dependence.is_rounded() {
+            self.dependence
+        } else {
+            Dependence::FOUND
+        }
     }
 
     /// Sets what is known.
@@ -102,8 +107,14 @@ impl Closer {
         let found = self.dependence_anywhere();
         // In a singular position more constraints look surplus than are.
         let tries = [self.dependence, found];
-        let tries = if self.dependence == found { &tries[1..] } else { &tries[..] };
-        tries.iter().any(|&dependence| self.close_with(dependence, scaled, stops, reach, theta, iterations))
+        let tries = if self.dependence == found {
+            &tries[1..]
+        } else {
+            &tries[..]
+        };
+        tries
+            .iter()
+            .any(|&dependence| self.close_with(dependence, scaled, stops, reach, theta, iterations))
     }
 
     fn close_with(
@@ -140,7 +151,8 @@ impl Closer {
             if reach.shortest == Shortest::Joints {
                 let free = factored.free();
                 self.coefficients.clear();
-                self.coefficients.extend((0..free.count()).map(|i| dot(free.rates(i), &self.step)));
+                self.coefficients
+                    .extend((0..free.count()).map(|i| dot(free.rates(i), &self.step)));
                 if !solve_gram(&free, &mut self.gram, &mut self.coefficients) {
                     return false;
                 }
@@ -149,8 +161,16 @@ impl Closer {
             if !(longest(&self.step) <= reach.each) {
                 return false;
             }
-            self.at.iter_mut().zip(&self.step).for_each(|(t, s)| *t += s);
-            let moved: f64 = self.at.iter().zip(&*theta).map(|(a, t)| (a - t) * (a - t)).sum();
+            self.at
+                .iter_mut()
+                .zip(&self.step)
+                .for_each(|(t, s)| *t += s);
+            let moved: f64 = self
+                .at
+                .iter()
+                .zip(&*theta)
+                .map(|(a, t)| (a - t) * (a - t))
+                .sum();
             if !(moved.sqrt() <= reach.all) {
                 return false;
             }
@@ -220,9 +240,10 @@ pub fn add_rates(free: &Free<'_>, coefficients: &[f64], scale: f64, sum: &mut [f
 
 /// The largest entry; NaN if there is one.
 pub fn longest(step: &[f64]) -> f64 {
-    step.iter().fold(0.0, |m: f64, s| if s.abs() <= m { m } else { s.abs() })
+    step.iter()
+        .fold(0.0, |m: f64, s| if s.abs() <= m { m } else { s.abs() })
 }
 
-pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
+pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }

@@ -51,10 +51,19 @@ pub enum Start {
 /// Closes the loops near `theta` without regard to a goal, within the limits, and learns the surplus constraints.
 /// `tolerance` is how far rounded dimensions may contradict each other; 0 for not at all. Where the loops stay open
 /// `theta` is as it was.
-pub fn close_start(closer: &mut Closer, scaled: &Scaled, holding: &mut Holding, tolerance: f64, theta: &mut [f64]) -> Start {
+pub fn close_start(
+    closer: &mut Closer,
+    scaled: &Scaled,
+    holding: &mut Holding,
+    tolerance: f64,
+    theta: &mut [f64],
+) -> Start {
     closer.set_dependence(Dependence::FOUND);
     let given = theta.to_vec();
-    let mut open = Start::Open { error: closer.closure(scaled, &given).0, leap: f64::INFINITY };
+    let mut open = Start::Open {
+        error: closer.closure(scaled, &given).0,
+        leap: f64::INFINITY,
+    };
     // Joints that meet a limit are held there; if that does not close, they may come back.
     for hold in [true, false] {
         theta.copy_from_slice(&given);
@@ -84,7 +93,10 @@ pub fn close_start(closer: &mut Closer, scaled: &Scaled, holding: &mut Holding, 
         }
         if path.closed {
             let leap = Scaled::largest_motion(&given, theta).0;
-            open = Start::Open { error: path.error, leap };
+            open = Start::Open {
+                error: path.error,
+                leap,
+            };
         }
     }
     theta.copy_from_slice(&given);
@@ -102,8 +114,19 @@ struct Path {
 }
 
 /// Gauss–Newton until the loops are closed, with steps of at most 1.
-fn descend(closer: &mut Closer, scaled: &Scaled, holding: &mut Holding, hold: bool, theta: &mut [f64]) -> Path {
-    let mut path = Path { closed: false, near: None, error: f64::INFINITY, leaps: false };
+fn descend(
+    closer: &mut Closer,
+    scaled: &Scaled,
+    holding: &mut Holding,
+    hold: bool,
+    theta: &mut [f64],
+) -> Path {
+    let mut path = Path {
+        closed: false,
+        near: None,
+        error: f64::INFINITY,
+        leaps: false,
+    };
     let (mut correction, mut step) = (Vec::new(), vec![0.0; theta.len()]);
     for _ in 0..STEPS {
         holding.clamp(theta, hold);
@@ -121,20 +144,31 @@ fn descend(closer: &mut Closer, scaled: &Scaled, holding: &mut Holding, hold: bo
             break;
         }
         let blurred = Dependence::Within(BLUR * open.min(FAR));
-        tangent.factor(holding.stops(), blurred).close(&mut correction, &mut step);
+        tangent
+            .factor(holding.stops(), blurred)
+            .close(&mut correction, &mut step);
         let longest = longest(&step);
         if !longest.is_finite() {
             break;
         }
         let scale = (1.0 / longest).min(1.0);
-        theta.iter_mut().zip(&step).for_each(|(t, s)| *t += scale * s);
+        theta
+            .iter_mut()
+            .zip(&step)
+            .for_each(|(t, s)| *t += scale * s);
     }
     path
 }
 
 /// The position near `theta` that closes a linkage with rounded dimensions, if it is one; sets the dependence then, and
 /// leaves it alone else. `closed`: the loops are closed exactly at `theta`.
-fn rounded(closer: &mut Closer, scaled: &Scaled, theta: &[f64], tolerance: f64, closed: bool) -> Option<Vec<f64>> {
+fn rounded(
+    closer: &mut Closer,
+    scaled: &Scaled,
+    theta: &[f64],
+    tolerance: f64,
+    closed: bool,
+) -> Option<Vec<f64>> {
     if !(tolerance > 0.0) {
         return None;
     }
@@ -144,7 +178,10 @@ fn rounded(closer: &mut Closer, scaled: &Scaled, theta: &[f64], tolerance: f64, 
     let blur = |open: f64| (ROUNDED_BLUR * open.min(FAR)).max(tolerance);
     let tangent = closer.tangent();
     // A linkage off singular positions, as most are, ends here.
-    if closed && tangent.surplus_within(free.stops(), tolerance) == tangent.surplus_within(free.stops(), EXACT) {
+    if closed
+        && tangent.surplus_within(free.stops(), tolerance)
+            == tangent.surplus_within(free.stops(), EXACT)
+    {
         return None;
     }
     let mut at = theta.to_vec();
@@ -153,14 +190,20 @@ fn rounded(closer: &mut Closer, scaled: &Scaled, theta: &[f64], tolerance: f64, 
     for _ in 0..STEPS {
         let open = closer.tangent().evaluate(scaled.chains(), &at);
         let count = closer.tangent().surplus_within(free.stops(), blur(open));
-        let mut factored = closer.tangent().factor(free.stops(), Dependence::Rounded(count));
+        let mut factored = closer
+            .tangent()
+            .factor(free.stops(), Dependence::Rounded(count));
         let (open, misfit) = factored.closure();
         if open <= SOLVED {
             let moves = misfit <= tolerance && {
                 closer.set_dependence(Dependence::Rounded(count));
                 moves_within(closer, scaled, &free, tolerance, &at)
             };
-            closer.set_dependence(if moves { Dependence::Rounded(count) } else { before });
+            closer.set_dependence(if moves {
+                Dependence::Rounded(count)
+            } else {
+                before
+            });
             return moves.then_some(at);
         }
         factored.close(&mut correction, &mut step);
@@ -174,7 +217,13 @@ fn rounded(closer: &mut Closer, scaled: &Scaled, theta: &[f64], tolerance: f64, 
 
 /// Whether the linkage moves some way along each of its free directions, to one side or the other, while the misfit
 /// stays within the tolerance.
-fn moves_within(closer: &mut Closer, scaled: &Scaled, free: &Holding, tolerance: f64, theta: &[f64]) -> bool {
+fn moves_within(
+    closer: &mut Closer,
+    scaled: &Scaled,
+    free: &Holding,
+    tolerance: f64,
+    theta: &[f64],
+) -> bool {
     let dependence = closer.dependence();
     closer.tangent().evaluate(scaled.chains(), theta);
     let directions: Vec<Vec<f64>> = {
@@ -190,8 +239,13 @@ fn moves_within(closer: &mut Closer, scaled: &Scaled, free: &Holding, tolerance:
         && directions.iter().all(|rates| {
             let length = dot(rates, rates).sqrt();
             [TRIAL, -TRIAL].iter().any(|way| {
-                let mut at: Vec<f64> = theta.iter().zip(rates).map(|(t, r)| t + way / length * r).collect();
-                closer.close(scaled, free.stops(), &reach, &mut at, &mut 0) && closer.closure(scaled, &at).1 <= tolerance
+                let mut at: Vec<f64> = theta
+                    .iter()
+                    .zip(rates)
+                    .map(|(t, r)| t + way / length * r)
+                    .collect();
+                closer.close(scaled, free.stops(), &reach, &mut at, &mut 0)
+                    && closer.closure(scaled, &at).1 <= tolerance
             })
         })
 }

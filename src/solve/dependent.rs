@@ -67,7 +67,9 @@ impl Combination {
         let (first, others) = forms.split_at(own * unknowns);
         let free = others_free(forms, unknowns, own);
         let count = free.len();
-        let kept = count.saturating_sub(surplus).min(unknowns.saturating_sub(own));
+        let kept = count
+            .saturating_sub(surplus)
+            .min(unknowns.saturating_sub(own));
         let mut columns = svd(free).v;
         let dropped = columns.split_off(kept);
         let mut combined = first.to_vec();
@@ -99,7 +101,9 @@ impl Combination {
     /// The combinations that are left out, as multipliers of all constraints.
     pub fn dropped(&self) -> impl Iterator<Item = Vec<f64>> {
         let own = self.own;
-        self.dropped.iter().map(move |column| [&vec![0.0; own], &column[..]].concat())
+        self.dropped
+            .iter()
+            .map(move |column| [&vec![0.0; own], &column[..]].concat())
     }
 
     /// Multipliers of the constraints from those of the kept combinations: the transpose of [`Combination::kept`].
@@ -108,7 +112,10 @@ impl Combination {
         let mut all = own.to_vec();
         all.resize(self.own + self.others, 0.0);
         for (column, m) in self.columns.iter().zip(combined) {
-            all[self.own..].iter_mut().zip(column).for_each(|(x, c)| *x += m * c);
+            all[self.own..]
+                .iter_mut()
+                .zip(column)
+                .for_each(|(x, c)| *x += m * c);
         }
         all
     }
@@ -118,7 +125,12 @@ impl Combination {
 pub(super) fn surplus_within(forms: &[f64], unknowns: usize, own: usize, distance: f64) -> usize {
     let free = others_free(forms, unknowns, own);
     let count = free.len();
-    count - svd(free).sigma.iter().filter(|&&sigma| sigma > distance).count()
+    count
+        - svd(free)
+            .sigma
+            .iter()
+            .filter(|&&sigma| sigma > distance)
+            .count()
 }
 
 /// What the first chain's constraints leave of the others': the part across them (Gram–Schmidt).
@@ -148,7 +160,10 @@ fn others_free(forms: &[f64], unknowns: usize, own: usize) -> Vec<Vec<f64>> {
 fn across(basis: &[Vec<f64>], vector: &mut [f64]) {
     for direction in basis.iter().chain(basis) {
         let along = dot(direction, vector);
-        vector.iter_mut().zip(direction).for_each(|(x, d)| *x -= along * d);
+        vector
+            .iter_mut()
+            .zip(direction)
+            .for_each(|(x, d)| *x -= along * d);
     }
 }
 

@@ -69,7 +69,13 @@ pub struct Driven {
 ///
 /// # Panics
 /// When `joints` does not have one value a joint variable, or there is no such variable.
-pub fn drive(scaled: &Scaled, closer: &mut Closer, joints: &mut [f64], variable: usize, value: f64) -> Driven {
+pub fn drive(
+    scaled: &Scaled,
+    closer: &mut Closer,
+    joints: &mut [f64],
+    variable: usize,
+    value: f64,
+) -> Driven {
     let mut theta = scaled.entered(joints);
     let mut asked = joints.to_vec();
     asked[variable] = value;
@@ -178,7 +184,9 @@ impl Path<'_> {
             let factored = tangent.factor(self.holding.stops(), dependence);
             let surplus = factored.surplus();
             let free = factored.free();
-            let driven: Vec<f64> = (0..free.count()).map(|i| free.rates(i)[self.variable]).collect();
+            let driven: Vec<f64> = (0..free.count())
+                .map(|i| free.rates(i)[self.variable])
+                .collect();
             // Of all Θᵀ a with Θ_j·a = 1 the shortest is along G⁻¹ Θ_j, G = Θ Θᵀ.
             let mut coefficients = driven.clone();
             if !solve_gram(&free, &mut Vec::new(), &mut coefficients) {
@@ -193,7 +201,8 @@ impl Path<'_> {
             if !(speed > DEAD) {
                 return None;
             }
-            let Some((joint, stop)) = self.holding.pushed(theta, &rates, LEVEL, self.variable) else {
+            let Some((joint, stop)) = self.holding.pushed(theta, &rates, LEVEL, self.variable)
+            else {
                 return Some(rates);
             };
             self.holding.set(joint, stop);
@@ -234,7 +243,9 @@ impl Path<'_> {
         let gap = target - theta[self.variable];
         let driven = direction[self.variable] * length;
         let whole: Vec<f64> = direction.iter().map(|d| d * length).collect();
-        let (mut share, hit) = self.holding.share(theta, &whole, LEVEL * length, Some(self.variable));
+        let (mut share, hit) =
+            self.holding
+                .share(theta, &whole, LEVEL * length, Some(self.variable));
         let mut end = match hit {
             Some((joint, stop)) => End::Limit(joint, stop),
             None if driven.abs() >= gap.abs() => End::Value(target),
@@ -243,7 +254,11 @@ impl Path<'_> {
         // A correction may carry a joint beyond a limit that the prediction kept; then the step ends
         // there.
         for _ in 0..2 {
-            let mut next: Vec<f64> = theta.iter().zip(&whole).map(|(t, d)| t + share * d).collect();
+            let mut next: Vec<f64> = theta
+                .iter()
+                .zip(&whole)
+                .map(|(t, d)| t + share * d)
+                .collect();
             if !self.close(&mut next, end, share * length) {
                 return None;
             }
@@ -283,7 +298,9 @@ impl Path<'_> {
             all: CORRECTED * length,
         };
         let stops = self.holding.stops();
-        let closed = self.closer.close(self.scaled, stops, &reach, theta, &mut self.iterations);
+        let closed = self
+            .closer
+            .close(self.scaled, stops, &reach, theta, &mut self.iterations);
         if let Some((joint, stop)) = before {
             self.holding.set(joint, stop);
         }

@@ -168,12 +168,7 @@ pub fn descend(
 
 /// Eq. 28 with the sign that converges, r ← r − \[A\]⁺ E, until the loops are closed: \[A\] and E there,
 /// or `None`. `rank` is the rank of \[A\] where they are closed.
-fn close(
-    chains: &[Chain],
-    r: &mut [f64],
-    rank: usize,
-    way: &mut Arrival,
-) -> Option<Linearised> {
+fn close(chains: &[Chain], r: &mut [f64], rank: usize, way: &mut Arrival) -> Option<Linearised> {
     let mut last = f64::INFINITY;
     for _ in 0..CORRECTIONS {
         let linearised = linearise_at(chains, r);

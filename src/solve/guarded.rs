@@ -5,8 +5,8 @@ use crate::math::metric::Target;
 use crate::model::joint::Stop;
 use crate::model::scaled::SOLVED;
 use crate::solve::close::{Reach, Shortest};
-use crate::solve::newton::{End, Iterate, Observer, Solved, Solver, minimum};
 use crate::solve::objective::{Objective, objective};
+use crate::solve::solver::{End, Iterate, Observer, Solved, Solver, minimum};
 
 /// Largest rotation of a guarded step, rad, and its first radius: 0.3 still resembles the quadratic
 /// model.
@@ -17,21 +17,11 @@ const FARTHEST: f64 = 100.0;
 /// Trust radius at which the guarded way gives up.
 const SMALLEST_STEP: f64 = 1e-11;
 /// Corrections after a step: each no longer than a step may be.
-const REACH: Reach = Reach { shortest: Shortest::Twist, each: STEP, all: f64::INFINITY };
-
-/// Buffers of the guarded way.
-#[derive(Clone, Debug)]
-pub(super) struct Guarded {
-    trial: Vec<f64>,
-    /// Where it began.
-    origin: Vec<f64>,
-}
-
-impl Guarded {
-    pub fn new(variables: usize) -> Self {
-        Self { trial: vec![0.0; variables], origin: vec![0.0; variables] }
-    }
-}
+const REACH: Reach = Reach {
+    shortest: Shortest::Twist,
+    each: STEP,
+    all: f64::INFINITY,
+};
 
 impl Solver {
     /// From the closed position `theta` to the minimum on its branch.
@@ -43,13 +33,25 @@ impl Solver {
         observe: &mut Observer<'_>,
     ) -> Solved {
         let mut radius = STEP;
-        if !self.closer.close(&self.scaled, self.holding.stops(), &REACH, theta, iterations) {
-            return Solved { iterations: *iterations, ..Solved::OPEN };
+        if !self.closer.close(
+            &self.scaled,
+            self.holding.stops(),
+            &REACH,
+            theta,
+            iterations,
+        ) {
+            return Solved {
+                iterations: *iterations,
+                ..Solved::OPEN
+            };
         }
-        self.guarded.origin.copy_from_slice(theta);
+        self.origin.copy_from_slice(theta);
         loop {
             let dependence = self.closer.dependence_anywhere();
-            let factored = self.closer.tangent().factor(self.holding.stops(), dependence);
+            let factored = self
+                .closer
+                .tangent()
+                .factor(self.holding.stops(), dependence);
             let surplus = factored.surplus();
             let free = factored.free();
             let model = objective(free.pose(), target);
@@ -61,11 +63,18 @@ impl Solver {
                 projected_gradient: gradient,
                 iterations,
             };
-            observe(&Iterate { theta, projected_gradient: gradient, closure_error: 0.0, guarded: true });
+            observe(&Iterate {
+                theta,
+                projected_gradient: gradient,
+                closure_error: 0.0,
+                guarded: true,
+            });
             let stationary = gradient <= self.tolerances.stationary;
             let held = free.hold(&model.gradient);
             if stationary
-                && let Some(joint) = self.holding.releasable(self.tolerances.stationary, |joint| held.torque(joint))
+                && let Some(joint) = self
+                    .holding
+                    .releasable(self.tolerances.stationary, |joint| held.torque(joint))
             {
                 self.holding.set(joint, Stop::None);
                 *iterations += 1;
@@ -75,7 +84,8 @@ impl Solver {
                 continue;
             }
             held.reduced_hessian(&model.hessian, None, &mut self.curvature, &mut self.mixed);
-            self.region.prepare(held.free(), &self.curvature, &self.slope);
+            self.region
+                .prepare(held.free(), &self.curvature, &self.slope);
             self.closer.note_surplus(surplus);
             if stationary && self.region.least() >= -self.tolerances.flat {
                 return solved(minimum(&self.holding), *iterations);
@@ -84,16 +94,23 @@ impl Solver {
             let stuck = !self.descend(target, theta, &model, &mut radius, iterations);
             let run = theta
                 .iter()
-                .zip(&self.guarded.origin)
+                .zip(&self.origin)
                 .map(|(t, o)| (t - o).abs())
                 .fold(0.0, f64::max);
             if run > FARTHEST {
-                theta.copy_from_slice(&self.guarded.origin);
+                theta.copy_from_slice(&self.origin);
                 self.holding.clear();
-                return Solved { end: End::Runaway, iterations: *iterations, ..ended };
+                return Solved {
+                    end: End::Runaway,
+                    iterations: *iterations,
+                    ..ended
+                };
             }
             if stuck {
-                return Solved { iterations: *iterations, ..ended };
+                return Solved {
+                    iterations: *iterations,
+                    ..ended
+                };
             }
         }
     }
@@ -108,7 +125,7 @@ impl Solver {
         radius: &mut f64,
         iterations: &mut usize,
     ) -> bool {
-        let mut trial = std::mem::take(&mut self.guarded.trial);
+        let mut trial = std::mem::take(&mut self.trial);
         let mut taken = false;
         while !taken && *radius >= SMALLEST_STEP && *iterations < self.max_iterations {
             *iterations += 1;
@@ -126,13 +143,19 @@ impl Solver {
                 trial[joint] = stop.bound(self.holding.limits(joint));
                 (joint, self.holding.set(joint, stop))
             });
-            taken = self.closer.close(&self.scaled, self.holding.stops(), &REACH, &mut trial, iterations)
-                && self.holding.contains(&trial)
+            taken = self.closer.close(
+                &self.scaled,
+                self.holding.stops(),
+                &REACH,
+                &mut trial,
+                iterations,
+            ) && self.holding.contains(&trial)
                 && {
                     let gain = model.value - target.value(self.closer.tangent().pose());
                     // f is known to within rounding of its scale, and the pull's work on what the loops are open.
                     let scale = self.tolerances.stationary / 1e-9;
-                    let noise = 1e-15 * (scale.max(1.0) + model.value) + SOLVED * model.gradient.norm();
+                    let noise =
+                        1e-15 * (scale.max(1.0) + model.value) + SOLVED * model.gradient.norm();
                     // At rounding level the gain says nothing; the model is trusted there.
                     let trusted = predicted <= 10.0 * noise || gain >= 0.7 * predicted;
                     if trusted && self.region.length() >= 0.9 * *radius {
@@ -151,7 +174,7 @@ impl Solver {
                 *radius = 0.25 * radius.min(self.region.length());
             }
         }
-        self.guarded.trial = trial;
+        self.trial = trial;
         taken
     }
 

@@ -43,7 +43,9 @@ impl Holding {
     /// The joints that are held.
     pub fn held(&self) -> Vec<usize> {
         let held = self.stops.iter().enumerate();
-        held.filter(|(_, stop)| **stop != Stop::None).map(|(joint, _)| joint).collect()
+        held.filter(|(_, stop)| **stop != Stop::None)
+            .map(|(joint, _)| joint)
+            .collect()
     }
 
     /// Whether no joint is held.
@@ -104,7 +106,13 @@ impl Holding {
 
     /// The largest share of a step that keeps free joints within their limits, and the joint that stops it. Rates of
     /// at most `level` are rounding, and the joint `except` has its own end.
-    pub fn share(&self, theta: &[f64], step: &[f64], level: f64, except: Option<usize>) -> (f64, Option<(usize, Stop)>) {
+    pub fn share(
+        &self,
+        theta: &[f64],
+        step: &[f64],
+        level: f64,
+        except: Option<usize>,
+    ) -> (f64, Option<(usize, Stop)>) {
         let mut first = (1.0, None);
         for (joint, l) in self.limits.iter().enumerate() {
             let s = step[joint];
@@ -124,7 +132,13 @@ impl Holding {
     }
 
     /// The free joint at a limit that the rates push hardest against it, harder than `level`.
-    pub fn pushed(&self, theta: &[f64], rates: &[f64], level: f64, except: usize) -> Option<(usize, Stop)> {
+    pub fn pushed(
+        &self,
+        theta: &[f64],
+        rates: &[f64],
+        level: f64,
+        except: usize,
+    ) -> Option<(usize, Stop)> {
         let mut hardest = (level, None);
         for (joint, l) in self.limits.iter().enumerate() {
             if joint == except || self.stops[joint] != Stop::None {

@@ -26,20 +26,22 @@ pub struct LoopFactor {
     ends: Vec<usize>,
     /// Nᵀ, row by row.
     added: Vec<f64>,
-    /// R: six rows a chain, each its part of the diagonal block and of S.
-    rows: Vec<[f64; WIDTH]>,
-    /// T of each of these rows.
+    /// R, one block a chain, and T of each of its rows.
+    blocks: Vec<Block>,
     tied: Vec<f64>,
-    /// 1 / the diagonal of R.
-    inverse: Vec<f64>,
-    /// The rows of one chain, then the shared ones, with T of each.
+    /// The shared rows and those of one chain, and T of each, while factoring.
     panel: Vec<[f64; WIDTH]>,
     panel_tied: Vec<f64>,
-    /// The shared rows' S and T while factoring.
-    shared: Vec<[f64; LOOP]>,
-    shared_tied: Vec<f64>,
     /// Sums over chains while solving, one entry an added row.
     sums: Vec<f64>,
+}
+
+/// Six rows of R, divided by the diagonal, which is left out; and the squares of its inverse.
+#[derive(Clone, Copy, Debug, Default)]
+struct Block {
+    rows: [[f64; WIDTH]; LOOP],
+    columns: [[f64; LOOP]; WIDTH],
+    weights: [f64; LOOP],
 }
 
 impl LoopFactor {
@@ -57,11 +59,10 @@ impl LoopFactor {
         self.ends.push(self.columns.len());
     }
 
-    /// Adds rows below Bᵀ, of [`LoopFactor::equations`] entries each, times `factor`, once all chains
-    /// are there.
-    pub fn add_rows(&mut self, rows: &[f64], factor: f64) {
-        debug_assert_eq!(rows.len() % self.equations(), 0);
-        self.added.extend(rows.iter().map(|x| x * factor));
+    /// Adds a row below Bᵀ, `row` times `factor`, of one entry an equation, once all chains are there.
+    pub fn add_row(&mut self, row: &[f64], factor: f64) {
+        debug_assert_eq!(row.len(), self.equations());
+        self.added.extend(row.iter().map(|x| x * factor));
     }
 
     /// Columns of Bᵀ, order of R.
@@ -77,190 +78,240 @@ impl LoopFactor {
     /// differs from it by rounding.
     pub fn factor(&mut self) -> bool {
         let (n, added) = (self.equations(), self.added_rows());
-        self.rows.clear();
+        self.blocks.clear();
         self.tied.clear();
-        // At first −2 I, whose sign makes no difference to R, and Nᵀ itself: T = I.
-        self.shared.clear();
-        self.shared_tied.clear();
-        self.shared.resize(LOOP + added, [0.0; LOOP]);
-        self.shared_tied.resize((LOOP + added) * added, 0.0);
-        for c in 0..LOOP {
-            self.shared[c][c] = TWIST;
-        }
-        for m in 0..added {
-            self.shared_tied[(LOOP + m) * added + m] = 1.0;
-        }
+        self.start_shared(added);
         let mut first = 0;
         for (chain, &end) in self.ends.iter().enumerate() {
-            self.panel.clear();
-            self.panel_tied.clear();
+            for (i, row) in self.panel.iter_mut().enumerate() {
+                for m in 0..added {
+                    let t = self.panel_tied[i * added + m];
+                    for c in 0..LOOP {
+                        row[c] += t * self.added[m * n + LOOP * chain + c];
+                    }
+                }
+            }
             for column in &self.columns[first..end] {
                 let mut row = [0.0; WIDTH];
                 row[..LOOP].copy_from_slice(column);
                 self.panel.push(row);
             }
-            self.panel_tied.resize((end - first) * added, 0.0);
-            self.panel_tied.extend_from_slice(&self.shared_tied);
-            for (i, s) in self.shared.iter().enumerate() {
-                let mut row = [0.0; WIDTH];
-                row[..LOOP].copy_from_slice(s);
-                row[LOOP..].copy_from_slice(s);
-                for m in 0..added {
-                    let t = self.shared_tied[i * added + m];
-                    for c in 0..LOOP {
-                        row[c] += t * self.added[m * n + LOOP * chain + c];
-                    }
-                }
-                self.panel.push(row);
-            }
             first = end;
+            self.panel_tied.resize(self.panel.len() * added, 0.0);
             let done = LOOP.min(self.panel.len());
             for p in 0..done {
-                reflect(
-                    &mut self.panel[p..],
-                    p,
-                    &mut self.panel_tied[p * added..],
-                    added,
-                );
+                // The six rows of η are a multiple of I at first: those after row p have nothing there.
+                let others = if chain == 0 { LOOP } else { p + 1 };
+                let (pivot, rows) = self.panel[p..].split_at_mut(others - p);
+                let (pivot_tied, tied) =
+                    self.panel_tied[p * added..].split_at_mut((others - p) * added);
+                reflect(p, &mut pivot[0], rows, &mut pivot_tied[..added], tied);
             }
-            for p in 0..LOOP {
-                // Without enough rows R has empty ones.
-                let mut row = self.panel.get(p).copied().unwrap_or_default();
-                row[..p].fill(0.0);
-                self.rows.push(row);
-            }
+            let mut block = Block::default();
+            block.rows[..done].copy_from_slice(&self.panel[..done]);
+            self.blocks.push(block);
             self.tied
                 .extend_from_slice(&self.panel_tied[..done * added]);
-            self.tied.resize(self.rows.len() * added, 0.0);
-            self.shared.clear();
-            for row in &self.panel[done..] {
-                let mut s = [0.0; LOOP];
-                s.copy_from_slice(&row[LOOP..]);
-                self.shared.push(s);
+            self.tied.resize(self.blocks.len() * LOOP * added, 0.0);
+            // What is left is shared by the later chains.
+            self.panel.drain(..done);
+            self.panel_tied.drain(..done * added);
+            for row in &mut self.panel {
+                row.copy_within(LOOP.., 0);
             }
-            self.shared_tied.clear();
-            self.shared_tied
-                .extend_from_slice(&self.panel_tied[done * added..]);
         }
-        self.invert_pivots()
+        self.scale_rows()
     }
 
-    fn invert_pivots(&mut self) -> bool {
-        let pivots = self.rows.iter().enumerate().map(|(i, row)| row[i % LOOP]);
-        let largest = pivots.clone().fold(0.0, |m: f64, p| m.max(p.abs()));
-        let rounding = f64::EPSILON * largest;
-        self.inverse.clear();
-        self.inverse.extend(pivots.clone().map(|p| {
-            // Not a number counts as 0.
-            if p.abs() > rounding {
-                1.0 / p
-            } else {
-                1.0 / rounding
+    /// The shared rows before the first chain: 2 I, the sign of which makes no difference to R, and Nᵀ
+    /// as T = I.
+    fn start_shared(&mut self, added: usize) {
+        self.panel.clear();
+        self.panel.resize(LOOP + added, [0.0; WIDTH]);
+        for c in 0..LOOP {
+            self.panel[c][c] = TWIST;
+            self.panel[c][LOOP + c] = TWIST;
+        }
+        self.panel_tied.clear();
+        self.panel_tied.resize((LOOP + added) * added, 0.0);
+        for m in 0..added {
+            self.panel_tied[(LOOP + m) * added + m] = 1.0;
+        }
+    }
+
+    /// Divides the rows of R by its diagonal; false if an entry of that is rounding.
+    fn scale_rows(&mut self) -> bool {
+        let mut largest = 0.0_f64;
+        for block in &self.blocks {
+            for p in 0..LOOP {
+                largest = largest.max(block.rows[p][p].abs());
             }
-        }));
-        pivots.into_iter().all(|p| p.abs() > rounding)
+        }
+        let rounding = f64::EPSILON * largest;
+        let mut regular = true;
+        let added = self.added_rows();
+        for (i, block) in self.blocks.iter_mut().enumerate() {
+            for p in 0..LOOP {
+                let row = &mut block.rows[p];
+                let mut pivot = row[p];
+                // Written so that NaN is singular.
+                if !(pivot.abs() > rounding) {
+                    regular = false;
+                    pivot = rounding;
+                }
+                let inverse = 1.0 / pivot;
+                block.weights[p] = inverse * inverse;
+                row[..=p].fill(0.0);
+                for (c, x) in row.iter_mut().enumerate() {
+                    *x *= inverse;
+                    block.columns[c][p] = *x;
+                }
+                let at = (LOOP * i + p) * added;
+                for t in &mut self.tied[at..at + added] {
+                    *t *= inverse;
+                }
+            }
+        }
+        regular
     }
 
     /// x ← (Rᵀ R)⁻¹ x, one entry an equation.
     pub fn solve(&mut self, x: &mut [f64]) {
-        self.solve_transposed(x);
-        self.solve_upper(x);
-    }
-
-    /// x ← R⁻ᵀ x.
-    fn solve_transposed(&mut self, x: &mut [f64]) {
         let (n, added) = (self.equations(), self.added_rows());
         self.sums.clear();
         self.sums.resize(added, 0.0);
-        // What the rows so far leave of x in this chain's columns, and of 0 in all later ones'.
+        // With Rᵀ. What the rows so far leave of x in this chain's columns, and of 0 in the later ones'.
         let mut rest = [0.0; WIDTH];
-        for (chain, own) in x.chunks_exact_mut(LOOP).enumerate() {
+        let mut first = 0;
+        for (own, block) in x.chunks_exact_mut(LOOP).zip(&self.blocks) {
             for c in 0..LOOP {
                 rest[c] = own[c] + rest[LOOP + c];
-                for (m, sum) in self.sums.iter().enumerate() {
-                    rest[c] -= sum * self.added[m * n + LOOP * chain + c];
-                }
             }
-            for p in 0..LOOP {
-                let i = LOOP * chain + p;
-                own[p] = rest[p] * self.inverse[i];
-                for (rest, r) in rest.iter_mut().zip(&self.rows[i]) {
-                    *rest -= own[p] * r;
-                }
-                for (sum, t) in self.sums.iter_mut().zip(&self.tied[i * added..]) {
-                    *sum += own[p] * t;
-                }
-            }
-        }
-    }
-
-    /// x ← R⁻¹ x.
-    fn solve_upper(&mut self, x: &mut [f64]) {
-        let (n, added) = (self.equations(), self.added_rows());
-        self.sums.clear();
-        self.sums.resize(added, 0.0);
-        let mut later = [0.0; LOOP];
-        for (chain, own) in x.chunks_exact_mut(LOOP).enumerate().rev() {
-            let first = LOOP * chain;
-            for p in 0..LOOP {
+            for (sum, added) in self.sums.iter().zip(self.added.chunks_exact(n)) {
                 for c in 0..LOOP {
-                    own[p] -= self.rows[first + p][LOOP + c] * later[c];
-                }
-                for (sum, t) in self.sums.iter().zip(&self.tied[(first + p) * added..]) {
-                    own[p] -= sum * t;
+                    rest[c] -= sum * added[first + c];
                 }
             }
-            for p in (0..LOOP).rev() {
-                own[p] *= self.inverse[first + p];
-                for q in 0..p {
-                    own[q] -= self.rows[first + q][p] * own[p];
+            let rows = &block.rows;
+            take_forward::<0>(&mut rest, rows);
+            take_forward::<1>(&mut rest, rows);
+            take_forward::<2>(&mut rest, rows);
+            take_forward::<3>(&mut rest, rows);
+            take_forward::<4>(&mut rest, rows);
+            take_forward::<5>(&mut rest, rows);
+            for (m, sum) in self.sums.iter_mut().enumerate() {
+                for p in 0..LOOP {
+                    *sum += rest[p] * self.tied[(first + p) * added + m];
                 }
             }
             for c in 0..LOOP {
-                later[c] += own[c];
-                for (m, sum) in self.sums.iter_mut().enumerate() {
-                    *sum += self.added[m * n + first + c] * own[c];
+                own[c] = rest[c] * block.weights[c];
+            }
+            first += LOOP;
+        }
+        // With R, from the last chain back.
+        self.sums.fill(0.0);
+        let mut later = [0.0; LOOP];
+        for (own, block) in x.chunks_exact_mut(LOOP).zip(&self.blocks).rev() {
+            first -= LOOP;
+            let mut rest = [0.0; LOOP];
+            rest.copy_from_slice(own);
+            for (m, sum) in self.sums.iter().enumerate() {
+                for p in 0..LOOP {
+                    rest[p] -= sum * self.tied[(first + p) * added + m];
                 }
             }
+            for (c, x) in later.iter().enumerate() {
+                for p in 0..LOOP {
+                    rest[p] -= x * block.columns[LOOP + c][p];
+                }
+            }
+            let columns = &block.columns;
+            take_back::<5>(&mut rest, columns);
+            take_back::<4>(&mut rest, columns);
+            take_back::<3>(&mut rest, columns);
+            take_back::<2>(&mut rest, columns);
+            take_back::<1>(&mut rest, columns);
+            for c in 0..LOOP {
+                later[c] += rest[c];
+            }
+            for (sum, added) in self.sums.iter_mut().zip(self.added.chunks_exact(n)) {
+                *sum += (0..LOOP).map(|c| rest[c] * added[first + c]).sum::<f64>();
+            }
+            own.copy_from_slice(&rest);
         }
     }
 }
 
-/// Reflects the rows so that column `p` becomes 0 but for the first row's entry. Below that row the
-/// column is not used again, and holds what rounding and the reflection's vector leave there.
-fn reflect(rows: &mut [[f64; WIDTH]], p: usize, tied: &mut [f64], added: usize) {
-    let norm2: f64 = rows.iter().map(|row| row[p] * row[p]).sum();
+/// Takes row P times unknown P from what is behind it. With a constant the loop unrolls, and the
+/// numbers stay in registers: each step waits for the one before.
+#[inline(always)]
+fn take_forward<const P: usize>(rest: &mut [f64; WIDTH], rows: &[[f64; WIDTH]; LOOP]) {
+    let x = rest[P];
+    for c in P + 1..WIDTH {
+        rest[c] -= x * rows[P][c];
+    }
+}
+
+/// Takes column P times unknown P from what is before it.
+#[inline(always)]
+fn take_back<const P: usize>(rest: &mut [f64; LOOP], columns: &[[f64; LOOP]; WIDTH]) {
+    let x = rest[P];
+    for p in 0..P {
+        rest[p] -= x * columns[P][p];
+    }
+}
+
+/// Reflects so that column `p` of the `others` becomes 0, T of these rows with them. The column is not
+/// used again, and holds what the reflection leaves there.
+fn reflect(
+    p: usize,
+    pivot: &mut [f64; WIDTH],
+    others: &mut [[f64; WIDTH]],
+    pivot_tied: &mut [f64],
+    tied: &mut [f64],
+) {
+    let head = pivot[p];
+    let norm2 = others
+        .iter()
+        .fold(head * head, |sum, row| sum + row[p] * row[p]);
     if norm2 == 0.0 {
         return;
     }
-    let norm = norm2.sqrt();
     // v = x − α e₁ with α = −sign(x₁) ‖x‖, and 2/vᵀv = 1 / (‖x‖ (‖x‖ + |x₁|)).
-    let head = rows[0][p];
+    let norm = norm2.sqrt();
     let alpha = if head > 0.0 { -norm } else { norm };
     let beta = 1.0 / (norm * (norm + head.abs()));
-    rows[0][p] = head - alpha;
+    let first = head - alpha;
+    let added = pivot_tied.len();
     for m in 0..added {
-        let pairs = rows.iter().zip(tied.chunks_exact(added));
-        let along = beta * pairs.map(|(row, t)| row[p] * t[m]).sum::<f64>();
-        for (row, t) in rows.iter().zip(tied.chunks_exact_mut(added)) {
-            t[m] -= along * row[p];
+        let mut along = first * pivot_tied[m];
+        for (row, t) in others.iter().zip(tied.chunks_exact(added)) {
+            along += row[p] * t[m];
+        }
+        along *= beta;
+        pivot_tied[m] -= first * along;
+        for (row, t) in others.iter().zip(tied.chunks_exact_mut(added)) {
+            t[m] -= row[p] * along;
         }
     }
     // All columns, those that are done too: with a constant number the loops unroll.
-    let mut along = [0.0; WIDTH];
-    for row in &*rows {
+    let mut along = pivot.map(|x| first * x);
+    for row in &*others {
+        let v = row[p];
         for c in 0..WIDTH {
-            along[c] += row[p] * row[c];
+            along[c] += v * row[c];
         }
     }
-    for a in &mut along {
-        *a *= beta;
+    for c in 0..WIDTH {
+        along[c] *= beta;
+        pivot[c] -= first * along[c];
     }
-    for row in &mut *rows {
+    for row in others {
         let v = row[p];
         for c in 0..WIDTH {
             row[c] -= v * along[c];
         }
     }
-    rows[0][p] = alpha;
+    pivot[p] = alpha;
 }

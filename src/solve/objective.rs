@@ -90,9 +90,17 @@ mod tests {
         };
         let (q, g) = (q.pose(), g.pose());
         let kinds = [MetricKind::Pose, MetricKind::DualQuaternion];
-        for (length, kind) in [1.0, 0.4, 3.0].into_iter().flat_map(|length| kinds.map(|kind| (length, kind))) {
+        for (length, kind) in [1.0, 0.4, 3.0]
+            .into_iter()
+            .flat_map(|length| kinds.map(|kind| (length, kind)))
+        {
             let origin = Vector3::new(0.2, -0.1, 0.3);
-            let target = Metric { kind, length, origin }.target(&g, &q.rotation);
+            let target = Metric {
+                kind,
+                length,
+                origin,
+            }
+            .target(&g, &q.rotation);
             let at = objective(&q, &target);
             let f = |xi: &Vector6<f64>| objective(&moved(&q, xi), &target).value;
             let h = 1e-4;

@@ -28,7 +28,7 @@ const OUT_OF_THE_WAY: f64 = 2.0;
 ///
 /// one wrench u_i a chain: σ_min is small where chains can hold wrenches against each other that their
 /// joints hardly feel. It is found from R of Bᵀ = Q R without forming B Bᵀ, whose smallest eigenvalue
-/// has lost half of the digits: relative 1e-6 where σ_min > 1e-7, and about 1e-15 absolute below.
+/// has lost half of the digits: relative 1e-6 where σ_min > 1e-7, absolute 1e-12 below.
 #[derive(Clone, Debug, Default)]
 pub struct SingularValues {
     factor: LoopFactor,
@@ -53,13 +53,13 @@ impl SingularValues {
         let n = self.factor.equations();
         // The six of the workpiece's twist are never dependent.
         let redundant = redundant.min(n.saturating_sub(6));
-        if n == 0 {
+        if n <= 6 {
+            // One chain: of ‖Bᵀu‖² the second part alone is 4.
             return OF_CONDITIONS;
         }
         self.wrenches.clear();
-        if redundant > 0 {
-            self.find_dependent(redundant);
-            self.factor.add_rows(&self.wrenches, OUT_OF_THE_WAY);
+        for _ in 0..redundant {
+            self.put_away_dependent(n);
         }
         if !self.factor.factor() {
             return 0.0;
@@ -69,40 +69,32 @@ impl SingularValues {
         (1.0 / largest.sqrt()).min(OF_CONDITIONS)
     }
 
-    /// An orthonormal basis N of the wrench systems u with the smallest ‖Bᵀu‖. An error of N changes the
-    /// other singular values of B with N added by its square only.
-    fn find_dependent(&mut self, redundant: usize) {
+    /// Finds one more wrench system u with the smallest ‖Bᵀu‖, and adds it to B, where it then has the
+    /// singular value 2. An error of the direction changes the other singular values by its square only.
+    fn put_away_dependent(&mut self, n: usize) {
         /// Inverse iterations. One suffices where the equations depend exactly. Where dimensions are
-        /// rounded, each one brings N nearer by the square of the ratio of the singular value that
+        /// rounded, each one brings u nearer by the square of the ratio of the singular value that
         /// ought to be 0 to σ_min: four give six digits of σ_min up to a ratio of a third.
         const ROUNDS: usize = 4;
-        let n = self.factor.equations();
         self.factor.factor();
-        self.wrenches.resize(n * redundant, 0.0);
-        for (seed, wrenches) in (0..).zip(self.wrenches.chunks_exact_mut(n)) {
-            scatter(wrenches, seed);
-        }
+        let found = self.wrenches.len();
+        self.wrenches.resize(found + n, 0.0);
+        let (before, own) = self.wrenches.split_at_mut(found);
+        scatter(own);
         for _ in 0..ROUNDS {
-            for wrenches in self.wrenches.chunks_exact_mut(n) {
-                self.factor.solve(wrenches);
+            self.factor.solve(own);
+            // Those before have no part in it but for rounding.
+            for other in before.chunks_exact(n) {
+                let along = dot(other, own);
+                own.iter_mut().zip(other).for_each(|(x, o)| *x -= along * o);
             }
-            orthonormalise(&mut self.wrenches, n);
+            let norm = dot(own, own).sqrt();
+            own.iter_mut().for_each(|x| *x /= norm);
         }
+        self.factor.add_row(own, OUT_OF_THE_WAY);
     }
 }
 
-/// Gram–Schmidt, modified and done twice, on vectors of `n` entries.
-fn orthonormalise(vectors: &mut [f64], n: usize) {
-    for k in 0..vectors.len() / n {
-        let (before, rest) = vectors.split_at_mut(k * n);
-        let own = &mut rest[..n];
-        for _ in 0..2 {
-            for other in before.chunks_exact(n) {
-                let along: f64 = other.iter().zip(&*own).map(|(a, b)| a * b).sum();
-                own.iter_mut().zip(other).for_each(|(x, o)| *x -= along * o);
-            }
-            let norm = own.iter().map(|x| x * x).sum::<f64>().sqrt();
-            own.iter_mut().for_each(|x| *x /= norm);
-        }
-    }
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }

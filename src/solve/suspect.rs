@@ -27,7 +27,12 @@ pub fn suspect(scaled: &Scaled, closer: &mut Closer, theta: &[f64]) -> Option<Su
         first += model.freedoms();
         for (row, numbers) in table_rows(model.joints()).zip(twists) {
             let Some((row, moves)) = row else { continue };
-            let dimensions = [Dimension::Twist, Dimension::Length, Dimension::Angle, Dimension::Offset];
+            let dimensions = [
+                Dimension::Twist,
+                Dimension::Length,
+                Dimension::Angle,
+                Dimension::Offset,
+            ];
             for (dimension, twist) in dimensions.into_iter().zip(&numbers) {
                 let varies = match dimension {
                     Dimension::Twist | Dimension::Length => false,
@@ -36,23 +41,40 @@ pub fn suspect(scaled: &Scaled, closer: &mut Closer, theta: &[f64]) -> Option<Su
                 };
                 let (effect, change) = remedy(&contradictions, chain, twist);
                 if !varies && effect > 0.0 {
-                    found.push((effect, Suspect { chain, row, dimension, change }));
+                    found.push((
+                        effect,
+                        Suspect {
+                            chain,
+                            row,
+                            dimension,
+                            change,
+                        },
+                    ));
                 }
             }
         }
     }
     let best = found.iter().map(|(effect, _)| *effect).fold(0.0, f64::max);
-    let equal = found.into_iter().filter(|(effect, _)| *effect >= EQUAL * best);
+    let equal = found
+        .into_iter()
+        .filter(|(effect, _)| *effect >= EQUAL * best);
     let least = equal.min_by(|a, b| a.1.change.abs().total_cmp(&b.1.change.abs()));
     least.map(|(_, suspect)| {
         let length = matches!(suspect.dimension, Dimension::Length | Dimension::Offset);
         let unit = if length { scaled.unit() } else { 1.0 };
-        Suspect { change: suspect.change * unit, ..suspect }
+        Suspect {
+            change: suspect.change * unit,
+            ..suspect
+        }
     })
 }
 
 /// How much of Σ μ² a change of a number with this twist takes away, and the change.
-fn remedy(contradictions: &[(Vec<Vector6<f64>>, f64)], chain: usize, twist: &Vector6<f64>) -> (f64, f64) {
+fn remedy(
+    contradictions: &[(Vec<Vector6<f64>>, f64)],
+    chain: usize,
+    twist: &Vector6<f64>,
+) -> (f64, f64) {
     /// Square of an effect per unit that is rounding.
     const NONE: f64 = 1e-6;
     let (mut along, mut square) = (0.0, 0.0);
@@ -61,12 +83,18 @@ fn remedy(contradictions: &[(Vec<Vector6<f64>>, f64)], chain: usize, twist: &Vec
         along += effect * misfit;
         square += effect * effect;
     }
-    if square > NONE { (along * along / square, along / square) } else { (0.0, 0.0) }
+    if square > NONE {
+        (along * along / square, along / square)
+    } else {
+        (0.0, 0.0)
+    }
 }
 
 /// For each variable of a chain the row of its table and what moves in it; none for rows that belong to a T, S or E and
 /// are what they are, and for the second variable of a C.
-fn table_rows(joints: &[crate::model::joint::Joint]) -> impl Iterator<Item = Option<(usize, Moves)>> {
+fn table_rows(
+    joints: &[crate::model::joint::Joint],
+) -> impl Iterator<Item = Option<(usize, Moves)>> {
     let mut rows = Vec::new();
     let mut row = 0;
     for joint in joints {

@@ -11,36 +11,35 @@
 //! unknowns together are y = (ξ, b).
 //!
 //! Each step of the evaluation is a view of the one before: [`Tangent::evaluate`] and [`Tangent::factor`], whose
-//! [`Factored`] closes the loops; [`Factored::free`] spans the free directions; [`Free::hold`] balances a pull, and with
-//! that [`Held::reduced_hessian`] is known. What is not asked for is not computed, and nothing can be asked too early.
+//! [`Factored`] closes the loops; [`free`](crate::solve::free) has what follows from there. What is not asked for is not computed, and nothing can be asked too early.
 
 use crate::math::linalg::PivotedQr;
 use crate::math::pose::{Pose, difference};
-use crate::model::chain::{Chain, MAX_FREEDOMS};
+use crate::model::chain::Chain;
 use crate::model::joint::Stop;
 use crate::model::scaled::{closure_error, larger};
 use crate::solve::chain_tangent::ChainTangent;
 use crate::solve::dependent::{self, Combination, Dependence};
-use nalgebra::{Matrix6, Vector3, Vector6};
+use nalgebra::Vector6;
 
 /// First-order model of all chains at one set of joint values; its buffers serve all evaluations.
 #[derive(Clone, Debug)]
 pub struct Tangent {
-    chains: Vec<ChainTangent>,
+    pub(super) chains: Vec<ChainTangent>,
     /// Of the last evaluation.
-    closure_error: f64,
+    pub(super) closure_error: f64,
     /// QR of the stacked constraints' transpose, (6 + explicit joints) × (constraints).
-    stacked: PivotedQr,
+    pub(super) stacked: PivotedQr,
     /// Of a rounded linkage: what was made of its constraints before they were stacked.
-    combination: Option<Combination>,
-    unknowns: usize,
-    constraints: usize,
+    pub(super) combination: Option<Combination>,
+    pub(super) unknowns: usize,
+    pub(super) constraints: usize,
     /// Orthonormal directions of y that keep every loop closed, `unknowns` entries each.
-    free: Vec<f64>,
+    pub(super) free: Vec<f64>,
     /// The joint rates of each, `variables` entries each.
-    rates: Vec<f64>,
-    variables: usize,
-    scratch: Vec<f64>,
+    pub(super) rates: Vec<f64>,
+    pub(super) variables: usize,
+    pub(super) scratch: Vec<f64>,
 }
 
 impl Tangent {
@@ -94,7 +93,9 @@ impl Tangent {
 
     /// The Jacobian's columns of each chain at the last evaluation.
     pub fn jacobians(&self) -> impl Iterator<Item = &[Vector6<f64>]> {
-        self.chains.iter().map(|chain| &chain.state.jacobian[..chain.freedoms])
+        self.chains
+            .iter()
+            .map(|chain| &chain.state.jacobian[..chain.freedoms])
     }
 
     /// Factors the constraints at the last evaluation; joints held at a stop stand still.
@@ -112,7 +113,12 @@ impl Tangent {
     /// How many combinations of the constraints are within this distance of dependence at the last evaluation.
     pub fn surplus_within(&mut self, stops: &[Stop], distance: f64) -> usize {
         self.stack(stops);
-        dependent::surplus_within(&self.forms(), self.unknowns, self.chains[0].constraints(), distance)
+        dependent::surplus_within(
+            &self.forms(),
+            self.unknowns,
+            self.chains[0].constraints(),
+            distance,
+        )
     }
 
     /// Puts the chains' constraints together.
@@ -169,16 +175,16 @@ impl Tangent {
         }
     }
 
-    fn direction(&self, i: usize) -> &[f64] {
+    pub(super) fn direction(&self, i: usize) -> &[f64] {
         &self.free[i * self.unknowns..(i + 1) * self.unknowns]
     }
 }
 
 /// The constraints, factored.
 #[derive(Debug)]
-pub struct Factored<'a>(&'a mut Tangent);
+pub struct Factored<'a>(pub(super) &'a mut Tangent);
 
-impl<'a> Factored<'a> {
+impl Factored<'_> {
     /// Constraints that the others imply, or contradict by the misfit.
     pub fn surplus(&self) -> usize {
         self.0.constraints - self.0.stacked.rank()
@@ -245,32 +251,14 @@ impl<'a> Factored<'a> {
                 rest = others;
                 all.push(chain.combine(own));
             }
-            let misfit = all.iter().zip(&self.0.chains).map(|(w, chain)| w.dot(&chain.open)).sum();
+            let misfit = all
+                .iter()
+                .zip(&self.0.chains)
+                .map(|(w, chain)| w.dot(&chain.open))
+                .sum();
             (all, misfit)
         };
         combination.dropped().map(wrenches).collect()
-    }
-
-    /// The free directions and their joint rates.
-    #[inline]
-    pub fn free(self) -> Free<'a> {
-        let tangent = self.0;
-        let freedoms = tangent.unknowns - tangent.stacked.rank();
-        let (rank, variables) = (tangent.stacked.rank(), tangent.variables);
-        tangent.free.clear();
-        tangent.free.resize(freedoms * tangent.unknowns, 0.0);
-        tangent.rates.clear();
-        tangent.rates.resize(freedoms * variables, 0.0);
-        for i in 0..freedoms {
-            let y = &mut tangent.free[i * tangent.unknowns..(i + 1) * tangent.unknowns];
-            y[rank + i] = 1.0;
-            tangent.stacked.apply_q(y);
-            let rates = &mut tangent.rates[i * variables..(i + 1) * variables];
-            for chain in &tangent.chains {
-                chain.rates(y, None, rates);
-            }
-        }
-        Free(tangent)
     }
 
     /// The wrench systems that the chains can hold up among themselves without any pull, a basis of them: one for each
@@ -281,7 +269,9 @@ impl<'a> Factored<'a> {
         (rank..order.len())
             .map(|dependent| {
                 // B z = 0 with z = 1 for the dependent constraint and −R11⁻¹ R12 for the others.
-                let mut z: Vec<f64> = (0..rank).map(|row| -stacked.entry(row, dependent)).collect();
+                let mut z: Vec<f64> = (0..rank)
+                    .map(|row| -stacked.entry(row, dependent))
+                    .collect();
                 stacked.solve_r(&mut z);
                 let mut multipliers = vec![0.0; order.len()];
                 for (&c, z) in order.iter().zip(z) {
@@ -298,197 +288,4 @@ impl<'a> Factored<'a> {
             })
             .collect()
     }
-}
-
-/// The free directions of the linkage: orthonormal in y, with their joint rates.
-#[derive(Debug)]
-pub struct Free<'a>(&'a mut Tangent);
-
-impl<'a> Free<'a> {
-    /// How many.
-    #[inline]
-    pub fn count(&self) -> usize {
-        self.0.unknowns - self.0.stacked.rank()
-    }
-
-    /// Length of a joint vector.
-    pub fn variables(&self) -> usize {
-        self.0.variables
-    }
-
-    /// The workpiece's pose.
-    #[inline]
-    pub fn pose(&self) -> &Pose {
-        self.0.pose()
-    }
-
-    /// Direction `i`: its twist and, behind it, the explicit joints.
-    #[inline]
-    pub fn direction(&self, i: usize) -> &[f64] {
-        self.0.direction(i)
-    }
-
-    /// Twist of direction `i`.
-    #[inline]
-    pub fn twist(&self, i: usize) -> Vector6<f64> {
-        Vector6::from_column_slice(&self.0.direction(i)[..6])
-    }
-
-    /// The twists of all.
-    pub fn twists(&self) -> Vec<Vector6<f64>> {
-        (0..self.count()).map(|i| self.twist(i)).collect()
-    }
-
-    /// Joint rates of direction `i`.
-    #[inline]
-    pub fn rates(&self, i: usize) -> &[f64] {
-        &self.0.rates[i * self.0.variables..(i + 1) * self.0.variables]
-    }
-
-    /// The components of a pull along the directions go to `slope`; their norm.
-    #[inline]
-    pub fn project(&self, gradient: &Vector6<f64>, slope: &mut Vec<f64>) -> f64 {
-        slope.clear();
-        slope.extend((0..self.count()).map(|i| self.twist(i).dot(gradient)));
-        slope.iter().map(|x| x * x).sum::<f64>().sqrt()
-    }
-
-    /// Distributes a pull over the chains: wrenches λ_i with Σ λ_i = `gradient` as far as the constraints can hold it.
-    /// Where constraints are dependent one of the many splits is taken.
-    #[inline]
-    pub fn hold(self, gradient: &Vector6<f64>) -> Held<'a> {
-        let tangent = self.0;
-        let rank = tangent.stacked.rank();
-        tangent.scratch.clear();
-        tangent.scratch.extend_from_slice(gradient.as_slice());
-        tangent.scratch.resize(tangent.unknowns.max(tangent.constraints), 0.0);
-        tangent.stacked.apply_qt(&mut tangent.scratch[..tangent.unknowns]);
-        tangent.stacked.solve_r(&mut tangent.scratch[..rank]);
-        let order = &tangent.stacked.order()[..rank];
-        let place = |column: usize| order.iter().position(|&c| c == column);
-        if let Some(combination) = &tangent.combination {
-            let count = tangent.stacked.order().len();
-            let multipliers: Vec<f64> = (0..count)
-                .map(|c| place(c).map_or(0.0, |p| tangent.scratch[p]))
-                .collect();
-            let all = combination.spread(&multipliers);
-            let mut rest = &all[..];
-            for chain in &mut tangent.chains {
-                let (own, others) = rest.split_at(chain.constraints());
-                rest = others;
-                chain.wrench = chain.combine(own);
-            }
-        } else {
-            let mut column = 0;
-            for chain in &mut tangent.chains {
-                let mut own = [0.0; 6];
-                let constraints = chain.constraints();
-                for multiplier in &mut own[..constraints] {
-                    if let Some(p) = place(column) {
-                        *multiplier = tangent.scratch[p];
-                    }
-                    column += 1;
-                }
-                chain.wrench = chain.combine(&own[..constraints]);
-            }
-        }
-        Held(Free(tangent))
-    }
-}
-
-/// The linkage as its constraints hold it against a pull.
-#[derive(Debug)]
-pub struct Held<'a>(Free<'a>);
-
-impl<'a> Held<'a> {
-    /// The free directions.
-    pub fn free(&self) -> &Free<'a> {
-        &self.0
-    }
-
-    /// λ_i of chain `i`, as (force, moment about the workpiece's origin).
-    pub fn wrench(&self, i: usize) -> &Vector6<f64> {
-        &self.0.0.chains[i].wrench
-    }
-
-    /// The change of the objective per unit of joint variable `variable` if it were let go: the power of its chain's
-    /// wrench on its twist.
-    pub fn torque(&self, variable: usize) -> f64 {
-        let chains = &self.0.0.chains;
-        let after = chains.partition_point(|c| c.first <= variable);
-        let chain = &chains[after - 1];
-        chain.wrench.dot(&chain.state.jacobian[variable - chain.first])
-    }
-
-    /// See [`Factored::internal_wrenches`].
-    pub fn internal_wrenches(self) -> Vec<Vec<Vector6<f64>>> {
-        Factored(self.0.0).internal_wrenches()
-    }
-
-    /// Second derivative of the objective along the free directions, given its Hessian in the twist: lower triangle,
-    /// `count` × `count`. With a closing step (`correction`, `step`), `mixed` receives the change of the gradient
-    /// along it.
-    #[inline]
-    pub fn reduced_hessian(
-        &self,
-        hessian: &Matrix6<f64>,
-        closing: Option<(&[f64], &[f64])>,
-        reduced: &mut Vec<f64>,
-        mixed: &mut Vec<f64>,
-    ) {
-        let n = self.0.count();
-        reduced.clear();
-        reduced.resize(n * n, 0.0);
-        mixed.clear();
-        mixed.resize(n, 0.0);
-        // A rotation ω of the workpiece turns the end of an open chain by ω + e + ½ ω × e: the
-        // moment acts on the last term too.
-        let mut swirl = Vector3::zeros();
-        for chain in &self.0.0.chains {
-            let e = chain.open.fixed_rows::<3>(3).into_owned();
-            swirl += e.cross(&chain.wrench.fixed_rows::<3>(3)) * 0.5;
-        }
-        for i in 0..n {
-            let twist = self.0.twist(i);
-            let pulled = hessian * twist;
-            for j in i..n {
-                reduced[i * n + j] = pulled.dot(&self.0.twist(j));
-            }
-            if let Some((correction, _)) = closing {
-                mixed[i] = pulled.dot(&Vector6::from_column_slice(&correction[..6]))
-                    - swirl.dot(&twist.fixed_rows::<3>(3));
-            }
-        }
-        for chain in &self.0.0.chains {
-            let k = chain.curvature();
-            let own = chain.first..chain.first + chain.freedoms;
-            for i in 0..n {
-                let bent = bent(&k, &self.0.rates(i)[own.clone()]);
-                let along = |rates: &[f64]| -> f64 { rates.iter().zip(&bent).map(|(r, b)| r * b).sum() };
-                for j in i..n {
-                    reduced[i * n + j] += along(&self.0.rates(j)[own.clone()]);
-                }
-                if let Some((_, step)) = closing {
-                    mixed[i] += along(&step[own.clone()]);
-                }
-            }
-        }
-    }
-}
-
-/// K Δθ for a symmetric K given by its upper triangle.
-#[inline]
-fn bent(
-    k: &[[f64; MAX_FREEDOMS]; MAX_FREEDOMS],
-    rates: &[f64],
-) -> [f64; MAX_FREEDOMS] {
-    let mut bent = [0.0; MAX_FREEDOMS];
-    for j in 0..rates.len() {
-        bent[j] += k[j][j] * rates[j];
-        for l in j + 1..rates.len() {
-            bent[j] += k[j][l] * rates[l];
-            bent[l] += k[j][l] * rates[j];
-        }
-    }
-    bent
 }

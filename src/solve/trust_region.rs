@@ -1,7 +1,7 @@
 //! The longest safe step: a quadratic model's minimum within a radius, measured in joint motion.
 
 use crate::math::linalg;
-use crate::solve::tangent::Free;
+use crate::solve::free::Free;
 
 /// Slope, and curvature, as a share of the flat one, that are rounding.
 const LEVEL: f64 = 1e-2;
@@ -167,7 +167,9 @@ impl TrustRegion {
     /// s = −(Λ + shift)⁻¹ slope; its length.
     fn shifted(&mut self, shift: f64) -> f64 {
         self.step.clear();
-        for ((&eigenvalue, &slope), &level) in self.eigenvalues.iter().zip(&self.slopes).zip(&self.levels) {
+        for ((&eigenvalue, &slope), &level) in
+            self.eigenvalues.iter().zip(&self.slopes).zip(&self.levels)
+        {
             let curvature = eigenvalue + shift;
             // Rounding in a direction that does not matter is not followed.
             let level = curvature < self.flat && slope.abs() <= level;

@@ -60,12 +60,26 @@ pub struct Trace {
 ///
 /// # Panics
 /// When `from` does not have one value a joint variable.
-pub fn trace(mechanism: &Mechanism, settings: &Settings, extent: f64, goal: &Pose, from: &[f64]) -> Trace {
+pub fn trace(
+    mechanism: &Mechanism,
+    settings: &Settings,
+    extent: f64,
+    goal: &Pose,
+    from: &[f64],
+) -> Trace {
     let mut from = from.to_vec();
     // A limit in the settings is meant for the method that they name.
     let most = |method| {
-        let own = Settings { method, max_iterations: None, ..*settings };
-        if settings.method == method { settings.iterations() } else { own.iterations() }
+        let own = Settings {
+            method,
+            max_iterations: None,
+            ..*settings
+        };
+        if settings.method == method {
+            settings.iterations()
+        } else {
+            own.iterations()
+        }
     };
     let newton = Settings {
         method: Method::Newton,
@@ -79,27 +93,48 @@ pub fn trace(mechanism: &Mechanism, settings: &Settings, extent: f64, goal: &Pos
         newton: History::default(),
         minimum: None,
     };
-    if matches!(solver.close_start(&mut from, settings.dimension_tolerance), Start::Open { .. }) {
+    if matches!(
+        solver.close_start(&mut from, settings.dimension_tolerance),
+        Start::Open { .. }
+    ) {
         return trace;
     }
     let scaled = solver.scaled().clone();
     let mut closer = solver.closer().clone();
     let rotation = mechanism.chains()[0].pose(&from).rotation;
-    let target = settings.metric_for(mechanism, extent).target(goal, &rotation);
+    let target = settings
+        .metric_for(mechanism, extent)
+        .target(goal, &rotation);
     let surplus = closer.mobility(&scaled, &scaled.entered(&from)).1;
 
     let mut kept = Kept::new(mechanism, &target, &scaled, closer.clone(), surplus);
     let mut joints = from.clone();
-    let descent = gradient::descend(mechanism, &target, &mut joints, most(Method::Gradient), &mut |at| {
-        kept.see(&at.scaled.left(at.theta), at.projected_gradient, at.arrival, false);
-    });
+    let descent = gradient::descend(
+        mechanism,
+        &target,
+        &mut joints,
+        most(Method::Gradient),
+        &mut |at| {
+            kept.see(
+                &at.scaled.left(at.theta),
+                at.projected_gradient,
+                at.arrival,
+                false,
+            );
+        },
+    );
     trace.gradient = kept.end(descent.converged);
 
     let mut kept = Kept::new(mechanism, &target, &scaled, closer, surplus);
     let predicted = from.clone();
     let solved = solver.solve_watched(goal, &mut from, &predicted, &mut |at| {
         let joints = scaled.left(at.theta);
-        kept.see(&joints, at.projected_gradient, Arrival::default(), at.guarded);
+        kept.see(
+            &joints,
+            at.projected_gradient,
+            Arrival::default(),
+            at.guarded,
+        );
     });
     let certified = solved.end.is_minimum();
     trace.newton = kept.end(certified);
@@ -123,7 +158,13 @@ struct Kept<'a> {
 }
 
 impl<'a> Kept<'a> {
-    fn new(mechanism: &'a Mechanism, target: &'a Target, scaled: &'a Scaled, closer: Closer, surplus: usize) -> Self {
+    fn new(
+        mechanism: &'a Mechanism,
+        target: &'a Target,
+        scaled: &'a Scaled,
+        closer: Closer,
+        surplus: usize,
+    ) -> Self {
         Self {
             mechanism,
             target,
@@ -164,10 +205,14 @@ impl<'a> Kept<'a> {
             .iteration
             .push(u32::try_from(number).unwrap_or(u32::MAX));
         history.metric.push(self.target.value(&pose));
-        history.closure_error.push(self.closer.closure(self.scaled, &theta).0);
+        history
+            .closure_error
+            .push(self.closer.closure(self.scaled, &theta).0);
         history.poses.push(pose);
         let values = &mut self.singular_values;
-        let least = self.closer.smallest_singular_value(self.scaled, &theta, self.surplus, values);
+        let least = self
+            .closer
+            .smallest_singular_value(self.scaled, &theta, self.surplus, values);
         history.sigma_min.push(least);
         history.joints.push(joints.to_vec());
         history.projected_gradient.push(gradient);

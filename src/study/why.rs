@@ -5,10 +5,11 @@ use crate::math::linalg::{self, PivotedQr};
 use crate::math::pose::Pose;
 use crate::math::screw::{self, Screw};
 use crate::model::scaled::Scaled;
+use crate::solve::free::{Free, Held};
 use crate::solve::limits::Holding;
-use crate::solve::newton::Solver;
 use crate::solve::objective::objective;
-use crate::solve::tangent::{Free, Held, Tangent};
+use crate::solve::solver::Solver;
+use crate::solve::tangent::Tangent;
 use crate::solve::trust_region::TrustRegion;
 use nalgebra::{Matrix6, Vector3, Vector6};
 use serde::Serialize;
@@ -61,7 +62,11 @@ pub fn explain(solver: &mut Solver, joints: &[f64], goal: &Pose) -> Insight {
     let tolerances = *solver.tolerances();
     let metric = *solver.metric();
     let (scaled, closer, _) = solver.parts();
-    let (theta, near, size) = (scaled.entered(joints), scaled.enter_pose(goal), scaled.unit());
+    let (theta, near, size) = (
+        scaled.entered(joints),
+        scaled.enter_pose(goal),
+        scaled.unit(),
+    );
     let dependence = closer.dependence_anywhere();
     let tangent = closer.tangent();
     tangent.evaluate(scaled.chains(), &theta);
@@ -78,12 +83,20 @@ pub fn explain(solver: &mut Solver, joints: &[f64], goal: &Pose) -> Insight {
     // All joints that stand at a limit, and then let go, one at a time, those that the pull would lead away.
     holding.hold_all_at(&theta);
     let held = loop {
-        let held = tangent.factor(holding.stops(), dependence).free().hold(&model.gradient);
+        let held = tangent
+            .factor(holding.stops(), dependence)
+            .free()
+            .hold(&model.gradient);
         match holding.releasable(tolerances.stationary, |joint| held.torque(joint)) {
             Some(joint) => {
                 holding.set(joint, crate::model::joint::Stop::None);
             }
-            None => break tangent.factor(holding.stops(), dependence).free().hold(&model.gradient),
+            None => {
+                break tangent
+                    .factor(holding.stops(), dependence)
+                    .free()
+                    .hold(&model.gradient);
+            }
         }
     };
     let mut slope = Vec::new();

@@ -70,7 +70,9 @@ pub(crate) fn mobility(mechanism: &Mechanism, joints: &[f64]) -> usize {
     let theta = scaled.entered(joints);
     let mut tangent = Tangent::new(scaled.chains());
     tangent.evaluate(scaled.chains(), &theta);
-    tangent.factor(&vec![Stop::None; theta.len()], Dependence::FOUND).freedoms()
+    tangent
+        .factor(&vec![Stop::None; theta.len()], Dependence::FOUND)
+        .freedoms()
 }
 
 /// Singular values of the chain's Jacobian at the joint values `theta`, largest first, lengths in the

@@ -3,12 +3,12 @@
 use synthetica::math::pose::{FrameCoordinates, Pose};
 use synthetica::model::chain::Chain;
 use synthetica::model::mechanism::Mechanism;
+use synthetica::model::scaled::CLOSED;
 use synthetica::model::scaled::Scaled;
 use synthetica::motion::goal::Goal;
 use synthetica::motion::trajectory::{Status, Trajectory, Warning};
 use synthetica::plan::follow::plan;
 use synthetica::plan::settings::{Method, Settings};
-use synthetica::model::scaled::CLOSED;
 
 pub const NEWTON: Settings = Settings::PAPER;
 pub const GRADIENT: Settings = Settings {

@@ -97,7 +97,11 @@ impl<'a> Verdict<'a> {
             translation_gap: largest(&motion.translation_gap),
             rotation_gap: largest(&motion.rotation_gap).to_degrees(),
             closure: largest(&motion.closure),
-            report: Report::new(&planned.problem.mechanism, &planned.problem.length_unit, motion),
+            report: Report::new(
+                &planned.problem.mechanism,
+                &planned.problem.length_unit,
+                motion,
+            ),
         }
     }
 }

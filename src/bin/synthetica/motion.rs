@@ -25,7 +25,11 @@ pub fn export(asked: &Export) -> Result<(), Failure> {
 fn print(format: Format, options: &MotionOptions) -> Result<(), Failure> {
     let planned = planned(&options.document, &options.planning)?;
     if !options.quiet {
-        let report = Report::new(&planned.problem.mechanism, &planned.problem.length_unit, &planned.motion);
+        let report = Report::new(
+            &planned.problem.mechanism,
+            &planned.problem.length_unit,
+            &planned.motion,
+        );
         for said in warnings(&report, &planned.motion) {
             tell(&format!("{}: warning: {said}", planned.file));
         }

@@ -1,0 +1,109 @@
+//! Why a value does not fit a document, and the way to it: serde's error as a fault with its place.
+
+use crate::document::fault::{Fault, FaultCode, Place, excerpt};
+use serde::de::Error;
+use std::fmt;
+
+/// Why a derived reader does not take a value, and the way to it from there outwards.
+#[derive(Debug)]
+pub(crate) struct Refusal {
+    code: FaultCode,
+    what: String,
+    accepted: String,
+    way: Vec<Step>,
+}
+
+#[derive(Debug)]
+enum Step {
+    Field(String),
+    Item(usize),
+}
+
+impl Refusal {
+    #[cold]
+    #[inline(never)]
+    pub(super) fn new(code: FaultCode, what: String, accepted: &str) -> Self {
+        Self {
+            code,
+            what,
+            accepted: accepted.to_owned(),
+            way: Vec::new(),
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    pub(super) fn in_field(mut self, name: &str) -> Self {
+        self.way.push(Step::Field(name.to_owned()));
+        self
+    }
+
+    #[cold]
+    #[inline(never)]
+    pub(super) fn in_item(mut self, index: usize) -> Self {
+        self.way.push(Step::Item(index));
+        self
+    }
+
+    /// The fault, in a value at `place`.
+    pub(crate) fn fault(mut self, place: &Place<'_>) -> Fault {
+        match self.way.pop() {
+            Some(Step::Field(name)) => self.fault(&place.field(&name)),
+            Some(Step::Item(index)) => self.fault(&place.item(index)),
+            None => Fault::new(self.code, place, &self.what, &self.accepted),
+        }
+    }
+}
+
+impl fmt::Display for Refusal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.what)
+    }
+}
+
+impl std::error::Error for Refusal {}
+
+/// What the derived readers say.
+impl Error for Refusal {
+    fn custom<T: fmt::Display>(message: T) -> Self {
+        Self::new(FaultCode::WrongType, message.to_string(), "another value")
+    }
+
+    fn unknown_field(name: &str, known: &'static [&'static str]) -> Self {
+        let what = format!("there is no field \u{201c}{}\u{201d} here", excerpt(name));
+        Self::new(FaultCode::UnknownField, what, &one_of(known))
+    }
+
+    fn missing_field(name: &'static str) -> Self {
+        let accepted = match name {
+            "version" => "1",
+            "chains" => "a list of chains",
+            "joints" => "a list of joints",
+            "type" => "one of R, P, C, T, S, E",
+            "rows" => "a list of the joint's rows",
+            "motion" => "an object with key_frames",
+            "key_frames" => "a list of two or more key frames",
+            _ => "a value",
+        };
+        Self::new(
+            FaultCode::MissingField,
+            "this is missing".to_owned(),
+            accepted,
+        )
+        .in_field(name)
+    }
+
+    fn duplicate_field(name: &'static str) -> Self {
+        let what = format!("there are two fields \u{201c}{name}\u{201d}");
+        Self::new(FaultCode::DuplicateField, what, &format!("{name} once"))
+    }
+
+    fn unknown_variant(word: &str, known: &'static [&'static str]) -> Self {
+        let what = format!("\u{201c}{}\u{201d} is unknown", excerpt(word));
+        Self::new(FaultCode::UnknownValue, what, &one_of(known))
+    }
+}
+
+pub(super) fn one_of(words: &[&str]) -> String {
+    format!("one of {}", words.join(", "))
+}

@@ -1,0 +1,144 @@
+//! One chain on its own, in the search of a start: it goes to a pose, and its inner freedoms are moved to small joint
+//! values while the workpiece stands still.
+//!
+//! Where a chain can move so, one pose has a continuum of joint values, and which of them a search comes to
+//! hangs on its rounding. The least sum of squares is one of them.
+
+use crate::math::pose::{Pose, difference};
+use crate::model::chain::{Chain, ChainState, MAX_FREEDOMS};
+use crate::solve::solver::Solver;
+use nalgebra::{SMatrix, SVector, SymmetricEigen, Vector6};
+use std::ops::Range;
+
+/// One entry a freedom, the rest 0.
+type Values = SVector<f64, MAX_FREEDOMS>;
+
+/// Eigenvalue of JᵀJ, over the largest, of a motion that leaves the workpiece where it is: those of closed
+/// positions are rounding, 1e-16, or far above.
+const STILL: f64 = 1e-12;
+/// Steps; they converge linearly, most often by a third or better each.
+const STEPS: usize = 200;
+/// Projected values, rad or sizes, at which they are least: a tenth of the digits that the start is to share
+/// with that in another unit.
+const LEAST: f64 = 1e-11;
+/// Corrections of a step, and how far the workpiece may stay away, rad and sizes.
+const CORRECTIONS: usize = 6;
+const CLOSED: f64 = 1e-12;
+/// Share of a step at which the search ends.
+const SMALLEST_SHARE: f64 = 1e-3;
+
+/// A chain on its own.
+pub struct Part {
+    pub chain: Chain,
+    pub solver: Solver,
+    /// Its variables among those of the mechanism.
+    pub range: Range<usize>,
+    /// Were its values given?
+    pub held: bool,
+}
+
+impl Part {
+    /// From the joint values `own` to the pose nearest to `target`, by the size as the metric's length.
+    pub fn go(&mut self, target: &Pose, own: &mut [f64]) {
+        // Puts the values within the limits, and forgets the joints that were held at limits before.
+        let _ = self.solver.close_start(own, 0.0);
+        let from = own.to_vec();
+        self.solver.solve(target, own, &from);
+    }
+}
+
+/// Moves the joint values `own`, lengths in sizes, along the inner freedoms of `chain` to the least sum of squares
+/// that is next to them; the workpiece stands still, and they stay within their limits.
+pub fn relax(chain: &Chain, own: &mut [f64]) {
+    let n = chain.freedoms();
+    let mut values = Values::zeros();
+    values.as_mut_slice()[..n].copy_from_slice(own);
+    let mut here = Tangent::new(chain, &values);
+    let pose = here.pose;
+    let mut share = 1.0;
+    for _ in 0..STEPS {
+        let step = -here.still(&values);
+        if !(step.norm() > LEAST) {
+            break;
+        }
+        let mut trial = values + step * share;
+        let there = close(chain, &pose, &mut trial).filter(|there| {
+            let falls = trial.norm_squared() < values.norm_squared() * (1.0 - 1e-12);
+            falls || there.still(&trial).norm() < 0.999 * step.norm()
+        });
+        if let Some(there) = there {
+            (values, here) = (trial, there);
+            share = (1.5 * share).min(1.0);
+        } else {
+            share *= 0.5;
+            if share < SMALLEST_SHARE {
+                break;
+            }
+        }
+    }
+    own.copy_from_slice(&values.as_slice()[..n]);
+}
+
+/// Corrects the values until the workpiece is at `pose`; none if it does not come there within the limits.
+fn close(chain: &Chain, pose: &Pose, values: &mut Values) -> Option<Tangent> {
+    for _ in 0..CORRECTIONS {
+        let tangent = Tangent::new(chain, values);
+        let away = difference(pose, &tangent.pose);
+        if away.amax() <= CLOSED {
+            let mut pairs = values.iter().zip(chain.limits());
+            let within = pairs.all(|(x, limits)| limits.min <= *x && *x <= limits.max);
+            return within.then_some(tangent);
+        }
+        *values += tangent.shortest(&away);
+    }
+    None
+}
+
+/// How the joint variables move the workpiece at one position.
+struct Tangent {
+    pose: Pose,
+    jacobian: SMatrix<f64, 6, MAX_FREEDOMS>,
+    /// Eigenvectors of JᵀJ, and 1/λ, or 0 for those that leave the workpiece where it is.
+    vectors: SMatrix<f64, MAX_FREEDOMS, MAX_FREEDOMS>,
+    inverse: Values,
+    freedoms: usize,
+}
+
+impl Tangent {
+    fn new(chain: &Chain, values: &Values) -> Self {
+        let freedoms = chain.freedoms();
+        let mut state = ChainState::default();
+        chain.evaluate(values.as_slice(), &mut state);
+        let jacobian = SMatrix::<f64, 6, MAX_FREEDOMS>::from_columns(&state.jacobian);
+        let eigen = SymmetricEigen::new(jacobian.transpose() * jacobian);
+        let least = STILL * eigen.eigenvalues.max();
+        Self {
+            pose: state.pose,
+            jacobian,
+            vectors: eigen.eigenvectors,
+            inverse: eigen
+                .eigenvalues
+                .map(|x| if x > least { 1.0 / x } else { 0.0 }),
+            freedoms,
+        }
+    }
+
+    /// The part of `values` that leaves the workpiece where it is.
+    fn still(&self, values: &Values) -> Values {
+        let mut part = *values;
+        for (vector, inverse) in self.vectors.column_iter().zip(&self.inverse) {
+            if *inverse > 0.0 {
+                part -= vector * vector.dot(values);
+            }
+        }
+        // Columns past the chain's freedoms are 0 and move nothing.
+        part.as_mut_slice()[self.freedoms..].fill(0.0);
+        part
+    }
+
+    /// The shortest motion by the twist `away`.
+    fn shortest(&self, away: &Vector6<f64>) -> Values {
+        let pulled = self.jacobian.transpose() * away;
+        self.vectors * (self.vectors.transpose() * pulled).component_mul(&self.inverse)
+    }
+}

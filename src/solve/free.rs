@@ -1,0 +1,228 @@
+//! The free directions of a closed linkage, the pull that its chains hold, and the objective's curvature along the
+//! directions.
+
+use crate::math::pose::Pose;
+use crate::model::chain::MAX_FREEDOMS;
+use crate::solve::tangent::{Factored, Tangent};
+use nalgebra::{Matrix6, Vector3, Vector6};
+
+impl<'a> Factored<'a> {
+    /// The free directions and their joint rates.
+    #[inline]
+    pub fn free(self) -> Free<'a> {
+        let tangent = self.0;
+        let freedoms = tangent.unknowns - tangent.stacked.rank();
+        let (rank, variables) = (tangent.stacked.rank(), tangent.variables);
+        tangent.free.clear();
+        tangent.free.resize(freedoms * tangent.unknowns, 0.0);
+        tangent.rates.clear();
+        tangent.rates.resize(freedoms * variables, 0.0);
+        for i in 0..freedoms {
+            let y = &mut tangent.free[i * tangent.unknowns..(i + 1) * tangent.unknowns];
+            y[rank + i] = 1.0;
+            tangent.stacked.apply_q(y);
+            let rates = &mut tangent.rates[i * variables..(i + 1) * variables];
+            for chain in &tangent.chains {
+                chain.rates(y, None, rates);
+            }
+        }
+        Free(tangent)
+    }
+}
+
+/// The free directions of the linkage: orthonormal in y, with their joint rates.
+#[derive(Debug)]
+pub struct Free<'a>(&'a mut Tangent);
+
+impl<'a> Free<'a> {
+    /// How many.
+    #[inline]
+    pub fn count(&self) -> usize {
+        self.0.unknowns - self.0.stacked.rank()
+    }
+
+    /// Length of a joint vector.
+    pub fn variables(&self) -> usize {
+        self.0.variables
+    }
+
+    /// The workpiece's pose.
+    #[inline]
+    pub fn pose(&self) -> &Pose {
+        self.0.pose()
+    }
+
+    /// Direction `i`: its twist and, behind it, the explicit joints.
+    #[inline]
+    pub fn direction(&self, i: usize) -> &[f64] {
+        self.0.direction(i)
+    }
+
+    /// Twist of direction `i`.
+    #[inline]
+    pub fn twist(&self, i: usize) -> Vector6<f64> {
+        Vector6::from_column_slice(&self.0.direction(i)[..6])
+    }
+
+    /// The twists of all.
+    pub fn twists(&self) -> Vec<Vector6<f64>> {
+        (0..self.count()).map(|i| self.twist(i)).collect()
+    }
+
+    /// Joint rates of direction `i`.
+    #[inline]
+    pub fn rates(&self, i: usize) -> &[f64] {
+        &self.0.rates[i * self.0.variables..(i + 1) * self.0.variables]
+    }
+
+    /// The components of a pull along the directions go to `slope`; their norm.
+    #[inline]
+    pub fn project(&self, gradient: &Vector6<f64>, slope: &mut Vec<f64>) -> f64 {
+        slope.clear();
+        slope.extend((0..self.count()).map(|i| self.twist(i).dot(gradient)));
+        slope.iter().map(|x| x * x).sum::<f64>().sqrt()
+    }
+
+    /// Distributes a pull over the chains: wrenches λ_i with Σ λ_i = `gradient` as far as the constraints can hold it.
+    /// Where constraints are dependent one of the many splits is taken.
+    #[inline]
+    pub fn hold(self, gradient: &Vector6<f64>) -> Held<'a> {
+        let tangent = self.0;
+        let rank = tangent.stacked.rank();
+        tangent.scratch.clear();
+        tangent.scratch.extend_from_slice(gradient.as_slice());
+        tangent
+            .scratch
+            .resize(tangent.unknowns.max(tangent.constraints), 0.0);
+        tangent
+            .stacked
+            .apply_qt(&mut tangent.scratch[..tangent.unknowns]);
+        tangent.stacked.solve_r(&mut tangent.scratch[..rank]);
+        let order = &tangent.stacked.order()[..rank];
+        let place = |column: usize| order.iter().position(|&c| c == column);
+        if let Some(combination) = &tangent.combination {
+            let count = tangent.stacked.order().len();
+            let multipliers: Vec<f64> = (0..count)
+                .map(|c| place(c).map_or(0.0, |p| tangent.scratch[p]))
+                .collect();
+            let all = combination.spread(&multipliers);
+            let mut rest = &all[..];
+            for chain in &mut tangent.chains {
+                let (own, others) = rest.split_at(chain.constraints());
+                rest = others;
+                chain.wrench = chain.combine(own);
+            }
+        } else {
+            let mut column = 0;
+            for chain in &mut tangent.chains {
+                let mut own = [0.0; 6];
+                let constraints = chain.constraints();
+                for multiplier in &mut own[..constraints] {
+                    if let Some(p) = place(column) {
+                        *multiplier = tangent.scratch[p];
+                    }
+                    column += 1;
+                }
+                chain.wrench = chain.combine(&own[..constraints]);
+            }
+        }
+        Held(Free(tangent))
+    }
+}
+
+/// The linkage as its constraints hold it against a pull.
+#[derive(Debug)]
+pub struct Held<'a>(Free<'a>);
+
+impl<'a> Held<'a> {
+    /// The free directions.
+    pub fn free(&self) -> &Free<'a> {
+        &self.0
+    }
+
+    /// λ_i of chain `i`, as (force, moment about the workpiece's origin).
+    pub fn wrench(&self, i: usize) -> &Vector6<f64> {
+        &self.0.0.chains[i].wrench
+    }
+
+    /// The change of the objective per unit of joint variable `variable` if it were let go: the power of its chain's
+    /// wrench on its twist.
+    pub fn torque(&self, variable: usize) -> f64 {
+        let chains = &self.0.0.chains;
+        let after = chains.partition_point(|c| c.first <= variable);
+        let chain = &chains[after - 1];
+        chain
+            .wrench
+            .dot(&chain.state.jacobian[variable - chain.first])
+    }
+
+    /// See [`Factored::internal_wrenches`].
+    pub fn internal_wrenches(self) -> Vec<Vec<Vector6<f64>>> {
+        Factored(self.0.0).internal_wrenches()
+    }
+
+    /// Second derivative of the objective along the free directions, given its Hessian in the twist: lower triangle,
+    /// `count` × `count`. With a closing step (`correction`, `step`), `mixed` receives the change of the gradient
+    /// along it.
+    #[inline]
+    pub fn reduced_hessian(
+        &self,
+        hessian: &Matrix6<f64>,
+        closing: Option<(&[f64], &[f64])>,
+        reduced: &mut Vec<f64>,
+        mixed: &mut Vec<f64>,
+    ) {
+        let n = self.0.count();
+        reduced.clear();
+        reduced.resize(n * n, 0.0);
+        mixed.clear();
+        mixed.resize(n, 0.0);
+        // A rotation ω of the workpiece turns the end of an open chain by ω + e + ½ ω × e: the
+        // moment acts on the last term too.
+        let mut swirl = Vector3::zeros();
+        for chain in &self.0.0.chains {
+            let e = chain.open.fixed_rows::<3>(3).into_owned();
+            swirl += e.cross(&chain.wrench.fixed_rows::<3>(3)) * 0.5;
+        }
+        for i in 0..n {
+            let twist = self.0.twist(i);
+            let pulled = hessian * twist;
+            for j in i..n {
+                reduced[i * n + j] = pulled.dot(&self.0.twist(j));
+            }
+            if let Some((correction, _)) = closing {
+                mixed[i] = pulled.dot(&Vector6::from_column_slice(&correction[..6]))
+                    - swirl.dot(&twist.fixed_rows::<3>(3));
+            }
+        }
+        for chain in &self.0.0.chains {
+            let k = chain.curvature();
+            let own = chain.first..chain.first + chain.freedoms;
+            for i in 0..n {
+                let bent = bent(&k, &self.0.rates(i)[own.clone()]);
+                let along =
+                    |rates: &[f64]| -> f64 { rates.iter().zip(&bent).map(|(r, b)| r * b).sum() };
+                for j in i..n {
+                    reduced[i * n + j] += along(&self.0.rates(j)[own.clone()]);
+                }
+                if let Some((_, step)) = closing {
+                    mixed[i] += along(&step[own.clone()]);
+                }
+            }
+        }
+    }
+}
+
+/// K Δθ for a symmetric K given by its upper triangle.
+#[inline]
+fn bent(k: &[[f64; MAX_FREEDOMS]; MAX_FREEDOMS], rates: &[f64]) -> [f64; MAX_FREEDOMS] {
+    let mut bent = [0.0; MAX_FREEDOMS];
+    for j in 0..rates.len() {
+        bent[j] += k[j][j] * rates[j];
+        for l in j + 1..rates.len() {
+            bent[j] += k[j][l] * rates[l];
+            bent[l] += k[j][l] * rates[j];
+        }
+    }
+    bent
+}
