@@ -6,7 +6,7 @@ mod by_axes;
 mod common;
 
 use common::{Random, assemblies, linkage};
-use nalgebra::Vector6;
+use nalgebra::{Vector3, Vector6};
 use synthetica::document::problem::Problem;
 use synthetica::document::text;
 use synthetica::math::linalg::svd;
@@ -339,8 +339,9 @@ fn no_unit_and_no_place() {
         let linkage = linkage(&kinds, &mut random);
         let own = jacobians(&linkage.mechanism, &linkage.home);
         let own = values.smallest(own.iter().map(Vec::as_slice), 0);
-        let larger = linkage.mechanism.scaled(1024.0);
-        let joints = linkage.mechanism.in_unit(&linkage.home, 1.0 / 1024.0);
+        let larger = Scaled::about(&linkage.mechanism, 1.0 / 1024.0, &Vector3::zeros());
+        let joints = larger.entered(&linkage.home);
+        let larger = Mechanism::new(larger.chains().to_vec()).expect("a mechanism");
         let larger = jacobians(&larger, &joints);
         let larger = values.smallest(larger.iter().map(Vec::as_slice), 0);
         assert_eq!(own.to_bits(), larger.to_bits());
