@@ -17,9 +17,10 @@ use synthetica::motion::goal::Goal;
 use synthetica::plan::follow::plan;
 use synthetica::plan::settings::Settings;
 use synthetica::solve::dependent::Dependence;
+use synthetica::solve::free::Free;
 use synthetica::solve::objective::objective;
 use synthetica::solve::paper_matrix::{condition_rates, linearise, twist_of_rates};
-use synthetica::solve::tangent::{Free, Tangent};
+use synthetica::solve::tangent::Tangent;
 use synthetica::types::enumerate;
 
 /// Step of first central differences: h² and 1e-16/h are then both some 1e-11.
