@@ -190,7 +190,8 @@ impl Planning {
                     .solver
                     .certify(&goal, &before, &self.joints, GRADIENT_FALL);
                 Solved {
-                    end: if descent.converged {
+                    // Where rounding keeps f from falling the slope may stay above the one at which the method stops.
+                    end: if descent.projected_gradient <= gradient::CERTIFIED {
                         certified.end
                     } else {
                         End::Stalled

@@ -30,7 +30,7 @@ pub fn begin(
     let (proposed, source) = characteristic_length(mechanism, extent);
     let projected_gradient = match settings.method {
         Method::Newton => tolerances.stationary,
-        Method::Gradient => gradient::STATIONARY,
+        Method::Gradient => gradient::CERTIFIED,
     };
     let mut t = Trajectory {
         variables: mechanism.variables(),
@@ -79,7 +79,9 @@ pub fn record(
     t.goals.push(goal.pose);
     t.poses.push(reached);
     t.joints.extend_from_slice(joints);
-    t.metric.push(target.value(&near));
+    // The solver's value, where it has one: it has followed the sides of the quaternions.
+    let value = Some(solved.value).filter(|value| value.is_finite());
+    t.metric.push(value.unwrap_or_else(|| target.value(&near)));
     t.translation_gap.push(translation);
     t.rotation_gap.push(rotation);
     let (scaled, closer, _) = solver.parts();

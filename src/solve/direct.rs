@@ -19,7 +19,7 @@ impl Solver {
     /// Newton steps that close and descend at once; `None` as soon as a step is out of the ordinary.
     pub(super) fn solve_direct(
         &mut self,
-        target: &Target,
+        target: &mut Target,
         theta: &mut [f64],
         iterations: &mut usize,
         observe: &mut Observer<'_>,
@@ -39,6 +39,7 @@ impl Solver {
             factored.close(&mut self.correction, &mut self.step);
             let free = factored.free();
             let model = objective(free.pose(), target);
+            target.follow(free.pose());
             let gradient = free.project(&model.gradient, &mut self.slope);
             observe(&Iterate {
                 theta,

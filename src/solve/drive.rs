@@ -136,19 +136,40 @@ enum End {
 impl Path<'_> {
     fn follow(&mut self, theta: &mut Vec<f64>, target: f64) -> Option<Obstacle> {
         let mut radius = STEP;
+        // The position before the last step, and the direction and length of that.
+        let mut last: Option<(Vec<f64>, Vec<f64>, f64)> = None;
         for _ in 0..STEPS {
             let gap = target - theta[self.variable];
             if gap == 0.0 {
                 return None;
             }
             let direction = self.direction(theta, gap.signum());
+            // A step that turns the heading round has gone across a dead point, to the other branch.
+            if let (Some(direction), Some((before, heading, length))) = (&direction, &last)
+                && dot(direction, heading) < 0.0
+                && *length > SMALLEST_STEP
+            {
+                radius = 0.5 * length;
+                theta.clone_from(before);
+                last = None;
+                continue;
+            }
             let next = match &direction {
                 Some(direction) => self.advance(theta, direction, target, &mut radius),
                 None => None,
             };
             match next {
-                Some(next) => *theta = next,
+                Some(next) => {
+                    let moved: f64 = next
+                        .iter()
+                        .zip(&*theta)
+                        .map(|(a, b)| (a - b) * (a - b))
+                        .sum();
+                    last = direction.map(|heading| (theta.clone(), heading, moved.sqrt()));
+                    *theta = next;
+                }
                 None => {
+                    last = None;
                     let held = self.holding.held();
                     let moves = self.mobile(theta);
                     match self.kick(theta, direction, gap.signum()) {

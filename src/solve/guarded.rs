@@ -27,7 +27,7 @@ impl Solver {
     /// From the closed position `theta` to the minimum on its branch.
     pub(super) fn solve_guarded(
         &mut self,
-        target: &Target,
+        target: &mut Target,
         theta: &mut [f64],
         iterations: &mut usize,
         observe: &mut Observer<'_>,
@@ -55,6 +55,7 @@ impl Solver {
             let surplus = factored.surplus();
             let free = factored.free();
             let model = objective(free.pose(), target);
+            target.follow(free.pose());
             let gradient = free.project(&model.gradient, &mut self.slope);
             let solved = |end, iterations| Solved {
                 end,

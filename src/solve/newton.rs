@@ -49,15 +49,15 @@ impl Solver {
     ) -> Solved {
         let mut theta = std::mem::take(&mut self.theta);
         self.scaled.enter(joints, &mut theta);
-        let target = self.target(goal, &theta);
+        let mut target = self.target(goal, &theta);
         self.scaled.enter(predicted, &mut theta);
         // The prediction does not keep limits, and no step moves a held joint to its limit.
         self.holding.apply(&mut theta);
         let mut iterations = 0;
-        let direct = self.solve_direct(&target, &mut theta, &mut iterations, observe);
+        let direct = self.solve_direct(&mut target.clone(), &mut theta, &mut iterations, observe);
         let solved = direct.unwrap_or_else(|| {
             self.scaled.enter(joints, &mut theta);
-            self.solve_guarded(&target, &mut theta, &mut iterations, observe)
+            self.solve_guarded(&mut target, &mut theta, &mut iterations, observe)
         });
         if solved.end != End::Open {
             self.scaled.leave(&theta, joints);
