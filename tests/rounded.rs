@@ -155,7 +155,7 @@ fn what_is_rigid_is_told_as_rigid() {
 /// The number that is named, changed as it is said, takes most of the misfit away.
 #[test]
 fn the_number_that_is_named_remedies_the_misfit() {
-    for case in [0, 7, 11, 13] {
+    for case in [0, 1, 11, 13] {
         let line = lines("overconstrained").swap_remove(case);
         let mut document = document(&line);
         document.chains[0].joints[1].rows[0].alpha += 2e-5_f64.to_degrees();

@@ -19,6 +19,9 @@ const BLUR: f64 = 0.1;
 /// The same where rounded dimensions are tried: a surplus constraint is independent by its misfit, which is what is left
 /// of e in the end.
 const ROUNDED_BLUR: f64 = 3.0;
+/// A constraint that is independent by more than so many times the closure error of the start is no surplus one: those of
+/// rounded linkages are independent by about as much as their dimensions contradict each other.
+const INDEPENDENT: f64 = 10.0;
 /// Largest share of e that is taken into account: further off the position says nothing about dependence.
 const FAR: f64 = 0.1;
 /// Closure error below which a start counts as nearly closed: a table printed with two decimals.
@@ -84,7 +87,7 @@ pub fn close_start(
         holding.clear();
         let begins_near = path.error <= NEAR && path.near.as_deref() == Some(&given);
         if path.closed && !path.leaps {
-            if let Some(rounded) = rounded(closer, scaled, theta, tolerance, true) {
+            if let Some(rounded) = rounded(closer, scaled, theta, path.error, tolerance, true) {
                 theta.copy_from_slice(&rounded);
                 return Start::Rounded;
             }
@@ -93,7 +96,7 @@ pub fn close_start(
             return Start::Closed;
         }
         if let Some(near) = &path.near
-            && let Some(rounded) = rounded(closer, scaled, near, tolerance, false)
+            && let Some(rounded) = rounded(closer, scaled, near, path.error, tolerance, false)
         {
             theta.copy_from_slice(&rounded);
             return Start::Rounded;
@@ -174,26 +177,30 @@ fn descend(
 }
 
 /// The position near `theta` that closes a linkage with rounded dimensions, if it is one; sets the dependence then, and
-/// leaves it alone else. `closed`: the loops are closed exactly at `theta`. Limits are not kept here.
+/// leaves it alone else. `error` is the closure error where the start was nearly closed; `closed`: the loops are closed
+/// exactly at `theta`. Limits are not kept here.
 fn rounded(
     closer: &mut Closer,
     scaled: &Scaled,
     theta: &[f64],
+    error: f64,
     tolerance: f64,
     closed: bool,
 ) -> Option<Vec<f64>> {
-    if !(tolerance > 0.0) {
+    // A start that is closed as it is given has dimensions that agree.
+    if !(tolerance > 0.0) || error <= CLOSED {
         return None;
     }
+    let independent = tolerance.min(INDEPENDENT * error);
     let free = Holding::new(scaled.limits());
     let mut held = free.clone();
     let before = closer.dependence();
     let open = closer.tangent().evaluate(scaled.chains(), theta);
-    let blur = |open: f64| (ROUNDED_BLUR * open.min(FAR)).max(tolerance);
+    let blur = |open: f64| (ROUNDED_BLUR * open.min(FAR)).max(independent);
     let tangent = closer.tangent();
     // A linkage off singular positions, as most are, ends here.
     if closed
-        && tangent.surplus_within(free.stops(), tolerance)
+        && tangent.surplus_within(free.stops(), independent)
             == tangent.surplus_within(free.stops(), EXACT)
     {
         return None;

@@ -6,7 +6,7 @@
 //! the whole misfit on it. Then the constraints are met in the sense of least squares: of all constraints those r
 //! orthonormal combinations are kept that are most independent, the left singular vectors of the largest singular values.
 
-use crate::math::linalg::svd;
+use crate::math::linalg::{PivotedQr, svd};
 
 /// Which constraints are left out when a system is factored.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,7 +55,7 @@ pub(super) struct Combination {
     own: usize,
     /// Of the others: one column a kept combination, `others` entries each.
     columns: Vec<Vec<f64>>,
-    /// The combinations that are left out.
+    /// The combinations that are left out, as multipliers of all constraints.
     dropped: Vec<Vec<f64>>,
     others: usize,
 }
@@ -72,6 +72,10 @@ impl Combination {
             .min(unknowns.saturating_sub(own));
         let mut columns = svd(free).v;
         let dropped = columns.split_off(kept);
+        let dropped = dropped
+            .iter()
+            .map(|column| contradiction(first, others, unknowns, column))
+            .collect();
         let mut combined = first.to_vec();
         for column in &columns {
             let mut sum = vec![0.0; unknowns];
@@ -99,11 +103,8 @@ impl Combination {
     }
 
     /// The combinations that are left out, as multipliers of all constraints.
-    pub fn dropped(&self) -> impl Iterator<Item = Vec<f64>> {
-        let own = self.own;
-        self.dropped
-            .iter()
-            .map(move |column| [&vec![0.0; own], &column[..]].concat())
+    pub fn dropped(&self) -> &[Vec<f64>] {
+        &self.dropped
     }
 
     /// Multipliers of the constraints from those of the kept combinations: the transpose of [`Combination::kept`].
@@ -119,6 +120,27 @@ impl Combination {
         }
         all
     }
+}
+
+/// A combination of the others' constraints that the first chain's span, with the multipliers of those that take it away:
+/// together they are a system of wrenches without any sum.
+fn contradiction(first: &[f64], others: &[f64], unknowns: usize, column: &[f64]) -> Vec<f64> {
+    let mut sum = vec![0.0; unknowns];
+    for (form, c) in others.chunks_exact(unknowns).zip(column) {
+        sum.iter_mut().zip(form).for_each(|(s, x)| *s -= c * x);
+    }
+    let mut qr = PivotedQr::default();
+    qr.clear(unknowns);
+    first.chunks_exact(unknowns).for_each(|form| qr.push(form));
+    qr.factor(0.0, usize::MAX);
+    qr.apply_qt(&mut sum);
+    qr.solve_r(&mut sum[..qr.rank()]);
+    let mut multipliers = vec![0.0; first.len() / unknowns];
+    for (x, &own) in sum.iter().zip(&qr.order()[..qr.rank()]) {
+        multipliers[own] = *x;
+    }
+    multipliers.extend_from_slice(column);
+    multipliers
 }
 
 /// How many combinations of the constraints are within this distance of dependence.

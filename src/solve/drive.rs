@@ -143,20 +143,27 @@ impl Path<'_> {
             if gap == 0.0 {
                 return None;
             }
-            let direction = self.direction(theta, gap.signum());
-            // A step that turns the heading round has gone across a dead point, to the other branch.
-            if let (Some(direction), Some((before, heading, length))) = (&direction, &last)
-                && dot(direction, heading) < 0.0
-                && *length > SMALLEST_STEP
-            {
-                radius = 0.5 * length;
-                theta.clone_from(before);
-                last = None;
-                continue;
-            }
-            let next = match &direction {
-                Some(direction) => self.advance(theta, direction, target, &mut radius),
-                None => None,
+            let mut direction = self.direction(theta, gap.signum());
+            // A step that turns the heading round has gone across a dead point, to the other branch, and one after which
+            // the driven joint stands still may have: it is taken back.
+            let crossed = last.take().filter(|(_, heading, _)| {
+                direction
+                    .as_ref()
+                    .is_none_or(|direction| dot(direction, heading) < 0.0)
+            });
+            let next = if let Some((before, heading, length)) = crossed {
+                theta.clone_from(&before);
+                if length > SMALLEST_STEP {
+                    radius = 0.5 * length;
+                    continue;
+                }
+                direction = Some(heading);
+                None
+            } else {
+                match &direction {
+                    Some(direction) => self.advance(theta, direction, target, &mut radius),
+                    None => None,
+                }
             };
             match next {
                 Some(next) => {
@@ -169,7 +176,6 @@ impl Path<'_> {
                     *theta = next;
                 }
                 None => {
-                    last = None;
                     let held = self.holding.held();
                     let moves = self.mobile(theta);
                     match self.kick(theta, direction, gap.signum()) {

@@ -19,9 +19,9 @@ use crate::solve::paper_matrix::{Linearised, linearise};
 /// flattest of the golden motions (3RPS, near gimbal lock), below 1e-10 as a rule. A tenth of it
 /// would cost hundreds of thousands of iterations on some frames.
 pub const STATIONARY: f64 = 1e-7;
-/// |a| up to which a pose is certified, if the quadratic model there falls by next to nothing too: ten times the stop,
-/// for frames that rounding or the limit of iterations ends before it.
-pub const CERTIFIED: f64 = 10.0 * STATIONARY;
+/// |a| up to which a pose is certified, if the quadratic model there falls by next to nothing too: a hundred times the
+/// stop, for frames that rounding or the limit of iterations ends before it. It is the fall that decides.
+pub const CERTIFIED: f64 = 100.0 * STATIONARY;
 /// Largest entry of the residual at which Eq. 28 stops.
 const CLOSED: f64 = 1e-13;
 /// Residual that rounding may leave where it no longer falls.

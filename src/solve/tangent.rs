@@ -243,7 +243,7 @@ impl Factored<'_> {
         let Some(combination) = &self.0.combination else {
             return Vec::new();
         };
-        let wrenches = |multipliers: Vec<f64>| {
+        let wrenches = |multipliers: &Vec<f64>| {
             let mut rest = &multipliers[..];
             let mut all = Vec::new();
             for chain in &self.0.chains {
@@ -258,7 +258,7 @@ impl Factored<'_> {
                 .sum();
             (all, misfit)
         };
-        combination.dropped().map(wrenches).collect()
+        combination.dropped().iter().map(wrenches).collect()
     }
 
     /// A basis of the wrench systems that the chains can exert on each other without any pull: one for each surplus
