@@ -62,8 +62,8 @@ const SAME: f64 = 1e-3;
 /// Among assemblies equally near, sliders of positive length (offset and variable together) are
 /// preferred, then small joint values. Angles are within ±π where the limits allow it.
 ///
-/// The same input gives the same start. Where no assembly closes, the last seed is returned, open, for
-/// the planner to report; and given values outside their limits come back as they are, for the same reason.
+/// The same input gives the same start. Where no assembly closes, the last seed is returned, open; given values outside
+/// their limits come back as they are.
 ///
 /// # Panics
 /// When `given` does not have one entry a chain, with one value a joint variable.

@@ -1,0 +1,362 @@
+//! The same linkage in another unit, and elsewhere in the fixed frame, moves the same.
+
+#[path = "common/fixtures.rs"]
+mod fixtures;
+
+use fixtures::{document, lines, problem, sample};
+use nalgebra::{Translation3, Unit, UnitQuaternion, Vector3};
+use std::collections::BTreeSet;
+use synthetica::document::problem::Problem;
+use synthetica::document::report::Report;
+use synthetica::document::schema::{Document, FrameEntry};
+use synthetica::math::pose::{FrameCoordinates, Pose};
+use synthetica::math::random::Random;
+use synthetica::model::joint::JointKind;
+use synthetica::motion::trajectory::Trajectory;
+use synthetica::study::why::explain;
+
+const SAMPLES: [&str; 8] = [
+    include_str!("../www/mechanisms/2tpr.json"),
+    include_str!("../www/mechanisms/3rps.json"),
+    include_str!("../www/mechanisms/bennett.json"),
+    include_str!("../www/mechanisms/cartesian.json"),
+    include_str!("../www/mechanisms/five-link.json"),
+    include_str!("../www/mechanisms/four-bar.json"),
+    include_str!("../www/mechanisms/scara.json"),
+    include_str!("../www/mechanisms/spacecraft.json"),
+];
+
+/// Samples, and every `step`th random assembly.
+fn documents(step: usize) -> Vec<(String, Document)> {
+    let samples = SAMPLES.iter().map(|text| {
+        let document = synthetica::document::text::parse(text).expect("a sample");
+        (document.name.clone(), document)
+    });
+    let random = sample(lines("assemblies"), step);
+    let random = random
+        .iter()
+        .map(|line| (line["case"].to_string(), document(line)));
+    samples.chain(random).collect()
+}
+
+fn slides(kind: JointKind, freedom: usize) -> bool {
+    match kind {
+        JointKind::R | JointKind::T | JointKind::S => false,
+        JointKind::P => true,
+        JointKind::C => freedom == 1,
+        JointKind::E => freedom < 2,
+    }
+}
+
+/// All lengths of a document times `s`.
+fn scaled(document: &Document, s: f64) -> Document {
+    let mut document = document.clone();
+    let frame = |f: &mut FrameEntry| {
+        [&mut f.x, &mut f.y, &mut f.z]
+            .into_iter()
+            .for_each(|x| *x *= s)
+    };
+    for chain in &mut document.chains {
+        frame(&mut chain.base);
+        frame(&mut chain.gripper);
+        let mut variable = 0;
+        for joint in &mut chain.joints {
+            for row in &mut joint.rows {
+                row.a *= s;
+                row.d *= s;
+            }
+            for freedom in 0..joint.kind.freedoms() {
+                if slides(joint.kind, freedom) {
+                    if let Some(Some(limits)) =
+                        joint.limits.as_mut().map(|limits| limits[freedom].as_mut())
+                    {
+                        limits.min = limits.min.map(|x| x * s);
+                        limits.max = limits.max.map(|x| x * s);
+                    }
+                    if let Some(start) = &mut chain.start {
+                        start[variable] *= s;
+                    }
+                }
+                variable += 1;
+            }
+        }
+    }
+    for key in &mut document.motion.key_frames {
+        [&mut key.x, &mut key.y, &mut key.z]
+            .into_iter()
+            .for_each(|x| *x *= s);
+    }
+    let motion = &mut document.motion;
+    motion.radius = motion.radius.map(|x| x * s);
+    motion.reference.iter_mut().flatten().for_each(|x| *x *= s);
+    let planner = &mut document.planner;
+    planner.metric_length = planner.metric_length.map(|x| x * s);
+    planner
+        .metric_origin
+        .iter_mut()
+        .flatten()
+        .for_each(|x| *x *= s);
+    document
+}
+
+fn codes(problem: &Problem, t: &Trajectory) -> BTreeSet<&'static str> {
+    let report = Report::new(&problem.mechanism, "", t);
+    report.warnings.iter().map(|w| w.code).collect()
+}
+
+/// Sliders and angles of a joint vector that is in a unit `s` times smaller, in the original's.
+fn in_original(problem: &Problem, joints: &[f64], s: f64) -> Vec<f64> {
+    let turns = problem
+        .mechanism
+        .chains()
+        .iter()
+        .flat_map(|c| c.turns().collect::<Vec<_>>());
+    joints
+        .iter()
+        .zip(turns)
+        .map(|(x, turns)| if turns { *x } else { x / s })
+        .collect()
+}
+
+fn bits(values: &[f64]) -> Vec<u64> {
+    values.iter().map(|x| x.to_bits()).collect()
+}
+
+/// Is the answer of a frame well determined: singular values and curvature above 1e-3?
+fn well_determined(problem: &Problem, t: &Trajectory, frame: usize) -> bool {
+    if t.sigma_min[frame] <= 1e-3 {
+        return false;
+    }
+    let mut solver = problem
+        .settings
+        .solver(&problem.mechanism, problem.extent());
+    let mut joints = t.joints_at(frame).to_vec();
+    if !solver
+        .close_start(&mut joints, problem.settings.dimension_tolerance)
+        .is_closed()
+    {
+        return false;
+    }
+    let insight = explain(&mut solver, &joints, &t.goals[frame]);
+    insight.least_curvature.is_none_or(|least| least > 1e-3)
+}
+
+fn any_unit(step: usize) {
+    let mut failures = Vec::new();
+    for (case, document) in documents(step) {
+        let own = problem(&document);
+        let t = own.plan();
+        for power in [-10_i32, 7, 13] {
+            let s = power_of_two(power);
+            let other = problem(&scaled(&document, s));
+            let u = other.plan();
+            let joints = in_original(&own, &u.joints, s);
+            let same = bits(&t.metric) == bits(&u.metric)
+                && bits(&t.rotation_gap) == bits(&u.rotation_gap)
+                && bits(&t.closure) == bits(&u.closure)
+                && bits(&t.misfit) == bits(&u.misfit)
+                && bits(&t.sigma_min) == bits(&u.sigma_min)
+                && bits(&t.projected_gradient) == bits(&u.projected_gradient)
+                && t.iterations == u.iterations
+                && t.status == u.status
+                && joints
+                    .chunks(t.variables)
+                    .zip(t.joints.chunks(t.variables))
+                    .all(|(a, b)| bits(a) == bits(b));
+            if !same || codes(&own, &t) != codes(&other, &u) || t.mobility_rank != u.mobility_rank {
+                let frame = (0..t.frames())
+                    .find(|&f| t.joints_at(f) != &joints[f * t.variables..(f + 1) * t.variables]);
+                failures.push(format!(
+                    "{case} times 2^{power}: other bits from frame {frame:?} of {}",
+                    t.frames()
+                ));
+            }
+        }
+        for s in [1e-3, 25.4, 1e4] {
+            let other = problem(&scaled(&document, s));
+            let u = other.plan();
+            if t.mobility_rank != u.mobility_rank {
+                failures.push(format!(
+                    "{case} times {s}: mobility {} and {}",
+                    t.mobility_rank, u.mobility_rank
+                ));
+            }
+            let mut lost = false;
+            for frame in 0..t.frames() {
+                let joints = in_original(&own, u.joints_at(frame), s);
+                let size = own.mechanism.size_or(own.extent());
+                let turns = own
+                    .mechanism
+                    .chains()
+                    .iter()
+                    .flat_map(|c| c.turns().collect::<Vec<_>>());
+                let apart = joints
+                    .iter()
+                    .zip(t.joints_at(frame))
+                    .zip(turns)
+                    .map(|((a, b), turns)| (a - b).abs() / if turns { 1.0 } else { size })
+                    .fold(0.0, f64::max);
+                if apart <= 1e-9 && t.status[frame] == u.status[frame] {
+                    continue;
+                }
+                if well_determined(&own, &t, frame) {
+                    failures.push(format!(
+                        "{case} times {s}, frame {frame}: joints {apart:.1e} apart, {:?} and {:?}",
+                        t.status[frame], u.status[frame]
+                    ));
+                }
+                // Where the answer is not determined so well the motions may part.
+                lost = true;
+                break;
+            }
+            if !lost && codes(&own, &t) != codes(&other, &u) {
+                failures.push(format!(
+                    "{case} times {s}: warnings {:?} and {:?}",
+                    codes(&own, &t),
+                    codes(&other, &u)
+                ));
+            }
+        }
+    }
+    assert!(
+        failures.is_empty(),
+        "{} failures\n{}",
+        failures.len(),
+        failures.join("\n")
+    );
+}
+
+/// A power of two from its exponent, exactly.
+fn power_of_two(power: i32) -> f64 {
+    (0..power.unsigned_abs()).fold(1.0, |s, _| if power > 0 { s * 2.0 } else { s * 0.5 })
+}
+
+#[test]
+fn any_unit_moves_the_same() {
+    any_unit(15);
+}
+
+#[test]
+#[ignore = "minutes in release: cargo test --release --test everybodys_numbers -- --ignored"]
+fn any_unit_moves_the_same_in_all_assemblies() {
+    any_unit(1);
+}
+
+/// Bases and key frames moved together.
+fn moved(document: &Document, motion: &Pose) -> Document {
+    let mut document = document.clone();
+    let pose = |x, y, z, longitude: f64, latitude: f64, roll: f64| {
+        let (longitude, latitude, roll) = (
+            longitude.to_radians(),
+            latitude.to_radians(),
+            roll.to_radians(),
+        );
+        FrameCoordinates::from_pose(
+            &(motion
+                * FrameCoordinates {
+                    x,
+                    y,
+                    z,
+                    longitude,
+                    latitude,
+                    roll,
+                }
+                .pose()),
+        )
+    };
+    for chain in &mut document.chains {
+        let b = &mut chain.base;
+        let at = pose(b.x, b.y, b.z, b.longitude, b.latitude, b.roll);
+        (b.x, b.y, b.z) = (at.x, at.y, at.z);
+        (b.longitude, b.latitude, b.roll) = (
+            at.longitude.to_degrees(),
+            at.latitude.to_degrees(),
+            at.roll.to_degrees(),
+        );
+    }
+    for k in &mut document.motion.key_frames {
+        let at = pose(k.x, k.y, k.z, k.longitude, k.latitude, k.roll);
+        (k.x, k.y, k.z) = (at.x, at.y, at.z);
+        (k.longitude, k.latitude, k.roll) = (
+            at.longitude.to_degrees(),
+            at.latitude.to_degrees(),
+            at.roll.to_degrees(),
+        );
+    }
+    document
+}
+
+fn any_place(step: usize) {
+    let mut failures = Vec::new();
+    let mut random = Random::new(0x91ACE);
+    for (case, mut document) in documents(step) {
+        document.planner.metric = synthetica::math::metric::MetricKind::Pose;
+        document.motion.reference = None;
+        let own = problem(&document);
+        let t = own.plan();
+        let size = own.mechanism.size_or(own.extent());
+        for far in [10.0, 1e3, 1e5] {
+            let mut direction = || {
+                Vector3::new(
+                    random.between(-1.0, 1.0),
+                    random.between(-1.0, 1.0),
+                    random.between(-1.0, 1.0),
+                )
+            };
+            let (shift, axis) = (
+                direction().normalize() * (far * size),
+                Unit::new_normalize(direction()),
+            );
+            let turn = UnitQuaternion::from_axis_angle(&axis, 2.0);
+            let motion = Pose::from_parts(Translation3::from(shift), turn);
+            let other = problem(&moved(&document, &motion));
+            let u = other.plan();
+            if far > 1e4 {
+                let worse = (0..t.frames())
+                    .find(|&f| t.status[f].is_certified() && !u.status[f].is_certified());
+                if let Some(frame) = worse {
+                    failures.push(format!(
+                        "{case} at {far} sizes, frame {frame}: {:?}",
+                        u.status[frame]
+                    ));
+                }
+                let new: Vec<_> = codes(&other, &u)
+                    .difference(&codes(&own, &t))
+                    .copied()
+                    .collect();
+                if !new.is_empty() {
+                    failures.push(format!("{case} at {far} sizes warns of {new:?}"));
+                }
+                continue;
+            }
+            for frame in 0..t.frames() {
+                let back = motion.inverse() * u.poses[frame];
+                let apart =
+                    (back.translation.vector - t.poses[frame].translation.vector).norm() / size;
+                if apart > 1e-8 && t.sigma_min[frame] > 1e-2 {
+                    if well_determined(&own, &t, frame) {
+                        failures.push(format!("{case} at {far} sizes, frame {frame}: {apart:.1e} sizes apart, {:?} and {:?}", t.status[frame], u.status[frame]));
+                    }
+                    break;
+                }
+            }
+        }
+    }
+    assert!(
+        failures.is_empty(),
+        "{} failures\n{}",
+        failures.len(),
+        failures.join("\n")
+    );
+}
+
+#[test]
+fn any_place_moves_the_same() {
+    any_place(15);
+}
+
+#[test]
+#[ignore = "minutes in release: cargo test --release --test everybodys_numbers -- --ignored"]
+fn any_place_moves_the_same_in_all_assemblies() {
+    any_place(1);
+}
