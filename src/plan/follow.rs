@@ -258,7 +258,7 @@ impl Planning {
         let known = if self.done() == self.frames() {
             self.done()
         } else {
-            self.done().saturating_sub(2)
+            self.done().saturating_sub(leaps::NEIGHBOURS)
         };
         while self.checked + 1 < known {
             let first = self.checked;
@@ -272,19 +272,19 @@ impl Planning {
             // The present stops are those of the last frame; those of this one are not known any more.
             let holding = self.solver.holding().clone();
             self.solver.clear_holding();
-            let Some(way) = leaps::trace(&mut self.solver, self.t.joints_at(first), &from, &to)
-            else {
+            let (own, after) = (self.t.joints_at(first), self.t.joints_at(first + 1));
+            let Some(way) = leaps::trace(&mut self.solver, own, after, &from, &to) else {
                 self.solver.set_holding(holding);
                 continue;
             };
             let scaled = self.solver.scaled();
             let other = Leap::between(scaled, self.t.joints_at(first + 1), &way.joints);
             let leaps = way.leaps.iter().map(|leap| Leap { first, ..*leap });
-            if other.moved_scaled < leaps::LEAP {
+            let Some(solved) = way.solved.filter(|_| !(other.moved_scaled < leaps::LEAP)) else {
                 self.leaps.extend(leaps);
                 self.solver.set_holding(holding);
                 continue;
-            }
+            };
             if self.settings.method == Method::Gradient {
                 // The gradient planner keeps the branch that it came to; the leap gets a warning.
                 let whole =
@@ -304,7 +304,7 @@ impl Planning {
             let before = self.t.joints_at(first).to_vec();
             self.t.truncate(first + 1);
             self.joints = way.joints;
-            self.keep(first + 1, &before, &way.solved);
+            self.keep(first + 1, &before, &solved);
             return true;
         }
         false
