@@ -272,19 +272,23 @@ impl Planning {
             // The present stops are those of the last frame; those of this one are not known any more.
             let holding = self.solver.holding().clone();
             self.solver.clear_holding();
-            let (own, after) = (self.t.joints_at(first), self.t.joints_at(first + 1));
-            let Some(way) = leaps::trace(&mut self.solver, own, after, &from, &to) else {
+            if leaps::middle_fits(&mut self.solver, &self.t, first, &from, &to) {
+                self.solver.set_holding(holding);
+                continue;
+            }
+            self.solver.clear_holding();
+            let Some(way) = leaps::trace(&mut self.solver, &self.t, first, &from, &to) else {
                 self.solver.set_holding(holding);
                 continue;
             };
             let scaled = self.solver.scaled();
             let other = Leap::between(scaled, self.t.joints_at(first + 1), &way.joints);
             let leaps = way.leaps.iter().map(|leap| Leap { first, ..*leap });
-            let Some(solved) = way.solved.filter(|_| !(other.moved_scaled < leaps::LEAP)) else {
+            if other.moved_scaled < leaps::LEAP {
                 self.leaps.extend(leaps);
                 self.solver.set_holding(holding);
                 continue;
-            };
+            }
             if self.settings.method == Method::Gradient {
                 // The gradient planner keeps the branch that it came to; the leap gets a warning.
                 let whole =
@@ -304,7 +308,7 @@ impl Planning {
             let before = self.t.joints_at(first).to_vec();
             self.t.truncate(first + 1);
             self.joints = way.joints;
-            self.keep(first + 1, &before, &solved);
+            self.keep(first + 1, &before, &way.solved);
             return true;
         }
         false

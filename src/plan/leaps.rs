@@ -2,9 +2,10 @@
 //!
 //! A leap is a change of joints by more than 0.02 rad, or sizes, within 1e-6 of an interval. An interval is looked into
 //! where its joint motion is not the one that its neighbours' give by interpolation. Between two frames the goal is taken
-//! to go straight and to turn steadily, and the linkage is followed along that way: a step is taken where the position in
-//! its middle is within a quarter of a leap of the mean of its ends, else it is halved; where it would become shorter than
-//! 1e-6 of the interval, it leaps. This distinguishes a motion that is fast but continuous from one that leaves its branch.
+//! to go straight and to turn steadily, and the linkage is followed along that way: a step is taken where it ends within
+//! half a leap of the position that the points before it give by extrapolation, else it is made shorter; where it would
+//! become shorter than 1e-6 of the interval, it leaps. This distinguishes a motion that is fast but continuous from one
+//! that leaves its branch.
 
 use crate::math::pose::Pose;
 use crate::model::scaled::Scaled;
@@ -14,19 +15,23 @@ use crate::solve::solver::{Solved, Solver};
 
 /// Joint motion, rad or sizes, that is a leap where it happens at once.
 pub const LEAP: f64 = 0.02;
-/// What an interval's joint motion may differ from that of its neighbours, and twice what the middle of a step may differ
-/// from the mean of its ends: a leap inside differs by all, and by half of it.
+/// What an interval's joint motion may differ from that of its neighbours, and the end of a step from its extrapolation:
+/// a leap inside differs by all of it.
 const FINE: f64 = 0.5 * LEAP;
-/// Joint motion, rad or sizes, up to which the middle of a step is predicted from its ends.
+/// First step inside an interval, where points before it are known and where none are, as shares of it.
+const FIRST: [f64; 2] = [0.25, 0.02];
+/// Joint motion, rad or sizes, up to which the middle of an interval is looked at first.
 const NEAR: f64 = 0.15;
+/// Points that an extrapolation goes through: with four it errs by the fourth power of a step.
+const POINTS: usize = 4;
 /// Shortest step, as a share of the interval.
 const SHORTEST: f64 = 1e-6;
 /// Slope along a leap, in units of the stationary one, above which it leads downhill.
 const SLOPE: f64 = 10.0;
 /// Joint motion in one interval that is always looked at.
 const LARGE: f64 = 0.5;
-/// Steps in one interval: those of a hundred leaps. Beyond, the interval is left as it was found.
-const STEPS: usize = 4000;
+/// Steps in one interval: those of a few dozen leaps. Beyond, the interval is left as it was found.
+const STEPS: usize = 2000;
 /// Neighbours to each side from which the joint motion of an interval is interpolated.
 pub const NEIGHBOURS: usize = 2;
 
@@ -124,84 +129,123 @@ pub fn is_suspicious(t: &Trajectory, scaled: &Scaled, first: usize) -> bool {
     })
 }
 
+/// Whether the middle of a short interval is where its ends say, so that nothing leaps inside: a cheap answer for most of
+/// the intervals that are suspicious, and false where it takes more to know.
+pub fn middle_fits(
+    solver: &mut Solver,
+    t: &Trajectory,
+    first: usize,
+    from: &Goal,
+    to: &Goal,
+) -> bool {
+    let (at, end) = (t.joints_at(first), t.joints_at(first + 1));
+    if !(Leap::between(solver.scaled(), at, end).moved_scaled <= NEAR) {
+        return false;
+    }
+    let mean: Vec<f64> = at.iter().zip(end).map(|(a, b)| 0.5 * (a + b)).collect();
+    let mut middle = at.to_vec();
+    let solved = solver.solve(&between(from, to, 0.5), &mut middle, &mean);
+    let off = Leap::between(solver.scaled(), &mean, &middle).moved_scaled;
+    solved.end.is_minimum() && off <= 0.5 * FINE
+}
+
 /// How an interval was passed in short steps.
 #[derive(Clone, Debug)]
 pub struct Way {
     /// Joint values at its end.
     pub joints: Vec<f64>,
-    /// What is known of the frame there; none where it is as it was found.
-    pub solved: Option<Solved>,
+    /// What is known of the frame there.
+    pub solved: Solved,
     /// The leaps on it.
     pub leaps: Vec<Leap>,
 }
 
-/// Follows the linkage from the joint values of a frame to the next, of which `joints_after` were found; none where a
-/// step is not certified.
+/// Follows the linkage through the interval after frame `first` of a motion, in short steps; none where a step is not
+/// certified.
 pub fn trace(
     solver: &mut Solver,
-    joints: &[f64],
-    joints_after: &[f64],
+    t: &Trajectory,
+    first: usize,
     from: &Goal,
     to: &Goal,
 ) -> Option<Way> {
-    let mut at = joints.to_vec();
-    let mut done = 0.0;
+    // Points of the motion, the latest first: the part of the interval, negative before it, and joint values.
+    let mut points: Vec<(f64, Vec<f64>)> = (0..POINTS)
+        .map_while(|back| first.checked_sub(back))
+        .take_while(|&frame| t.status[frame].is_certified())
+        .map(|frame| (frame as f64 - first as f64, t.joints_at(frame).to_vec()))
+        .collect();
+    let mut step = FIRST[usize::from(points.len() < 2)];
     let mut leaps = Vec::new();
-    // The end of the step; of the first one as the frame was found.
-    let mut step = 1.0_f64;
-    let mut end = joints_after.to_vec();
-    let mut solved: Option<Solved> = None;
+    let mut predicted = vec![0.0; t.variables];
     for _ in 0..STEPS {
-        let holding = solver.holding().clone();
-        let mean: Vec<f64> = at.iter().zip(&end).map(|(a, b)| 0.5 * (a + b)).collect();
-        let whole = Leap::between(solver.scaled(), &at, &end).moved_scaled;
-        let mut middle = at.clone();
-        let predicted = if whole <= NEAR { &mean } else { &at };
-        let half_way = between(from, to, done + 0.5 * step);
-        let half = solver.solve(&half_way, &mut middle, predicted);
-        let off = Leap::between(solver.scaled(), &mean, &middle).moved_scaled;
-        let is_end = solved.is_none_or(|solved| solved.end.is_minimum());
-        if is_end && half.end.is_minimum() && off <= 0.5 * FINE && whole <= LARGE {
-            // Nothing leaps in it.
-        } else if step > SHORTEST {
-            // The middle is the end of the first half.
-            solver.set_holding(holding);
-            step *= 0.5;
-            (end, solved) = (middle, Some(half));
-            continue;
+        let (done, at) = &points[0];
+        let next = if done + step > 1.0 - SHORTEST {
+            1.0
         } else {
+            done + step
+        };
+        let goal = between(from, to, next);
+        let holding = solver.holding().clone();
+        extrapolate(&points, next, &mut predicted);
+        let mut end = at.clone();
+        let mut solved = solver.solve(&goal, &mut end, &predicted);
+        let off = Leap::between(solver.scaled(), &predicted, &end).moved_scaled;
+        let smooth = solved.end.is_minimum() && off <= FINE;
+        if !smooth && step > SHORTEST {
+            solver.set_holding(holding);
+            // The error falls with the power of the step; where it does not, it is a leap that comes nearer.
+            step *= if off <= 4.0 * FINE { 0.5 } else { 0.2 };
+            continue;
+        }
+        let mut leapt = false;
+        if !smooth {
             // From where it is, not from a prediction that a leap may have led astray.
             solver.set_holding(holding);
-            let goal = between(from, to, done + step);
-            let mut trial = at.clone();
-            let found = solver.solve(&goal, &mut trial, &at);
-            if !found.end.is_minimum() {
+            end.clone_from(at);
+            solved = solver.solve(&goal, &mut end, at);
+            if !solved.end.is_minimum() {
                 return None;
             }
-            let leap = Leap::between(solver.scaled(), &at, &trial);
+            let leap = Leap::between(solver.scaled(), at, &end);
+            leapt = leap.moved_scaled > FINE;
             // In a valley that is nearly flat the answer is known to within the stationary slope only; a move that does
             // not lower the distance by more than that slope allows is no leap.
-            let fall = solver.value(&goal, &at) - found.value;
+            let fall = solver.value(&goal, at) - solved.value;
             let slope = SLOPE * solver.tolerances().stationary;
             if leap.moved_scaled > LEAP && fall > slope * leap.moved_scaled {
-                let time = from.time + (done + step) * (to.time - from.time);
+                let time = from.time + next * (to.time - from.time);
                 leaps.push(Leap { time, ..leap });
             }
-            (end, solved) = (trial, Some(found));
         }
-        at.clone_from(&end);
-        done += step;
-        if done >= 1.0 {
+        if next >= 1.0 {
             return Some(Way {
-                joints: at,
+                joints: end,
                 solved,
                 leaps,
             });
         }
-        step = (2.0 * step).min(1.0 - done);
-        solved = Some(solver.solve(&between(from, to, done + step), &mut end, &at));
+        if leapt {
+            points.clear();
+        }
+        points.insert(0, (next, end));
+        points.truncate(POINTS);
+        step *= if off <= 0.1 * FINE { 2.0 } else { 1.2 };
     }
     None
+}
+
+/// The joint values at the part `s` of the interval, by the polynomial through the points.
+fn extrapolate(points: &[(f64, Vec<f64>)], s: f64, joints: &mut [f64]) {
+    joints.fill(0.0);
+    for (k, (own, values)) in points.iter().enumerate() {
+        let others = points.iter().enumerate().filter(|(other, _)| *other != k);
+        let weight: f64 = others.map(|(_, (at, _))| (s - at) / (own - at)).product();
+        joints
+            .iter_mut()
+            .zip(values)
+            .for_each(|(x, value)| *x += weight * value);
+    }
 }
 
 /// The goal at the part `s` of the way between two frames.
