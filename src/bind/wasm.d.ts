@@ -203,6 +203,7 @@ export interface Course {
   projected_gradient: Float64Array;
   /** How far the loops are open: lengths as shares of the mechanism's size, or rad. */
   closure: Float64Array;
+  misfit: Float64Array;
   sigma_min: Float64Array;
   /** Of the gradient, how the iterate was reached: the share of the null-space step that was taken, */
   share: Float64Array;

@@ -174,6 +174,7 @@ fn history(problem: &Problem, history: &History) -> Result<Object, JsValue> {
     numbers("metric", &history.metric)?;
     numbers("projected_gradient", &history.projected_gradient)?;
     numbers("closure", &history.closure_error)?;
+    numbers("misfit", &history.misfit)?;
     numbers("sigma_min", &history.sigma_min)?;
     numbers("share", &arrivals(|a| a.share))?;
     numbers("opening", &arrivals(|a| a.opening))?;
