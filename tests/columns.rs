@@ -24,7 +24,10 @@ fn layout(kind: Kind) -> &'static str {
 /// The fields of an interface as it declares them, with the comments above them.
 fn written(fields: &[(&Column, &str)]) -> String {
     let field = |(column, kind): &(&Column, &str)| {
-        let (comment, name) = (format!("{}{}", column.meaning, layout(column.kind)), column.name);
+        let (comment, name) = (
+            format!("{}{}", column.meaning, layout(column.kind)),
+            column.name,
+        );
         format!("  /** {comment} */\n  {name}: {kind};\n")
     };
     fields.iter().map(field).collect()
@@ -40,8 +43,12 @@ fn interface(name: &str) -> &'static str {
 
 /// The names of its fields.
 fn fields(name: &str) -> BTreeSet<&'static str> {
-    let lines = interface(name).lines().filter(|line| line.starts_with("  ") && !line.starts_with("   "));
-    let names = lines.filter_map(|line| line.trim().split_once(':')).map(|(name, _)| name.trim_end_matches('?'));
+    let lines = interface(name)
+        .lines()
+        .filter(|line| line.starts_with("  ") && !line.starts_with("   "));
+    let names = lines
+        .filter_map(|line| line.trim().split_once(':'))
+        .map(|(name, _)| name.trim_end_matches('?'));
     names.filter(|name| !name.contains([' ', '*'])).collect()
 }
 
@@ -51,7 +58,9 @@ fn holds(name: &str, expected: &str, others: &[&str]) {
         "the columns of {name} in src/bind/wasm.d.ts are not those of src/motion/columns.rs, which are\n\n{expected}"
     );
     let columns = COLUMNS.iter().map(|column| column.name);
-    let all: BTreeSet<&str> = columns.filter(|column| expected.contains(&format!("  {column}: "))).collect();
+    let all: BTreeSet<&str> = columns
+        .filter(|column| expected.contains(&format!("  {column}: ")))
+        .collect();
     let all: BTreeSet<&str> = all.into_iter().chain(others.iter().copied()).collect();
     assert_eq!(fields(name), all);
 }
@@ -63,12 +72,24 @@ fn the_type_of_a_motion_is_that_of_the_list() {
             let kind = match column.kind {
                 Kind::Status => "Uint8Array",
                 Kind::Count => "Uint32Array",
-                Kind::Time | Kind::Length | Kind::Angle | Kind::Number | Kind::Pose | Kind::Joints => "Float64Array",
+                Kind::Time
+                | Kind::Length
+                | Kind::Angle
+                | Kind::Number
+                | Kind::Pose
+                | Kind::Joints => "Float64Array",
             };
             (column, kind)
         })
         .collect();
-    let others = ["frames", "partial", "goal_frames", "report", "milliseconds", "rows"];
+    let others = [
+        "frames",
+        "partial",
+        "goal_frames",
+        "report",
+        "milliseconds",
+        "rows",
+    ];
     holds("Motion", &written(&columns), &others);
 }
 
@@ -80,12 +101,21 @@ fn the_type_of_a_posture_is_that_of_the_list() {
         .map(|column| {
             let kind = match column.kind {
                 Kind::Pose | Kind::Joints => "Float64Array",
-                Kind::Time | Kind::Length | Kind::Angle | Kind::Number | Kind::Count | Kind::Status => "number",
+                Kind::Time
+                | Kind::Length
+                | Kind::Angle
+                | Kind::Number
+                | Kind::Count
+                | Kind::Status => "number",
             };
             (column, kind)
         })
         .collect();
-    holds("Posture", &written(&columns), &["rows", "status", "value", "obstacle"]);
+    holds(
+        "Posture",
+        &written(&columns),
+        &["rows", "status", "value", "obstacle"],
+    );
 }
 
 #[test]
@@ -98,19 +128,34 @@ fn a_table_has_the_columns_of_the_list() {
     for column in &COLUMNS {
         let name = column.name;
         match column.kind {
-            Kind::Time | Kind::Number | Kind::Count | Kind::Status => expected.push(name.to_owned()),
+            Kind::Time | Kind::Number | Kind::Count | Kind::Status => {
+                expected.push(name.to_owned());
+            }
             Kind::Length => expected.push(format!("{name}[m]")),
             Kind::Angle => expected.push(format!("{name}[deg]")),
             Kind::Pose => {
-                let prefix = if name == "pose" { String::new() } else { format!("{name}_") };
-                expected.extend(["x[m]", "y[m]", "z[m]", "qx", "qy", "qz", "qw"].map(|part| format!("{prefix}{part}")));
+                let prefix = if name == "pose" {
+                    String::new()
+                } else {
+                    format!("{name}_")
+                };
+                expected.extend(
+                    ["x[m]", "y[m]", "z[m]", "qx", "qy", "qz", "qw"]
+                        .map(|part| format!("{prefix}{part}")),
+                );
             }
-            Kind::Joints => expected.extend(report.chains.iter().enumerate().flat_map(|(i, chain)| {
-                chain.variables.iter().map(move |variable| {
-                    let unit = if variable.unit == "rad" { "deg" } else { "m" };
-                    format!("chain{}_{}[{unit}]", i + 1, variable.label.replace('θ', "theta"))
-                })
-            })),
+            Kind::Joints => {
+                expected.extend(report.chains.iter().enumerate().flat_map(|(i, chain)| {
+                    chain.variables.iter().map(move |variable| {
+                        let unit = if variable.unit == "rad" { "deg" } else { "m" };
+                        format!(
+                            "chain{}_{}[{unit}]",
+                            i + 1,
+                            variable.label.replace('θ', "theta")
+                        )
+                    })
+                }));
+            }
         }
     }
     let text = table::csv(session.document(), mechanism, &motion);
@@ -125,8 +170,11 @@ fn the_types_of_reports_name_their_fields() {
     let motion = session.plan();
     let frame = motion.frames() / 2;
     let placed = |pose: &synthetica::math::pose::Pose| synthetica::motion::columns::placed([pose]);
-    let insight = session.explain(motion.joints_at(frame), &placed(&motion.goals[frame])).expect("closed loops");
-    let report = serde_json::to_value(Report::new(&session.problem().mechanism, "m", &motion)).expect("plain data");
+    let insight = session
+        .explain(motion.joints_at(frame), &placed(&motion.goals[frame]))
+        .expect("closed loops");
+    let report = serde_json::to_value(Report::new(&session.problem().mechanism, "m", &motion))
+        .expect("plain data");
     let gaps = serde_json::to_value(session.problem().compare_metrics()).expect("plain data");
     let insight = serde_json::to_value(insight).expect("plain data");
     for (name, value) in [
@@ -138,7 +186,13 @@ fn the_types_of_reports_name_their_fields() {
         ("Screw", &insight["freedoms"][0]),
         ("MetricGaps", &gaps[0]),
     ] {
-        let value = value.as_object().unwrap_or_else(|| panic!("{name} is no object"));
-        assert_eq!(value.keys().map(String::as_str).collect::<BTreeSet<_>>(), fields(name), "{name}");
+        let value = value
+            .as_object()
+            .unwrap_or_else(|| panic!("{name} is no object"));
+        assert_eq!(
+            value.keys().map(String::as_str).collect::<BTreeSet<_>>(),
+            fields(name),
+            "{name}"
+        );
     }
 }

@@ -47,7 +47,9 @@ impl Comparison {
     /// When `start` does not have one value a joint variable.
     pub fn new(problem: &Problem, start: &[f64]) -> Self {
         let plan = |kind| plan_with(problem, start, kind);
-        Self { plans: MetricKind::ALL.map(plan) }
+        Self {
+            plans: MetricKind::ALL.map(plan),
+        }
     }
 
     /// Plans one more frame; false when there is none left.
@@ -82,7 +84,10 @@ impl Problem {
 }
 
 fn plan_with(problem: &Problem, start: &[f64], metric: MetricKind) -> Planning {
-    let settings = Settings { metric, ..problem.settings };
+    let settings = Settings {
+        metric,
+        ..problem.settings
+    };
     Planning::new(&problem.mechanism, start, &problem.goals, &settings)
 }
 
@@ -100,10 +105,20 @@ mod tests {
         let problem = Problem::new(&document).expect("a sample");
         let motion = problem.plan();
         let gaps = problem.compare_metrics();
-        assert_eq!(gaps.each_ref().map(|g| g.metric), ["pose", "dual-quaternion"]);
+        assert_eq!(
+            gaps.each_ref().map(|g| g.metric),
+            ["pose", "dual-quaternion"]
+        );
         assert_eq!(gaps[1], MetricGaps::of(&motion));
-        assert!((gaps[0].rotation_gap - gaps[1].rotation_gap).abs() > 1e-6, "{gaps:?}");
-        assert!(gaps.iter().all(|g| g.length == 1.0 && g.translation_gap > 0.0), "{gaps:?}");
+        assert!(
+            (gaps[0].rotation_gap - gaps[1].rotation_gap).abs() > 1e-6,
+            "{gaps:?}"
+        );
+        assert!(
+            gaps.iter()
+                .all(|g| (g.length - 1.0).abs() < 1e-12 && g.translation_gap > 0.0),
+            "{gaps:?}"
+        );
         assert_eq!(problem.compare_metrics_of(&motion), gaps);
     }
 

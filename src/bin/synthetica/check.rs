@@ -99,10 +99,13 @@ struct Run {
 impl<'a> Verdict<'a> {
     fn new(planned: &'a Planned) -> Self {
         let motion = &planned.motion;
-        let metrics = planned.problem.compare_metrics_of(motion).map(|gaps| MetricGaps {
-            rotation_gap: gaps.rotation_gap.to_degrees(),
-            ..gaps
-        });
+        let metrics = planned
+            .problem
+            .compare_metrics_of(motion)
+            .map(|gaps| MetricGaps {
+                rotation_gap: gaps.rotation_gap.to_degrees(),
+                ..gaps
+            });
         let mut statuses = BTreeMap::new();
         for status in &motion.status {
             *statuses.entry(status.name()).or_default() += 1;
@@ -121,7 +124,11 @@ impl<'a> Verdict<'a> {
             metrics,
             leaps: leaps(motion),
             near_singular: near_singular(motion),
-            report: Report::new(&planned.problem.mechanism, &planned.problem.length_unit, motion),
+            report: Report::new(
+                &planned.problem.mechanism,
+                &planned.problem.length_unit,
+                motion,
+            ),
         }
     }
 }
@@ -152,19 +159,36 @@ fn words(verdict: &Verdict, planned: &Planned) -> String {
         format!("  mobility  {rank} by rank, {count} by count"),
         format!("  frames    {}: {}", verdict.frames, statuses.join(", ")),
         format!("  gap       up to {shift:.4} {unit} and {turn:.2}°"),
-        format!("  loops     closed to {:.1e}, at most {:.1e}", verdict.closure, report.bounds.closure),
+        format!(
+            "  loops     closed to {:.1e}, at most {:.1e}",
+            verdict.closure, report.bounds.closure
+        ),
     ];
     if verdict.misfit > report.bounds.closure {
-        lines.push(format!("  misfit    {:.1e}, at most {:.1e}", verdict.misfit, report.bounds.misfit));
+        lines.push(format!(
+            "  misfit    {:.1e}, at most {:.1e}",
+            verdict.misfit, report.bounds.misfit
+        ));
     }
     lines.push(format!("  metric    {}", metric(report, unit)));
     let either = verdict.metrics.each_ref().map(|gaps| {
-        let MetricGaps { metric, translation_gap: shift, rotation_gap: turn, .. } = gaps;
+        let MetricGaps {
+            metric,
+            translation_gap: shift,
+            rotation_gap: turn,
+            ..
+        } = gaps;
         format!("{metric} {shift:.4} {unit}, {turn:.2}°")
     });
     lines.push(format!("  compared  {}", either.join(" | ")));
-    lines.push(format!("  leaps     {}", list(&verdict.leaps, "between frames ", " and ")));
-    lines.push(format!("  singular  {}", list(&verdict.near_singular, "nearly, in frames ", " to ")));
+    lines.push(format!(
+        "  leaps     {}",
+        list(&verdict.leaps, "between frames ", " and ")
+    ));
+    lines.push(format!(
+        "  singular  {}",
+        list(&verdict.near_singular, "nearly, in frames ", " to ")
+    ));
     let said = warnings(report, &planned.motion);
     lines.extend(said.iter().map(|said| format!("  warning   {said}")));
     lines.join("\n") + "\n"
@@ -179,8 +203,14 @@ fn metric(report: &Report, unit: &str) -> String {
         "motion" => "the extent of the motion",
         _ => "there is no other length",
     };
-    let about = used.origin.map_or_else(String::new, |[x, y, z]| format!(" about ({x}, {y}, {z})"));
-    format!("{}{about}, length {} {unit} ({source})", used.kind, rounded(used.length))
+    let about = used
+        .origin
+        .map_or_else(String::new, |[x, y, z]| format!(" about ({x}, {y}, {z})"));
+    format!(
+        "{}{about}, length {} {unit} ({source})",
+        used.kind,
+        rounded(used.length)
+    )
 }
 
 /// Four digits, without zeros at the end.
@@ -190,24 +220,38 @@ fn rounded(length: f64) -> f64 {
 
 /// Frames count from 1 here.
 fn list(frames: &[Frames], before: &str, between: &str) -> String {
-    let spans: Vec<String> = frames.iter().map(|f| format!("{}{between}{}", f.first + 1, f.last + 1)).collect();
-    if spans.is_empty() { "none".to_owned() } else { format!("{before}{}", spans.join(", ")) }
+    let spans: Vec<String> = frames
+        .iter()
+        .map(|f| format!("{}{between}{}", f.first + 1, f.last + 1))
+        .collect();
+    if spans.is_empty() {
+        "none".to_owned()
+    } else {
+        format!("{before}{}", spans.join(", "))
+    }
 }
 
 fn leaps(motion: &Trajectory) -> Vec<Frames> {
-    let leap = |warning: &Warning| match *warning {
-        Warning::BranchJump { first, .. } => Some(Frames { first, last: first + 1 }),
-        _ => None,
-    };
-    motion.warnings.iter().filter_map(leap).collect()
+    let mut leaps = Vec::new();
+    for warning in &motion.warnings {
+        if let Warning::BranchJump { first, .. } = *warning {
+            leaps.push(Frames {
+                first,
+                last: first + 1,
+            });
+        }
+    }
+    leaps
 }
 
 fn near_singular(motion: &Trajectory) -> Vec<Frames> {
-    let interval = |warning: &Warning| match *warning {
-        Warning::NearSingular { first, last, .. } => Some(Frames { first, last }),
-        _ => None,
-    };
-    motion.warnings.iter().filter_map(interval).collect()
+    let mut intervals = Vec::new();
+    for warning in &motion.warnings {
+        if let Warning::NearSingular { first, last, .. } = *warning {
+            intervals.push(Frames { first, last });
+        }
+    }
+    intervals
 }
 
 /// What deserves a look, in sentences.
