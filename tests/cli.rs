@@ -130,6 +130,74 @@ fn every_sample_passes_the_check() {
     }
 }
 
+/// The metric with its length, what either metric gives, leaps and nearly singular frames, in words and as JSON.
+#[test]
+fn a_check_says_how_it_was_measured() {
+    let text = printed(&["check", "3rps.json"]);
+    assert!(
+        text.contains(
+            "  metric    dual-quaternion about (0, 0, 0), length 1 m (as the document says)\n"
+        ),
+        "{text}"
+    );
+    assert!(
+        text.contains("  leaps     none\n  singular  none\n"),
+        "{text}"
+    );
+    assert!(text.contains(", at most 1.0e-10\n"), "{text}");
+    assert!(!text.contains("  misfit "), "{text}");
+    let verdict: Value =
+        serde_json::from_str(&printed(&["check", "--json", "3rps.json"])).expect("JSON");
+    let [pose, paper] = verdict["metrics"].as_array().expect("a list").as_slice() else {
+        panic!("{}", verdict["metrics"]);
+    };
+    assert_eq!(
+        (&pose["metric"], &paper["metric"]),
+        (&"pose".into(), &"dual-quaternion".into())
+    );
+    for gap in ["translation_gap", "rotation_gap"] {
+        assert_eq!(paper[gap], verdict[gap], "its own metric");
+        assert_ne!(pose[gap], verdict[gap], "the other one");
+    }
+    let gaps = |of: &Value| {
+        let number = |name| of[name].as_f64().expect("a number");
+        format!(
+            "{} {:.4} m, {:.2}°",
+            of["metric"].as_str().expect("a name"),
+            number("translation_gap"),
+            number("rotation_gap")
+        )
+    };
+    let line = format!("  compared  {} | {}\n", gaps(pose), gaps(paper));
+    assert!(text.contains(&line), "{line:?} is not in {text}");
+
+    // Overconstrained, with exact dimensions.
+    let text = printed(&["check", "--json", "bennett.json"]);
+    let verdict: Value = serde_json::from_str(&text).expect("JSON");
+    assert_eq!(verdict["leaps"], Value::Array(Vec::new()));
+    assert_eq!(verdict["report"]["metric"]["length_source"], "given");
+    assert_eq!(verdict["misfit"], verdict["report"]["misfit"]);
+}
+
+/// A Bennett linkage with 3.732 for the tangent of 75°: its misfit is told with its bound.
+#[test]
+fn a_check_tells_the_misfit_of_rounded_dimensions() {
+    let file = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/tests/field/bennett-3.732-mm.json"
+    );
+    let (text, _, code) = run(&["check", file]);
+    assert_eq!(code, 0, "{text}");
+    let line = text
+        .lines()
+        .find(|line| line.starts_with("  misfit "))
+        .unwrap_or_else(|| panic!("{text}"));
+    assert!(line.ends_with("e-6, at most 3.0e-4"), "{line}");
+    let verdict: Value = serde_json::from_str(&run(&["check", "--json", file]).0).expect("JSON");
+    let misfit = verdict["misfit"].as_f64().expect("a number");
+    assert!((1e-6..3e-4).contains(&misfit), "{misfit}");
+}
+
 /// The gradient planner knows no joint limits: the SCARA's frames beyond one are not certified.
 #[test]
 fn frames_that_are_not_certified_fail_the_check_and_not_the_plan() {

@@ -8,6 +8,7 @@
  * @typedef {import('./types.js').Insight} Insight
  * @typedef {import('./types.js').Trace} Trace
  * @typedef {import('./types.js').Matrix} Matrix
+ * @typedef {import('./types.js').MetricGaps} MetricGaps
  * @typedef {import('./types.js').Enumeration} Enumeration
  *
  * @typedef {import('./types.js').Progress} Progress
@@ -113,6 +114,14 @@ export class Session {
   /** The matrix [A] at a position, with its singular values. @param {ArrayLike<number>} joints rad or lengths, chain by chain @returns {Promise<Matrix>} */
   matrix(joints) {
     return this.#ask('matrix', [column(joints)]);
+  }
+
+  /**
+   * The largest gaps of the motion planned with the metric `pose` and with `dual-quaternion`.
+   * @param {Options} [options] @returns {Promise<[MetricGaps, MetricGaps]>}
+   */
+  compareMetrics(options) {
+    return this.#ask('compare_metrics', [], options);
   }
 
   /**
@@ -241,6 +250,14 @@ export async function trace(document, frame, joints = []) {
  */
 export async function matrix(document, joints) {
   return once(document).matrix(joints);
+}
+
+/**
+ * The largest gaps of the motion planned with the metric `pose` and with `dual-quaternion`.
+ * @param {MechanismDocument | string} document @param {Options} [options] @returns {Promise<[MetricGaps, MetricGaps]>}
+ */
+export async function compareMetrics(document, options) {
+  return once(document).compareMetrics(options);
 }
 
 /**

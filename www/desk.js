@@ -30,7 +30,7 @@ const GRACE = 500;
 const MAX_OPEN = 4;
 
 /** What goes in portions. @type {Call[]} */
-const LONG = ['plan', 'export_motion'];
+const LONG = ['plan', 'compare_metrics', 'export_motion'];
 
 export class Desk {
   #patience;
@@ -84,7 +84,7 @@ export class Desk {
   #isFree(job) {
     const running = [...this.#running.values()];
     if (!isLong(job)) return running.every(isLong);
-    return running.every((other) => !isLong(other) || !(isSame(other, job) || (other.asker === job.asker && other.text === job.text)));
+    return running.every((other) => !isLong(other) || !(isSame(other, job) || isOfSamePlan(other, job)));
   }
 
   /** Only newer questions of the same asker end a job: a slow plan holds up only its own element. @param {Job} job */
@@ -216,6 +216,10 @@ export class Desk {
 
 /** @param {Job} job */
 const isLong = ({ call }) => LONG.includes(call);
+
+/** Whether one of the two goes on with what the other one plans; a comparison makes plans of its own. @param {Request} one @param {Request} other */
+const isOfSamePlan = (one, other) =>
+  one.asker === other.asker && one.text === other.text && one.call !== 'compare_metrics' && other.call !== 'compare_metrics';
 
 /** @param {Request} one @param {Request} other */
 const isSame = (one, other) => one.asker === other.asker && one.call === other.call;

@@ -7,7 +7,7 @@
  * @typedef {import('./types.js').Chain} Chain
  * @typedef {import('./types.js').KeyFrame} KeyFrame
  */
-import { withValueAt } from './path.js';
+import { valueAt, withValueAt } from './path.js';
 
 const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
 
@@ -28,6 +28,22 @@ export function entry(text) {
  * @param {unknown} value undefined removes it
  */
 export const setValue = (document, path, value) => withValueAt(document, path, value);
+
+/**
+ * One coordinate of a point that is given whole or not at all: the first one typed takes over the others, and clearing
+ * one clears all.
+ * @param {MechanismDocument} document
+ * @param {string} path
+ * @param {number} axis 0 to 2
+ * @param {Entry | undefined} value
+ * @param {number[]} others what holds where the document gives nothing
+ */
+export function setCoordinate(document, path, axis, value, others) {
+  if (value === undefined) return withValueAt(document, path, undefined);
+  const point = [...(valueAt(document, path) ?? others)];
+  point[axis] = value;
+  return withValueAt(document, path, point);
+}
 
 /** @template T @param {T[]} list @param {number} index @param {T[]} items */
 const insert = (list, index, ...items) => [...list.slice(0, index), ...items, ...list.slice(index)];

@@ -23,6 +23,9 @@ export function scientific(value) {
   return value.toExponential(1).replace('e+', 'e').replaceAll('-', '−');
 }
 
+/** A number beside the bound that it is held against: "3.1e−12, at most 2.5e−10". @param {number} value @param {number} bound */
+export const atMost = (value, bound) => `${scientific(value)}, at most ${scientific(bound)}`;
+
 /** @param {number} radians */
 export const degrees = (radians) => (radians * 180) / Math.PI;
 

@@ -41,7 +41,8 @@ export async function createPanels(bare, banners) {
     if (motion && document) player.frame = keyFrameFrames(document, allTimes(motion))[key];
   };
   const places = { root: find('tables'), mechanism: find('mechanism'), motion: find('motion') };
-  const tables = createTables(places, store, defaults, { markFault: tabs.mark, findStart, goToKey, say });
+  const compareMetrics = (/** @type {string} */ text, /** @type {AbortSignal} */ signal) => planner.compareMetrics(text, signal);
+  const tables = createTables(places, store, defaults, { markFault: tabs.mark, findStart, goToKey, compareMetrics, say });
   const selection = createSelection(places.root, [places.mechanism, places.motion], app);
   createTree(/** @type {HTMLDetailsElement} */ (find('objects')), app, selection.enter);
   createStatus(app);

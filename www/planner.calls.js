@@ -16,7 +16,7 @@
  *   | {id: number, kind: 'progress', progress: Progress}
  *   | {id: number, kind: 'cancelled'}} Answer `progress` is followed by others, all else is the last
  *
- * @typedef {'plan' | 'pull' | 'explain' | 'text' | 'find_start' | 'drive' | 'trace' | 'matrix' | 'export_motion'} DocumentCall
+ * @typedef {'plan' | 'pull' | 'explain' | 'text' | 'find_start' | 'drive' | 'trace' | 'matrix' | 'compare_metrics' | 'export_motion'} DocumentCall
  *   methods of the packages' Session
  * @typedef {DocumentCall | 'defaults' | 'enumeration' | 'assemble' | 'schema' | 'chain_by_index' | 'assembly_by_index'} Call
  *
@@ -85,7 +85,7 @@ export function createAnswers(send) {
       if (!isWanted()) return;
       if (document) {
         const session = sessionOf(document, module);
-        const done = call !== 'plan' && call !== 'export_motion' ? true : await plan(session, { id, question, isWanted });
+        const done = await prepare(call, session, { id, question, isWanted });
         if (done) last = { id, kind: 'value', value: call === 'plan' ? session.plan_so_far() : session[call](...args) };
       } else last = { id, kind: 'value', value: module[call](...args) };
     } catch (error) {
@@ -98,6 +98,30 @@ export function createAnswers(send) {
       if (document && last?.kind !== 'failure') free(document);
       if (wanted && last) send(last);
     }
+  }
+
+  /**
+   * What must be planned before a question can be answered, in portions.
+   * @param {Call} call @param {any} session @param {{id: number, question: {stopped: boolean}, isWanted: () => boolean}} of
+   * @returns {Promise<boolean>} whether an answer is still wanted
+   */
+  async function prepare(call, session, of) {
+    if (call === 'plan' || call === 'export_motion') return plan(session, of);
+    if (call === 'compare_metrics') return compare(session, of);
+    return true;
+  }
+
+  /**
+   * Plans a document's motion with either metric, in portions.
+   * @param {any} session @param {{isWanted: () => boolean}} of
+   * @returns {Promise<boolean>} whether an answer is still wanted
+   */
+  async function compare(session, { isWanted }) {
+    while (session.advance_comparison(PORTION)) {
+      await nextTurn();
+      if (!isWanted()) return false;
+    }
+    return true;
   }
 
   /**

@@ -93,6 +93,14 @@ export class Planner {
     return this.#askLatest('matrix', text, joints);
   }
 
+  /**
+   * The largest gaps of the motion with either metric. @param {string} text a document @param {AbortSignal} signal takes the question back
+   * @returns {Promise<[import('./types.js').MetricGaps, import('./types.js').MetricGaps]>}
+   */
+  compareMetrics(text, signal) {
+    return this.#desk.ask({ asker: this, latest: true, call: 'compare_metrics', text, args: [], signal });
+  }
+
   /** What new things are made of. @returns {Promise<Defaults>} */
   defaults() {
     this.#defaults ??= this.#askNoDocument('defaults').catch((error) => {

@@ -36,6 +36,7 @@ export function shownEnd({ result: { motion }, view: { frame, posture } }) {
     translation_gap: motion.translation_gap[frame],
     rotation_gap: motion.rotation_gap[frame],
     closure: motion.closure[frame],
+    misfit: motion.misfit[frame],
     sigma_min: motion.sigma_min[frame],
     projected_gradient: motion.projected_gradient[frame],
     iterations: motion.iterations[frame],

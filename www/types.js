@@ -10,6 +10,7 @@
  * @typedef {import('./pkg/synthetica.js').Trace} Trace
  * @typedef {import('./pkg/synthetica.js').Course} Course
  * @typedef {import('./pkg/synthetica.js').Matrix} Matrix
+ * @typedef {import('./pkg/synthetica.js').MetricGaps} MetricGaps
  * @typedef {import('./pkg/synthetica.js').Enumeration} Enumeration
  *
  * A number as typed: text that is no number stays text, so that Rust can refuse it by name and
@@ -24,7 +25,8 @@
  * @typedef {{name?: string, base?: Frame, joints: Joint[], gripper?: Frame, start?: Entry[] | null}} Chain
  * @typedef {Frame & {name?: string, time?: Entry | null}} KeyFrame
  * @typedef {{key_frames: KeyFrame[], interpolation?: string, frames?: Entry, reference?: Entry[] | null, radius?: Entry | null}} MotionSpec
- * @typedef {{method?: string, metric_length?: Entry, max_iterations?: Entry}} PlannerSpec
+ * @typedef {{method?: string, metric?: string, metric_length?: Entry | null, metric_origin?: Entry[] | null,
+ *   dimension_tolerance?: Entry, max_iterations?: Entry | null}} PlannerSpec
  * @typedef {{$schema?: string, version: number, name?: string, about?: string, length_unit?: string, chains: Chain[],
  *   motion: MotionSpec, planner?: PlannerSpec}} MechanismDocument
  *

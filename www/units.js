@@ -37,5 +37,13 @@ export function convertLengths(document, factor, unit) {
     ...(Array.isArray(reference) && { reference: reference.map(times) }),
     key_frames: document.motion.key_frames.map(place),
   };
-  return { ...document, length_unit: unit, chains, motion };
+  const { planner } = document;
+  const origin = planner?.metric_origin;
+  return {
+    ...document,
+    length_unit: unit,
+    chains,
+    motion,
+    ...(planner && { planner: { ...planner, ...(Array.isArray(origin) && { metric_origin: origin.map(times) }) } }),
+  };
 }

@@ -10,7 +10,8 @@ export interface Fault {
   column?: number;
 }
 
-/** A planned motion. Numbers are copies; groups of several numbers a frame lie frame by frame. */
+/** A planned motion. Numbers are copies; groups of several numbers a frame lie frame by frame. Lengths are in the
+ * document's unit where nothing else is said. */
 export interface Motion {
   frames: number;
   /** Planning was stopped before the last frame: the columns end where it was. */
@@ -22,26 +23,32 @@ export interface Motion {
   milliseconds: number;
   /** Time of each frame. */
   time: Float64Array;
-  /** Goal, 7 a frame: x y z, then the rotation's quaternion x y z w. */
-  goal: Float64Array;
-  /** Reached pose, 7 a frame. */
-  pose: Float64Array;
-  /** Joint values chain by chain, rad or lengths. */
-  joints: Float64Array;
-  /** Every table row's frame before its joint and behind it, 14 a row, in the fixed frame. */
-  rows: Float64Array;
-  /** ½‖q − g‖². */
-  metric: Float64Array;
-  translation_gap: Float64Array;
-  /** rad */
-  rotation_gap: Float64Array;
-  /** Largest opening of a loop, lengths and rad. */
-  closure: Float64Array;
-  sigma_min: Float64Array;
-  projected_gradient: Float64Array;
-  iterations: Uint32Array;
-  /** Index into report.statuses. */
+  /** How the frame ended: index into report.statuses. */
   status: Uint8Array;
+  /** Reached pose. Seven numbers: x y z, then the rotation's quaternion x y z w. */
+  pose: Float64Array;
+  /** Goal. Seven numbers: x y z, then the rotation's quaternion x y z w. */
+  goal: Float64Array;
+  /** Joint values, chain by chain. In rad or lengths. */
+  joints: Float64Array;
+  /** Distance from the goal: ½‖q − g‖² in the metric of the report. */
+  metric: Float64Array;
+  /** Distance from goal to reached origin. */
+  translation_gap: Float64Array;
+  /** Angle from goal to reached rotation. In rad. */
+  rotation_gap: Float64Array;
+  /** How far the loops are open: lengths as shares of the mechanism's size, or rad; see report.bounds. */
+  closure: Float64Array;
+  /** By how much rounded dimensions contradict each other, as closure; 0 where they agree. */
+  misfit: Float64Array;
+  /** Smallest singular value of [A] that is not zero by dependent equations: lengths as shares of the size, about the workpiece's origin. */
+  sigma_min: Float64Array;
+  /** Norm of the projected gradient, lengths as shares of the size; see report.bounds. */
+  projected_gradient: Float64Array;
+  /** Linear systems solved. */
+  iterations: Uint32Array;
+  /** For drawing: every table row's frame before its joint and behind it, in the fixed frame. 14 numbers a row: two poses. */
+  rows: Float64Array;
 }
 
 /** How far a plan is. */
@@ -59,10 +66,40 @@ export interface Report {
   mobility_count: number;
   /** n − rank [A] at the start. */
   mobility_rank: number;
+  metric: MetricReport;
+  bounds: BoundsReport;
+  /** Largest misfit of rounded dimensions in any frame. */
+  misfit: number;
   /** Frames count from 0. */
   warnings: { code: string; message: string; first?: number; last?: number }[];
   /** Joint values planned from, degrees or lengths, chain by chain. */
   start: number[][];
+}
+
+/** How distances from the goal were measured. */
+export interface MetricReport {
+  kind: "pose" | "dual-quaternion";
+  /** The characteristic length: a translation by it weighs as much as a rotation by 1 rad. */
+  length: number;
+  /** Where it comes from: the document; the mechanism's size; the extent of the motion of a mechanism without lengths; or
+   * neither has any, and it is 1. */
+  length_source: "given" | "mechanism" | "motion" | "none";
+  /** The point about which dual-quaternion measures, in the fixed frame. */
+  origin?: [number, number, number];
+}
+
+/** The bounds by which frames were judged: lengths as shares of the mechanism's size, angles in rad. */
+export interface BoundsReport {
+  /** Of closure. */
+  closure: number;
+  /** Of misfit: the document's dimension_tolerance. */
+  misfit: number;
+  /** Of projected_gradient, in certified frames. */
+  projected_gradient: number;
+  /** The least curvature of ½‖q − g‖² in certified frames is not below this number's negative. */
+  curvature: number;
+  /** Of metric, in frames that reached their goal. */
+  reached: number;
 }
 
 export interface ChainReport {
@@ -77,26 +114,35 @@ export interface ChainReport {
 
 export type JointType = "R" | "P" | "C" | "T" | "S" | "E";
 
-/** One position of the linkage, outside any motion: pulled or driven by hand. Columns as in Motion, of one frame. */
+/** One position of the linkage, outside any motion: pulled or driven by hand. Columns as in Motion, of one frame; the goal
+ * is the pose pulled at, or the reached pose itself where a joint was driven. */
 export interface Posture {
-  /** Joint values chain by chain, rad or lengths. */
-  joints: Float64Array;
-  /** Reached pose, 7. */
+  /** Reached pose. Seven numbers: x y z, then the rotation's quaternion x y z w. */
   pose: Float64Array;
-  /** Every table row's frame before its joint and behind it, 14 a row. */
-  rows: Float64Array;
-  /** What was asked for, 7: the pose pulled at; the reached pose itself where a joint was driven. */
+  /** Goal. Seven numbers: x y z, then the rotation's quaternion x y z w. */
   goal: Float64Array;
+  /** Joint values, chain by chain. In rad or lengths. */
+  joints: Float64Array;
+  /** Distance from the goal: ½‖q − g‖² in the metric of the report. */
+  metric: number;
+  /** Distance from goal to reached origin. */
+  translation_gap: number;
+  /** Angle from goal to reached rotation. In rad. */
+  rotation_gap: number;
+  /** How far the loops are open: lengths as shares of the mechanism's size, or rad; see report.bounds. */
+  closure: number;
+  /** By how much rounded dimensions contradict each other, as closure; 0 where they agree. */
+  misfit: number;
+  /** Smallest singular value of [A] that is not zero by dependent equations: lengths as shares of the size, about the workpiece's origin. */
+  sigma_min: number;
+  /** Norm of the projected gradient, lengths as shares of the size; see report.bounds. */
+  projected_gradient: number;
+  /** Linear systems solved. */
+  iterations: number;
   /** Name of the status, one of Report.statuses. */
   status: Report["statuses"][number];
-  metric: number;
-  translation_gap: number;
-  /** rad */
-  rotation_gap: number;
-  closure: number;
-  sigma_min: number;
-  projected_gradient: number;
-  iterations: number;
+  /** For drawing: every table row's frame before its joint and behind it. 14 numbers a row: two poses. */
+  rows: Float64Array;
   /** Of a driven joint: the value that it got, rad or length; less than asked where the linkage cannot follow. */
   value?: number;
   /** Of a driven joint that did not get its value: why, as a sentence. */
@@ -119,14 +165,17 @@ export interface Insight {
   /** A basis of the instantaneous freedoms of the workpiece here, joint limits aside: shifts, then the principal
    * screws of the rest by growing pitch. */
   freedoms: Screw[];
-  /** Singular values of [A] here, lengths in units of the metric's, largest first. */
+  /** Singular values of [A] here, largest first: lengths as shares of the mechanism's size, about the workpiece's origin. */
   singular_values: number[];
   /** n − rank [A] here: inner freedoms of the chains included, so it may be more than freedoms.length. */
   mobility_rank: number;
-  /** Norm of the projected gradient and least curvature in the free directions (null: none is free): the certificate.
-   * Joints that the goal's pull presses against a limit count as held here and below. */
+  /** The certificate, lengths as shares of the size: the norm of the projected gradient, which is at most `stationary`
+   * where a pose is called closest. Joints that the goal's pull presses against a limit count as held here and below. */
   projected_gradient: number;
+  stationary: number;
+  /** The least curvature in the free directions (null: none is free), which is at least −`flat` at a closest pose. */
   least_curvature: number | null;
+  flat: number;
   /** The remaining gap as a twist (v, ω) from reached pose to goal. */
   gap: number[];
   /** The free twist that would bring the pose nearest to the goal in the metric, to first order: it vanishes with the
@@ -152,8 +201,9 @@ export interface Course {
   metric: Float64Array;
   /** |a| of Eq. 31. */
   projected_gradient: Float64Array;
-  /** Largest opening of a loop, lengths and rad. */
+  /** How far the loops are open: lengths as shares of the mechanism's size, or rad. */
   closure: Float64Array;
+  misfit: Float64Array;
   sigma_min: Float64Array;
   /** Of the gradient, how the iterate was reached: the share of the null-space step that was taken, */
   share: Float64Array;
@@ -180,7 +230,7 @@ export interface Trace {
   newton: Course;
 }
 
-/** [A] of Eq. 21 at one position, lengths in units of the metric's. */
+/** [A] of Eq. 21 at one position: lengths in units of the metric's, about the point about which the metric measures. */
 export interface Matrix {
   /** Row by row. */
   values: number[];
@@ -193,6 +243,16 @@ export interface Matrix {
   /** Below it a singular value counts as zero. */
   threshold: number;
   rank: number;
+}
+
+/** The largest gaps of a motion that was planned with one metric. */
+export interface MetricGaps {
+  metric: MetricReport["kind"];
+  /** The metric's characteristic length. */
+  length: number;
+  translation_gap: number;
+  /** In rad. */
+  rotation_gap: number;
 }
 
 /** Parts of documents with their defaults; `document` is the text of a whole one. */

@@ -1,6 +1,8 @@
 //! The bindings to JavaScript: a session is opened with a document's text and asked many times; copied columns and
 //! small objects come out. No arithmetic.
 
+#[cfg(feature = "study")]
+use crate::document::comparison::Comparison;
 use crate::document::defaults;
 use crate::document::fault::Fault;
 use crate::document::problem::Problem;
@@ -52,6 +54,9 @@ pub struct Session {
     portions: Portions,
     /// What the plan in portions has taken so far.
     milliseconds: f64,
+    /// The plans with either metric, while they are made.
+    #[cfg(feature = "study")]
+    pub(crate) comparison: Option<Box<Comparison>>,
 }
 
 /// A plan in portions.
@@ -73,6 +78,8 @@ impl Session {
             open: session::Session::open(text).map_err(|fault| refusal(&fault))?,
             portions: Portions::None,
             milliseconds: 0.0,
+            #[cfg(feature = "study")]
+            comparison: None,
         })
     }
 
@@ -286,20 +293,20 @@ pub(crate) fn to_js(value: &impl Serialize) -> Result<JsValue, JsValue> {
 }
 
 /// The page's, the worker's or the program's clock.
-struct Clock(Option<web_sys::Performance>);
+pub(crate) struct Clock(Option<web_sys::Performance>);
 
 impl Clock {
-    fn new() -> Self {
+    pub(crate) fn new() -> Self {
         let clock = Reflect::get(&js_sys::global(), &"performance".into());
         Self(clock.ok().and_then(|clock| clock.dyn_into().ok()))
     }
 
-    fn is_there(&self) -> bool {
+    pub(crate) fn is_there(&self) -> bool {
         self.0.is_some()
     }
 
     /// Milliseconds; 0 where there is no clock.
-    fn now(&self) -> f64 {
+    pub(crate) fn now(&self) -> f64 {
         self.0.as_ref().map_or(0.0, web_sys::Performance::now)
     }
 }

@@ -1,7 +1,7 @@
 //! The bindings that a page asks for only now and then: a joint driven by hand, the planners' iterations, exports,
 //! tables of types, linkages of a type, the schema. The package that a page loads first is built without them (feature `study`).
 
-use crate::bind::wasm::{JsPosture, Session, posture, refusal, to_js};
+use crate::bind::wasm::{Clock, JsPosture, Session, posture, refusal, to_js};
 use crate::document::example_document;
 use crate::document::problem::Problem;
 use crate::document::schema::SCHEMA;
@@ -23,6 +23,9 @@ extern "C" {
     /// A type of wasm.d.ts.
     #[wasm_bindgen(typescript_type = "Matrix")]
     pub type JsMatrix;
+    /// Types of wasm.d.ts.
+    #[wasm_bindgen(typescript_type = "[MetricGaps, MetricGaps]")]
+    pub type JsMetricGapsList;
     /// A type of wasm.d.ts.
     #[wasm_bindgen(typescript_type = "Enumeration")]
     pub type JsEnumeration;
@@ -70,6 +73,34 @@ impl Session {
     pub fn matrix(&self, joints: &[f64]) -> Result<JsMatrix, JsValue> {
         let matrix = self.open.problem().matrix(joints);
         to_js(&matrix.map_err(|fault| refusal(&fault))?).map(JsCast::unchecked_into)
+    }
+
+    /// Plans with either metric, for `compare_metrics`, until that time is used up; one frame where there is no clock.
+    /// True while there is more to do.
+    pub fn advance_comparison(&mut self, milliseconds: f64) -> bool {
+        let clock = Clock::new();
+        let began = clock.now();
+        let open = &self.open;
+        let comparison = self
+            .comparison
+            .get_or_insert_with(|| Box::new(open.comparison()));
+        let mut more = comparison.advance();
+        while more && clock.is_there() && clock.now() - began < milliseconds {
+            more = comparison.advance();
+        }
+        more
+    }
+
+    /// The largest gaps of the motion with the metric `pose` and with `dual-quaternion`; what is not planned yet is
+    /// planned in one go.
+    ///
+    /// # Errors
+    /// Never for a reason of the caller's.
+    pub fn compare_metrics(&mut self) -> Result<JsMetricGapsList, JsValue> {
+        let comparison = self.comparison.take();
+        let comparison =
+            comparison.map_or_else(|| self.open.comparison(), |comparison| *comparison);
+        to_js(&comparison.finish()).map(JsCast::unchecked_into)
     }
 
     /// The planned motion as text for other programs: `csv`, `json` or `mjcf`. A plan in portions that is complete is
@@ -150,6 +181,7 @@ fn history(problem: &Problem, history: &History) -> Result<Object, JsValue> {
     numbers("metric", &history.metric)?;
     numbers("projected_gradient", &history.projected_gradient)?;
     numbers("closure", &history.closure_error)?;
+    numbers("misfit", &history.misfit)?;
     numbers("sigma_min", &history.sigma_min)?;
     numbers("share", &arrivals(|a| a.share))?;
     numbers("opening", &arrivals(|a| a.opening))?;

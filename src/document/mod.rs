@@ -2,6 +2,7 @@
 
 pub mod bounds;
 pub mod chain_report;
+pub mod comparison;
 pub mod defaults;
 pub mod example_document;
 pub mod fault;

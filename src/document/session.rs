@@ -2,6 +2,7 @@
 //! opened, its start searched for when a question first needs one.
 
 use crate::document::bounds::out_of_range;
+use crate::document::comparison::Comparison;
 use crate::document::fault::{Fault, Place};
 use crate::document::problem::Problem;
 use crate::document::questions::Posture;
@@ -91,6 +92,11 @@ impl Session {
     /// Plans the motion in portions. The start is searched for here.
     pub fn planning(&self) -> Planning {
         self.problem.planning(self.start())
+    }
+
+    /// Plans it with either metric, in portions: see [`Problem::compare_metrics`].
+    pub fn comparison(&self) -> Comparison {
+        Comparison::new(&self.problem, self.start())
     }
 
     /// See [`Problem::pull`].

@@ -19,6 +19,11 @@ pub enum MetricKind {
     DualQuaternion,
 }
 
+impl MetricKind {
+    /// All, the default first.
+    pub const ALL: [Self; 2] = [Self::Pose, Self::DualQuaternion];
+}
+
 /// A metric on poses.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Metric {

@@ -29,6 +29,8 @@ pub struct History {
     pub projected_gradient: Vec<f64>,
     /// How far the loops are open, lengths as shares of the size or rad.
     pub closure_error: Vec<f64>,
+    /// By how much rounded dimensions contradict each other, in the same measure.
+    pub misfit: Vec<f64>,
     /// Smallest singular value of \[A\] that is not zero by dependent equations.
     pub sigma_min: Vec<f64>,
     /// Of the gradient: the step that led here and its corrections by Eq. 28.
@@ -204,9 +206,9 @@ impl<'a> Kept<'a> {
             .iteration
             .push(u32::try_from(number).unwrap_or(u32::MAX));
         history.metric.push(self.target.value(&pose));
-        history
-            .closure_error
-            .push(self.closer.closure(self.scaled, &theta).0);
+        let (closure_error, misfit) = self.closer.closure(self.scaled, &theta);
+        history.closure_error.push(closure_error);
+        history.misfit.push(misfit);
         history.poses.push(pose);
         let values = &mut self.singular_values;
         let least = self

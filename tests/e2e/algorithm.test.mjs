@@ -39,7 +39,7 @@ test('the gradient steps from the answer before to the minimum, in words, equati
   await panel(page).getByText('No direction comes nearer any more: stop.').waitFor();
   assert.ok((await value(page, 'f − f*')) < 1e-8);
   assert.ok((await value(page, 'projected gradient')) <= 1e-7);
-  assert.ok((await value(page, 'Residual')) < 1e-10);
+  assert.ok((await value(page, 'Closure')) < 1e-10);
   await press(page, 'Previous iterate');
   await press(page, 'First iterate');
   assert.equal(await value(page, 'f = '), start[0]);

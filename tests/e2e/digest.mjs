@@ -2,7 +2,7 @@
 
 /** The columns of a motion that are compared: all that hold numbers. */
 export const COLUMNS = [
-  'time', 'goal', 'pose', 'joints', 'rows', 'metric', 'translation_gap', 'rotation_gap', 'closure', 'sigma_min', 'projected_gradient', 'iterations', 'status',
+  'time', 'goal', 'pose', 'joints', 'rows', 'metric', 'translation_gap', 'rotation_gap', 'closure', 'misfit', 'sigma_min', 'projected_gradient', 'iterations', 'status',
 ];
 
 /** FNV-1a over 64-bit words. @param {Iterable<bigint>} words */

@@ -156,6 +156,11 @@ test('the lessons’ claims hold: counts, ranks, gaps', async () => {
   const cheap = await after('L = 10 m');
   assert.ok(cheap.shift > paper.shift && cheap.turn < paper.turn, 'a large L makes them cheap');
   assert.deepEqual(await after('L = 1 m'), paper);
+  const aside = await after('From (3, 0, 0)');
+  assert.ok(aside.shift !== paper.shift || aside.turn !== paper.turn, 'the point of measurement changes the motion');
+  await after('Metric: pose');
+  assert.deepEqual(await after('Metric: dual quaternion'), aside);
+  assert.deepEqual(await after('From the origin'), paper);
   const millimetres = await after('1 m → 1000 mm');
   assert.ok(millimetres.shift / 1000 < 0.9 * paper.shift, 'the unit changes the motion');
   const again = await after('L = 1000 mm');

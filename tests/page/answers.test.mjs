@@ -56,6 +56,28 @@ test('a document is opened with its text and then asked by its number', async ()
   assert.equal((await ask('text', [], { document: 1 })).kind, 'failure');
 });
 
+test('both metrics are compared: the document’s own as it is planned, and the other one', async () => {
+  const { ask } = made();
+  const { value: motion } = await ask('plan', [], { document: 1, text: short });
+  const { value: gaps } = await ask('compare_metrics', [], { document: 1 });
+  assert.deepEqual(gaps.map(({ metric }) => metric), ['pose', 'dual-quaternion']);
+  const [other, own] = gaps;
+  assert.deepEqual([own.length, own.translation_gap, own.rotation_gap], [motion.report.metric.length, Math.max(...motion.translation_gap), Math.max(...motion.rotation_gap)]);
+  assert.notEqual(other.translation_gap, own.translation_gap);
+  // Once more is the same.
+  assert.deepEqual((await ask('compare_metrics', [], { document: 1 })).value, gaps);
+});
+
+test('a comparison goes in portions: other questions are answered in between, and it can be taken back', async () => {
+  const { said, ask, receive } = made();
+  const comparison = ask('compare_metrics', [], { document: 1, text: long });
+  const other = await ask('text', [], { document: 2, text: short });
+  assert.equal(other.kind, 'value');
+  assert.ok(!said.some(({ id }) => id === comparison.id), 'it is not done yet');
+  receive({ kind: 'cancel', id: comparison.id });
+  assert.equal((await comparison).kind, 'cancelled');
+});
+
 test('other questions are answered between the portions of a plan, and another plan is made beside it', async () => {
   const { said, ask, progress } = made();
   const slow = ask('plan', [], { document: 1, text: long });

@@ -11,6 +11,8 @@ const motion = {
   rotation_gap: Float64Array.from([0, Math.PI / 180]),
   metric: Float64Array.from([0, 0.01]),
   sigma_min: Float64Array.from([0.5, 0]),
+  closure: Float64Array.from([1e-12, 1e-11]),
+  misfit: Float64Array.from([0, 2e-5]),
   iterations: Uint32Array.from([0, 3]),
   report: {
     chains: [
@@ -38,6 +40,7 @@ test('a chart in words', () => {
   assert.equal(words('translation', 'm'), 'Translation gap: 0 to 0.125 m, largest at frame 2.');
   assert.equal(words('translation', ''), 'Translation gap: 0 to 0.125 length, largest at frame 2.');
   assert.equal(words('joints 1 angles', 'm'), 'chain 2, angles: −180 to 180°, largest at frame 2.');
+  assert.equal(words('misfit', 'm'), 'Misfit of rounded dimensions: 0 to 2.0e−5, largest at frame 2.');
   const flat = { ...chartsOf(motion, 'm')[0], series: [{ name: 'a', values: [2, 2] }] };
   assert.equal(summary(flat), 'Translation gap: 2 m at every frame.');
   assert.equal(withUnit(flat, -1.5), '−1.5 m');

@@ -102,3 +102,15 @@ test('all key frames have a time or none', () => {
   assert.deepEqual(times(edits.setTime(timed, 0, undefined)), [undefined, undefined]);
   assert.deepEqual(times(edits.addKeyFrame(mechanism(), {})), [undefined, undefined, undefined]);
 });
+
+test('a point is given whole or not at all', () => {
+  const before = mechanism();
+  const one = edits.setCoordinate(before, 'motion.reference', 1, 5, [1, 2, 3]);
+  assert.deepEqual(one.motion.reference, [1, 5, 3]);
+  const two = edits.setCoordinate(one, 'motion.reference', 0, '-', [7, 7, 7]);
+  assert.deepEqual(two.motion.reference, ['-', 5, 3]);
+  assert.ok(!('reference' in edits.setCoordinate(two, 'motion.reference', 2, undefined, [1, 2, 3]).motion));
+  const none = { ...before, motion: { ...before.motion, reference: null } };
+  assert.deepEqual(edits.setCoordinate(none, 'motion.reference', 2, 0, [1, 2, 3]).motion.reference, [1, 2, 0]);
+  assert.equal(before.motion.reference, undefined);
+});

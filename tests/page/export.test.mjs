@@ -30,7 +30,7 @@ test('what is no film of that form stays as it is', () => {
 
 test('a packed motion comes back: numbers to the bit, what is only drawn to 7 digits', async () => {
   const column = (length) => Float64Array.from({ length }, (_, index) => Math.sin(index) / 3);
-  const names = ['time', 'metric', 'translation_gap', 'rotation_gap', 'closure', 'sigma_min', 'projected_gradient'];
+  const names = ['time', 'metric', 'translation_gap', 'rotation_gap', 'closure', 'misfit', 'sigma_min', 'projected_gradient'];
   const motion = {
     frames: 3,
     partial: true,

@@ -45,3 +45,12 @@ test('the point of reference and the radius are lengths; none stays none', () =>
   delete rps.motion.reference;
   assert.ok(!('reference' in convertLengths(rps, 1000, 'mm').motion));
 });
+
+test('the point about which the metric measures is one of lengths; the metric length is a choice', () => {
+  const rps = read('3rps.json');
+  rps.planner.metric_origin = [0.5, 0, -1];
+  const { planner } = convertLengths(rps, 1000, 'mm');
+  assert.deepEqual([planner.metric_origin, planner.metric_length], [[500, 0, -1000], rps.planner.metric_length]);
+  rps.planner.metric_origin = null;
+  assert.equal(convertLengths(rps, 1000, 'mm').planner.metric_origin, null);
+});

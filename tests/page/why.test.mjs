@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { contraction, iterateInWords } from '../../www/view/algorithm-words.js';
+import { postureOf } from '../../www/view/posture-of.js';
 import { atLimits, certificate, direction, freedomInWords, mostHolding, percentages, twistInWords } from '../../www/view/why-words.js';
 
 test('shares are whole percent that sum to 100', () => {
@@ -21,19 +22,39 @@ test('motions are told as shifts, turns and screws', () => {
 });
 
 test('a certificate says what is certain, and what is not', () => {
-  const insight = { projected_gradient: 1e-12, least_curvature: 0.1 };
-  assert.match(certificate(insight, 'closest'), /^Certified closest/);
-  assert.match(certificate({ ...insight, least_curvature: null }, 'closest'), /no direction is free/);
-  assert.match(certificate({ ...insight, least_curvature: -0.1 }, 'stalled'), /^Not certified: .* downwards/);
-  assert.match(certificate({ ...insight, projected_gradient: 1e-3 }, 'stalled'), /^Not certified: the distance still falls/);
+  const bounds = { projected_gradient: 2.5e-10 };
+  const insight = { projected_gradient: 1e-12, stationary: 2.5e-10, least_curvature: 0.1, flat: 1e-9 };
+  assert.match(certificate(insight, 'closest', bounds), /^Certified closest/);
+  assert.match(certificate({ ...insight, least_curvature: null }, 'closest', bounds), /no direction is free/);
+  assert.match(certificate({ ...insight, least_curvature: -0.1 }, 'stalled', bounds), /^Not certified: .* downwards/);
+  assert.match(certificate({ ...insight, projected_gradient: 1e-3 }, 'stalled', bounds), /^Not certified: the distance still falls/);
+});
+
+test('the bounds of a certificate are the planner’s, and stand beside the numbers', () => {
+  const bounds = { projected_gradient: 1e-7 };
+  const insight = { projected_gradient: 3.1e-12, stationary: 2.5e-10, least_curvature: -4e-10, flat: 1e-9 };
+  assert.match(certificate(insight, 'closest', bounds), /\(projected gradient 3\.1e−12, at most 2\.5e−10; least curvature −4\.0e−10, at least −1\.0e−9\)\.$/);
+  // The same numbers against tighter bounds.
+  assert.match(certificate({ ...insight, stationary: 1e-12 }, 'stalled', bounds), /^Not certified: the distance still falls .*at most 1\.0e−12/);
+  assert.match(certificate({ ...insight, flat: 1e-10 }, 'stalled', bounds), /^Not certified: .*downwards/);
+  // The gradient method has a bound of its own, which is the motion's.
+  assert.match(certificate({ ...insight, projected_gradient: 5e-8 }, 'closest', bounds), /gradient method \(projected gradient 5\.0e−8, at most 1\.0e−7;.* stops at 2\.5e−10\.$/);
+});
+
+test('an iterate reached the goal by the bound of its motion', () => {
+  const course = { iteration: Uint32Array.of(4), last: 4, converged: true, ...Object.fromEntries(['joints', 'closure', 'misfit', 'projected_gradient', 'sigma_min'].map((name) => [name, Float64Array.of(0)])) };
+  const pose = Float64Array.of(0, 0, 0, 0, 0, 0, 1);
+  const trace = { goal: pose, newton: { ...course, pose, rows: pose, metric: Float64Array.of(1e-18) } };
+  assert.equal(postureOf(trace, 'newton', 0, { reached: 1e-17 }).status, 'reached');
+  assert.equal(postureOf(trace, 'newton', 0, { reached: 1e-19 }).status, 'closest');
 });
 
 test('the chain that holds most is named with what it forbids', () => {
   const chain = (share, wrench) => ({ share, wrench });
   const document = { chains: [{}, { name: 'left leg' }], planner: {} };
   const insight = { chains: [chain(0.36, [1, 0, 0, 0, 0, 0]), chain(0.64, [0, 0, 2, 0, 0, 0])] };
-  assert.equal(mostHolding(insight, document), 'Left leg holds it back most (64 %): it allows no shift along (0, 0, 1).');
-  assert.equal(mostHolding({ chains: [chain(0, [0, 0, 0, 0, 0, 0])] }, document), '');
+  assert.equal(mostHolding(insight, document, 1), 'Left leg holds it back most (64 %): it allows no shift along (0, 0, 1).');
+  assert.equal(mostHolding({ chains: [chain(0, [0, 0, 0, 0, 0, 0])] }, document, 1), '');
 });
 
 test('a joint at a limit is found, in degrees or lengths', () => {

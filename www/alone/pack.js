@@ -19,6 +19,7 @@ const COLUMNS = /** @type {const} */ ({
   translation_gap: Float64Array,
   rotation_gap: Float64Array,
   closure: Float64Array,
+  misfit: Float64Array,
   sigma_min: Float64Array,
   projected_gradient: Float64Array,
   iterations: Uint32Array,

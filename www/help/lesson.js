@@ -65,7 +65,7 @@ export function showLesson(app, lesson) {
       target.classList.add('look-here');
       setTimeout(() => target.classList.remove('look-here'), 1500);
     },
-    set: ({ set, to }) => change(set ?? '', (document) => setValue(document, set ?? '', Number(to))),
+    set: ({ set, to }) => change(set ?? '', (document) => setValue(document, set ?? '', JSON.parse(to ?? 'null'))),
     remove: ({ remove }) => {
       const [list, index] = parsePath(remove ?? '');
       change(String(list), (document) => {

@@ -48,8 +48,8 @@ export function createAlgorithm({ root, store, planner, player, signal }, panel)
     row('metric', 'f = ½‖q − g‖²', 'Eq. 29'),
     row('above', 'f − f*', 'above the minimum'),
     row('slope', '‖a‖, projected gradient', 'Eq. 31'),
-    row('closure', 'Residual, closed', 'how far the loops are open'),
-    row('sigma', 'σ min of [A]', 'the smallest singular value that is not zero'),
+    row('closure', 'Closure', 'how far the loops are open: lengths as shares of the mechanism’s size, or rad'),
+    row('sigma', 'σ min of [A]', 'the smallest singular value that is not zero by dependent equations: lengths as shares of the mechanism’s size, about the workpiece’s origin'),
   );
   const steps = createSteps({
     choose: (index) => show(index),
@@ -125,8 +125,8 @@ export function createAlgorithm({ root, store, planner, player, signal }, panel)
 
   /** @param {number} index of an iterate that is kept */
   function show(index) {
-    const { document } = store.result;
-    if (!trace || !document || !seen) return;
+    const { motion, document } = store.result;
+    if (!trace || !motion || !document || !seen) return;
     const course = trace[method];
     const last = kept(course) - 1;
     at = Math.min(last, Math.max(0, index));
@@ -138,7 +138,7 @@ export function createAlgorithm({ root, store, planner, player, signal }, panel)
     numbers.sigma.textContent = scientific(course.sigma_min[at]);
     sayStep();
     convergence.point(method, course.iteration[at]);
-    mine = postureOf(trace, method, at);
+    mine = postureOf(trace, method, at, motion.report.bounds);
     store.setView({ posture: mine });
     player.invalidate();
     planner.matrix(JSON.stringify(document), mine.joints.slice()).then(

@@ -62,8 +62,7 @@ export function createCard(chart, { hidden, sync, signal, onHover, onScrub }) {
   const plot = createPlot(host, {
     series: chart.series.map(({ name }, i) => ({ name, ...styles[i], steps: chart.steps })),
     log: chart.log,
-    // Below, it is a zero with rounding.
-    floor: 1e-12,
+    floor: chart.floor,
     zero: chart.zero,
     span: chart.span,
     write: (value) => writeValue(chart, value),

@@ -11,6 +11,7 @@
  * @property {string} unit empty for pure numbers
  * @property {ChartSeries[]} series
  * @property {boolean} [log]
+ * @property {number} [floor] of a logarithmic scale: what is below is a zero with rounding
  * @property {boolean} [zero] the scale begins at zero
  * @property {boolean} [steps]
  * @property {number} span smallest extent of the scale: less is rounding
@@ -25,6 +26,8 @@ export const GROUPS = {
   metric: 'Metric ½‖q − g‖²',
   joints: 'Joint variables',
   sigma: 'Smallest singular value of [A]',
+  closure: 'Closure of the loops',
+  misfit: 'Misfit of rounded dimensions',
   iterations: 'Iterations',
 };
 
@@ -50,7 +53,9 @@ export function chartsOf(motion, unit) {
     single('rotation', motion.rotation_gap.map(degrees), '°', { span: 1e-4 }),
     single('metric', motion.metric, '', { span: 1e-9 }),
     ...jointCharts(motion, length),
-    single('sigma', motion.sigma_min, '', { log: true, zero: false }),
+    single('sigma', motion.sigma_min, '', { log: true, zero: false, floor: 1e-12 }),
+    single('closure', motion.closure, '', { log: true, zero: false }),
+    single('misfit', motion.misfit, '', { log: true, zero: false }),
     single('iterations', motion.iterations, '', { steps: true, span: 4 }),
   ];
 }

@@ -9,6 +9,9 @@ import { lengthUnit, plural } from '../format.js';
 import { element } from '../dom.js';
 import { shownFrame } from '../shown-frame.js';
 import { coordinateCells, coordinateHeads } from './frame-table.js';
+import { createMetricComparison } from './metric-comparison.js';
+import { createPlannerSettings } from './planner-settings.js';
+import { pointCells, setting } from './settings.js';
 
 /**
  * @param {HTMLElement} panel
@@ -16,9 +19,10 @@ import { coordinateCells, coordinateHeads } from './frame-table.js';
  * @param {ReturnType<typeof import('./cells.js').createCells>} cells
  * @param {Defaults} defaults
  * @param {ReturnType<typeof import('./arrange.js').createArrange>} arrange
- * @param {(key: number) => void} goTo takes the playhead to a key frame
+ * @param {{goTo: (key: number) => void, compareMetrics: Parameters<typeof createMetricComparison>[1]}} outside `goTo` takes
+ *   the playhead to a key frame; `compareMetrics` asks the planner
  */
-export function createMotionTables(panel, store, cells, defaults, arrange, goTo) {
+export function createMotionTables(panel, store, cells, defaults, arrange, { goTo, compareMetrics }) {
   const unit = () => store.document.length_unit;
 
   function keyTable() {
@@ -71,13 +75,13 @@ export function createMotionTables(panel, store, cells, defaults, arrange, goTo)
     );
   }
 
-  /** @param {string} label @param {string} note @param {HTMLElement} field */
-  const setting = (label, note, field) =>
-    element('label', { class: 'field' }, element('span', {}, label), field, note ? element('small', {}, note) : '');
+  const planner = createPlannerSettings(store, cells, defaults);
+  const comparison = createMetricComparison(store, compareMetrics);
 
   return {
     /** Builds the tables anew: the document has another shape. */
     rebuild() {
+      const lengths = lengthUnit(unit());
       panel.replaceChildren(
         element(
           'div',
@@ -99,10 +103,9 @@ export function createMotionTables(panel, store, cells, defaults, arrange, goTo)
         element(
           'div',
           { class: 'settings' },
-          setting(
-            'Interpolation',
-            '',
-            cells.select({
+          setting({
+            label: 'Interpolation',
+            control: cells.select({
               path: 'motion.interpolation',
               label: 'interpolation',
               options: [
@@ -111,39 +114,29 @@ export function createMotionTables(panel, store, cells, defaults, arrange, goTo)
                 ['straight', 'straight line and slerp'],
               ],
             }),
-          ),
-          setting('Frames', '', cells.input({ path: 'motion.frames', label: 'number of frames' })),
-          setting(
-            'Radius R',
-            `${lengthUnit(unit())}; empty: chosen from the key frames`,
-            cells.input({ path: 'motion.radius', label: `radius of the double quaternions in ${lengthUnit(unit())}`, optional: true }),
-          ),
+          }),
+          setting({ label: 'Frames', control: cells.input({ path: 'motion.frames', label: 'number of frames' }) }),
+          setting({
+            label: 'Reference point',
+            title: 'The point, x y z in the fixed frame, about which the double quaternions interpolate',
+            note: `${lengths}; empty: the mean of the key frames`,
+            control: pointCells(cells, { path: 'motion.reference', label: `point about which double quaternions interpolate, in ${lengths}`, fallback: () => meanPosition(store.document) }),
+          }),
+          setting({
+            label: 'Radius R',
+            title: 'Of the double quaternions: large against the workspace',
+            note: `${lengths}; empty: chosen from the key frames`,
+            control: cells.input({ path: 'motion.radius', label: `radius of the double quaternions in ${lengths}`, optional: true }),
+          }),
         ),
         element('div', { class: 'title' }, element('h2', {}, 'Planner')),
-        element(
-          'div',
-          { class: 'settings' },
-          setting(
-            'Method',
-            '',
-            cells.select({
-              path: 'planner.method',
-              label: 'planning method',
-              options: [
-                ['newton', 'Newton on the constraint wrenches'],
-                ['gradient', "projected gradient (the paper's)"],
-              ],
-            }),
-          ),
-          setting(
-            'Metric length',
-            `${lengthUnit(unit())}; weighs turning against shifting`,
-            cells.input({ path: 'planner.metric_length', label: `characteristic length of the metric in ${lengthUnit(unit())}` }),
-          ),
-          setting('Iterations', 'at most, each frame', cells.input({ path: 'planner.max_iterations', label: 'largest number of iterations', optional: true })),
-        ),
+        planner.build(),
+        comparison,
       );
+      planner.refresh();
     },
+    /** What is told beside the cells follows document and motion. */
+    showNow: planner.refresh,
   };
 
   /** @param {'pose' | 'goal'} which @param {number} [at] */
@@ -164,4 +157,9 @@ export function createMotionTables(panel, store, cells, defaults, arrange, goTo)
     const { time: _, ...last } = store.document.motion.key_frames.at(-1) ?? defaults.key_frame;
     return last;
   }
+}
+
+/** The mean of the key frames' positions; what is no number counts as 0, and is at fault. @param {import('../types.js').MechanismDocument} document */
+function meanPosition({ motion: { key_frames: keys } }) {
+  return /** @type {const} */ (['x', 'y', 'z']).map((axis) => keys.reduce((sum, key) => sum + (Number(key[axis]) || 0), 0) / keys.length);
 }

@@ -4,8 +4,12 @@
  * @typedef {import('../types.js').Trace} Trace
  */
 
-/** @param {Trace} trace @param {import('./algorithm-words.js').Method} method @param {number} at @returns {import('../types.js').Posture & {note: string}} */
-export function postureOf(trace, method, at) {
+/**
+ * @param {Trace} trace @param {import('./algorithm-words.js').Method} method @param {number} at
+ * @param {{reached: number}} bounds of the motion: `reached` is that of the metric at a goal that is met
+ * @returns {import('../types.js').Posture & {note: string}}
+ */
+export function postureOf(trace, method, at, { reached }) {
   const course = trace[method];
   const count = course.iteration.length;
   const group = (/** @type {Float64Array} */ column) => {
@@ -24,11 +28,12 @@ export function postureOf(trace, method, at) {
     rows: group(course.rows),
     goal,
     // Only the last iterate is an answer.
-    status: !arrived ? 'stalled' : metric < 1e-16 ? 'reached' : 'closest',
+    status: !arrived ? 'stalled' : metric <= reached ? 'reached' : 'closest',
     metric,
     translation_gap: Math.hypot(pose[0] - goal[0], pose[1] - goal[1], pose[2] - goal[2]),
     rotation_gap: 2 * Math.acos(Math.min(1, turn)),
     closure: course.closure[at],
+    misfit: course.misfit[at],
     projected_gradient: course.projected_gradient[at],
     iterations: course.iteration[at],
     sigma_min: course.sigma_min[at],

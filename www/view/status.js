@@ -5,7 +5,7 @@ import { angle, length, plural, scientific, short } from '../format.js';
 import { element, setText } from '../dom.js';
 import { shownEnd } from '../shown.js';
 import { sentence } from './fault-note.js';
-import { PULLED, countStatuses, mobilitySentence, partSentence, singularSentence, statusWords, worstFrame } from './words.js';
+import { PULLED, countStatuses, metricSentence, mobilitySentence, partSentence, singularSentence, statusWords, worstFrame } from './words.js';
 
 /** @param {Pick<import('../workbench.js').App, 'find' | 'store' | 'player'>} app */
 export function createStatus({ find, store, player }) {
@@ -14,6 +14,7 @@ export function createStatus({ find, store, player }) {
     rotation: find('gap-rotation'),
     metric: find('metric'),
     closure: find('closure'),
+    misfit: find('misfit'),
     sigma: find('sigma'),
     gradient: find('gradient'),
     iterations: find('iterations'),
@@ -34,10 +35,25 @@ export function createStatus({ find, store, player }) {
     setText(numbers.rotation, angle(end.rotation_gap));
     setText(numbers.metric, scientific(end.metric));
     setText(numbers.closure, scientific(end.closure));
+    setText(numbers.misfit, scientific(end.misfit));
     setText(numbers.sigma, short(end.sigma_min));
     setText(numbers.gradient, scientific(end.projected_gradient));
     setText(numbers.iterations, String(end.iterations));
+    showBounds(end.misfit);
   }
+
+  /** What the numbers of the certificate are at most in an answer. @param {number} misfit */
+  function showBounds(misfit) {
+    const bounds = store.result.motion?.report.bounds;
+    if (!bounds) return;
+    const { posture } = store.view;
+    // By hand it is always Newton's method that answers, and an iterate is no answer.
+    const slope = posture ? store.insight?.stationary : bounds.projected_gradient;
+    const shown = { closure: bounds.closure, misfit: bounds.misfit, gradient: posture?.note || posture?.value !== undefined ? undefined : slope };
+    for (const [name, bound] of Object.entries(shown)) setText(find(`${name}-bound`), bound === undefined ? '' : `at most ${scientific(bound)}`);
+    find('misfit-row').hidden = !(misfit > 0);
+  }
+
 
   /** @param {string} text @param {number} frame */
   const jump = (text, frame) => element('button', { class: 'link', click: () => goTo(frame) }, text);
@@ -59,6 +75,7 @@ export function createStatus({ find, store, player }) {
       jump(`${length(motion.translation_gap[worst], document?.length_unit)}, ${angle(motion.rotation_gap[worst])}`, worst),
       `.${part && ` ${part}`}`,
     );
+    setText(find('motion-metric'), metricSentence(report.metric, document?.length_unit));
     setText(find('mobility-count'), short(report.mobility_count));
     setText(find('mobility-difference'), unknownsLessEquations(report.chains));
     setText(find('mobility-rank'), String(report.mobility_rank));
@@ -95,7 +112,10 @@ export function createStatus({ find, store, player }) {
     setText(find('mobility-sentence'), `${mobilitySentence(count, rank)}${here && ` ${here}`}`);
   }
 
-  store.subscribe('insight', showMobility);
+  store.subscribe('insight', () => {
+    showMobility();
+    if (store.view.posture) showFrame();
+  });
   const show = () => {
     showMotion();
     showFrame();

@@ -17,15 +17,16 @@ import { createMotionTables } from './motion-tables.js';
  * @param {Store} store
  * @param {import('../types.js').Defaults} defaults
  * @param {{markFault: (panel: HTMLElement | null) => void, findStart: () => void, goToKey: (key: number) => void,
+ *   compareMetrics: Parameters<typeof import('./metric-comparison.js').createMetricComparison>[1],
  *   say: import('./notice.js').Say}} outside
  *   `markFault` is told which panel holds the fault; `findStart` asks the planner for start values; `goToKey` takes
- *   the playhead to a key frame
+ *   the playhead to a key frame; `compareMetrics` asks the planner for both metrics' gaps
  */
-export function createTables({ root, mechanism, motion }, store, defaults, { markFault, findStart, goToKey, say }) {
+export function createTables({ root, mechanism, motion }, store, defaults, { markFault, findStart, goToKey, compareMetrics, say }) {
   const arrange = createArrange(root, store);
   const cells = createCells(store);
   const chains = createChainTables(mechanism, store, cells, defaults, arrange, findStart);
-  const keys = createMotionTables(motion, store, cells, defaults, arrange, goToKey);
+  const keys = createMotionTables(motion, store, cells, defaults, arrange, { goTo: goToKey, compareMetrics });
   const note = createFaultNote(root);
   let shape = '';
   /** @type {HTMLElement | null} */
@@ -40,7 +41,11 @@ export function createTables({ root, mechanism, motion }, store, defaults, { mar
 
   function show() {
     const next = shapeOf(store.document);
-    if (next === shape) return cells.refresh();
+    if (next === shape) {
+      cells.refresh();
+      keys.showNow();
+      return;
+    }
     shape = next;
     const inHand = () => /** @type {HTMLElement | null} */ (focusBeside(root))?.dataset.path;
     const focused = inHand();
@@ -58,6 +63,7 @@ export function createTables({ root, mechanism, motion }, store, defaults, { mar
   store.subscribe('result', () => {
     cells.refresh();
     chains.showNow();
+    keys.showNow();
     showFault();
   });
   store.subscribe('view', () => chains.showNow());

@@ -5,11 +5,8 @@
  * @typedef {import('../types.js').Motion} Motion
  * @typedef {import('../types.js').MechanismDocument} MechanismDocument
  */
-import { angle, degrees, length, plural, scientific, short } from '../format.js';
+import { angle, atMost, degrees, length, plural, scientific, short } from '../format.js';
 
-/** Projected gradient below which a pose is stationary, and curvature above which it is no hill: the planner's own. */
-const STATIONARY = 1e-9;
-const FLAT = -1e-8;
 /** Parts of a direction, and of a twist or wrench, that are too small to be told. */
 const ROUNDING = 0.005;
 const NOTHING = 1e-9;
@@ -76,16 +73,21 @@ export function percentages(shares) {
   return whole;
 }
 
-/** Whether the pose is a closest one, and how that is known. @param {Insight} insight @param {string} status */
-export function certificate({ projected_gradient: slope, least_curvature: curvature }, status) {
-  const numbers = `slope ${scientific(slope)}${curvature === null ? '' : `, least curvature ${scientific(curvature)}`}`;
-  if (!(slope <= STATIONARY)) {
-    if (status === 'closest' || status === 'at_limit') return `Closest to within the gradient method’s own tolerance (${numbers}; the default method stops below 1e−9).`;
-    return `Not certified: the distance still falls in a free direction (${numbers}; a closest pose has a slope below 1e−9).`;
+/**
+ * Whether the pose is a closest one, and how that is known: every number with the bound that it is held against.
+ * @param {Insight} insight @param {string} status
+ * @param {Pick<Motion['report']['bounds'], 'projected_gradient'>} bounds of the motion, whose method may have one of its own
+ */
+export function certificate({ projected_gradient: slope, stationary, least_curvature: curvature, flat }, status, bounds) {
+  const curved = curvature === null ? '' : `; least curvature ${scientific(curvature)}, at least ${scientific(-flat)}`;
+  const numbers = (/** @type {number} */ bound) => `projected gradient ${atMost(slope, bound)}${curved}`;
+  if (!(slope <= stationary)) {
+    if (status === 'closest' || status === 'at_limit') return `Closest within the bound of the gradient method (${numbers(bounds.projected_gradient)}); Newton’s method stops at ${scientific(stationary)}.`;
+    return `Not certified: the distance still falls in a free direction (${numbers(stationary)}).`;
   }
-  if (curvature === null) return 'Certified closest: no direction is free, so no small motion of the linkage comes nearer.';
-  if (curvature < FLAT) return `Not certified: a direction without slope in which the distance curves downwards (${numbers}).`;
-  return `Certified closest: no small motion of the linkage comes nearer (${numbers}).`;
+  if (curvature === null) return `Certified closest: no direction is free, so no small motion of the linkage comes nearer (${numbers(stationary)}).`;
+  if (curvature < -flat) return `Not certified: a direction without slope in which the distance curves downwards (${numbers(stationary)}).`;
+  return `Certified closest: no small motion of the linkage comes nearer (${numbers(stationary)}).`;
 }
 
 /** What a chain is called. @param {MechanismDocument} document @param {number} index */
@@ -118,15 +120,14 @@ export function atLimits(document, report, joints) {
 
 /**
  * The chain that holds the workpiece back most, in a sentence; '' where nothing is held back.
- * @param {Insight} insight @param {MechanismDocument} document
+ * @param {Insight} insight @param {MechanismDocument} document @param {number} metricLength weighs moments against forces
  */
-export function mostHolding(insight, document) {
+export function mostHolding(insight, document, metricLength) {
   const shares = percentages(insight.chains.map(({ share }) => share));
   const most = shares.indexOf(Math.max(...shares));
   if (!(shares[most] > 0)) return '';
   const { wrench } = insight.chains[most];
   const name = chainName(document, most);
-  const metricLength = Number(document.planner?.metric_length) || 1;
   const equal = shares.filter((share) => share >= shares[most] - 1).length;
   const head =
     shares.length === 1

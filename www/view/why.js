@@ -71,15 +71,15 @@ export function createWhy({ find, store }) {
     if (!insight && !met && !lost && !items.length) root.hidden = true;
     if (!insight || lost) return;
     if (!met) {
-      const metricLength = Number(document.planner?.metric_length) || 1;
+      const { metric, bounds } = motion.report;
       const shares = percentages(insight.chains.map(({ share }) => share));
-      setText(sentence, mostHolding(insight, document) || 'No chain holds it back here: the linkage could still come nearer.');
+      setText(sentence, mostHolding(insight, document, metric.length) || 'No chain holds it back here: the linkage could still come nearer.');
       const focused = items.findIndex((item) => item.contains(focusBeside(root)));
-      items = insight.chains.map(({ wrench }, i) => bar(i, chainName(document, i), shares[i], `withstands ${wrenchInWords(wrench, metricLength)}`));
+      items = insight.chains.map(({ wrench }, i) => bar(i, chainName(document, i), shares[i], `withstands ${wrenchInWords(wrench, metric.length)}`));
       bars.replaceChildren(...items);
       if (focused >= 0) items[focused]?.querySelector('button')?.focus();
       limits.replaceChildren(...atLimits(document, motion.report, groupAt(what.joints, what)).map(({ text }) => element('li', {}, text)));
-      setText(proof, certificate(insight, status));
+      setText(proof, certificate(insight, status, bounds));
       gap.replaceChildren(
         ...[['The gap', insight.gap], ['in free directions', insight.free_part], ['in blocked directions', insight.blocked_part]].flatMap(([name, twist]) => [
           element('dt', {}, String(name)),

@@ -53,6 +53,23 @@ export function worstFrame(column) {
   return worst;
 }
 
+/** What the metrics are called. @type {Record<string, string>} */
+export const METRICS = { pose: 'pose', 'dual-quaternion': 'dual quaternion' };
+
+/** Where a metric's length comes from. @type {Record<Motion['report']['metric']['length_source'], string>} */
+export const LENGTH_SOURCES = {
+  given: 'as the document says',
+  mechanism: 'the mechanism’s size',
+  motion: 'the extent of the motion',
+  none: 'mechanism and motion have no other length',
+};
+
+/** How distances from the goal are measured. @param {Motion['report']['metric']} metric @param {string | undefined} unit */
+export function metricSentence({ kind, length: of, length_source, origin }, unit) {
+  const about = origin ? ` about (${origin.map((x) => short(x, 3)).join(', ')})` : '';
+  return `Metric: ${METRICS[kind]}${about}; a shift by ${length(of, unit)} (${LENGTH_SOURCES[length_source]}) weighs as much as a turn by 1 rad.`;
+}
+
 /** Mobility in a sentence. @param {number} count by Eq. 10 @param {number} rank n − rank [A] at the start */
 export function mobilitySentence(count, rank) {
   const free = rank === 0 ? 'The workpiece cannot move' : `The workpiece moves with ${plural(rank, 'freedom')}`;

@@ -6,9 +6,10 @@ use crate::files::Out;
 use crate::planned::{Planned, planned};
 use serde::Serialize;
 use std::collections::BTreeMap;
+use synthetica::document::comparison::MetricGaps;
 use synthetica::document::fault::Fault;
 use synthetica::document::report::Report;
-use synthetica::motion::trajectory::{Status, Trajectory};
+use synthetica::motion::trajectory::{Status, Trajectory, Warning};
 
 /// Says it of each document; fails where one is at fault, or has a frame that is not certified.
 pub fn check(asked: &Check) -> Result<(), Failure> {
@@ -59,9 +60,24 @@ struct Verdict<'a> {
     translation_gap: f64,
     /// The same of the rotation, degrees.
     rotation_gap: f64,
-    /// Largest opening of a loop.
+    /// How far the loops are open at most, lengths as shares of the mechanism's size or rad.
     closure: f64,
+    /// By how much rounded dimensions contradict each other at most, as `closure`.
+    misfit: f64,
+    /// The largest gaps of the motion planned with either metric, rotations in degrees.
+    metrics: [MetricGaps; 2],
+    /// Frames between which the linkage leaps.
+    leaps: Vec<Frames>,
+    /// Frames near a singular position.
+    near_singular: Vec<Frames>,
     report: Report,
+}
+
+/// Frames that a warning is about.
+#[derive(Serialize)]
+struct Frames {
+    first: usize,
+    last: usize,
 }
 
 /// What is said of a document that does not.
@@ -83,6 +99,13 @@ struct Run {
 impl<'a> Verdict<'a> {
     fn new(planned: &'a Planned) -> Self {
         let motion = &planned.motion;
+        let metrics = planned
+            .problem
+            .compare_metrics_of(motion)
+            .map(|gaps| MetricGaps {
+                rotation_gap: gaps.rotation_gap.to_degrees(),
+                ..gaps
+            });
         let mut statuses = BTreeMap::new();
         for status in &motion.status {
             *statuses.entry(status.name()).or_default() += 1;
@@ -97,6 +120,10 @@ impl<'a> Verdict<'a> {
             translation_gap: largest(&motion.translation_gap),
             rotation_gap: largest(&motion.rotation_gap).to_degrees(),
             closure: largest(&motion.closure),
+            misfit: largest(&motion.misfit),
+            metrics,
+            leaps: leaps(motion),
+            near_singular: near_singular(motion),
             report: Report::new(
                 &planned.problem.mechanism,
                 &planned.problem.length_unit,
@@ -132,11 +159,99 @@ fn words(verdict: &Verdict, planned: &Planned) -> String {
         format!("  mobility  {rank} by rank, {count} by count"),
         format!("  frames    {}: {}", verdict.frames, statuses.join(", ")),
         format!("  gap       up to {shift:.4} {unit} and {turn:.2}°"),
-        format!("  loops     closed to {:.1e}", verdict.closure),
+        format!(
+            "  loops     closed to {:.1e}, at most {:.1e}",
+            verdict.closure, report.bounds.closure
+        ),
     ];
+    if verdict.misfit > report.bounds.closure {
+        lines.push(format!(
+            "  misfit    {:.1e}, at most {:.1e}",
+            verdict.misfit, report.bounds.misfit
+        ));
+    }
+    lines.push(format!("  metric    {}", metric(report, unit)));
+    let either = verdict.metrics.each_ref().map(|gaps| {
+        let MetricGaps {
+            metric,
+            translation_gap: shift,
+            rotation_gap: turn,
+            ..
+        } = gaps;
+        format!("{metric} {shift:.4} {unit}, {turn:.2}°")
+    });
+    lines.push(format!("  compared  {}", either.join(" | ")));
+    lines.push(format!(
+        "  leaps     {}",
+        list(&verdict.leaps, "between frames ", " and ")
+    ));
+    lines.push(format!(
+        "  singular  {}",
+        list(&verdict.near_singular, "nearly, in frames ", " to ")
+    ));
     let said = warnings(report, &planned.motion);
     lines.extend(said.iter().map(|said| format!("  warning   {said}")));
     lines.join("\n") + "\n"
+}
+
+/// Such as: pose, length 0.5 m (from the mechanism's size).
+fn metric(report: &Report, unit: &str) -> String {
+    let used = &report.metric;
+    let source = match used.length_source {
+        "given" => "as the document says",
+        "mechanism" => "the mechanism's size",
+        "motion" => "the extent of the motion",
+        _ => "there is no other length",
+    };
+    let about = used
+        .origin
+        .map_or_else(String::new, |[x, y, z]| format!(" about ({x}, {y}, {z})"));
+    format!(
+        "{}{about}, length {} {unit} ({source})",
+        used.kind,
+        rounded(used.length)
+    )
+}
+
+/// Four digits, without zeros at the end.
+fn rounded(length: f64) -> f64 {
+    format!("{length:.3e}").parse().unwrap_or(length)
+}
+
+/// Frames count from 1 here.
+fn list(frames: &[Frames], before: &str, between: &str) -> String {
+    let spans: Vec<String> = frames
+        .iter()
+        .map(|f| format!("{}{between}{}", f.first + 1, f.last + 1))
+        .collect();
+    if spans.is_empty() {
+        "none".to_owned()
+    } else {
+        format!("{before}{}", spans.join(", "))
+    }
+}
+
+fn leaps(motion: &Trajectory) -> Vec<Frames> {
+    let mut leaps = Vec::new();
+    for warning in &motion.warnings {
+        if let Warning::BranchJump { first, .. } = *warning {
+            leaps.push(Frames {
+                first,
+                last: first + 1,
+            });
+        }
+    }
+    leaps
+}
+
+fn near_singular(motion: &Trajectory) -> Vec<Frames> {
+    let mut intervals = Vec::new();
+    for warning in &motion.warnings {
+        if let Warning::NearSingular { first, last, .. } = *warning {
+            intervals.push(Frames { first, last });
+        }
+    }
+    intervals
 }
 
 /// What deserves a look, in sentences.
