@@ -237,14 +237,22 @@ fn motion(problem: &Problem, t: &Trajectory, milliseconds: f64) -> Result<Object
 }
 
 /// A column as the typed array that its kind has in wasm.d.ts.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "codes and counts are whole numbers in the range of u8 and u32"
+)]
 fn typed(column: &Column, t: &Trajectory) -> JsValue {
     let values = (column.values)(t);
     match column.kind {
         Kind::Status => {
-            let codes: Vec<u8> = t.status.iter().map(|status| *status as u8).collect();
+            let codes: Vec<u8> = values.iter().map(|&code| code as u8).collect();
             Uint8Array::from(&codes[..]).into()
         }
-        Kind::Count => Uint32Array::from(&t.iterations[..]).into(),
+        Kind::Count => {
+            let counts: Vec<u32> = values.iter().map(|&count| count as u32).collect();
+            Uint32Array::from(&counts[..]).into()
+        }
         Kind::Time | Kind::Length | Kind::Angle | Kind::Number | Kind::Pose | Kind::Joints => {
             Float64Array::from(&values[..]).into()
         }

@@ -67,38 +67,35 @@ fn columns(document: &Document, report: &Report, t: &Trajectory) -> Vec<Column> 
         unit => unit,
     };
     let mut list = Vec::new();
-    let mut add = |name: &str, unit: &str, values: Vec<f64>| {
+    let mut add = |name: &str, unit: &str, values: Values| {
         list.push(Column {
             name: name.to_owned(),
             unit: unit.to_owned(),
-            values: Values::Numbers(values),
+            values,
         });
     };
-    let degrees = |angles: &[f64]| angles.iter().map(|angle| angle.to_degrees()).collect();
-    add("frame", "", (1..=t.frames()).map(|i| i as f64).collect());
+    let numbers = |values: &[f64]| Values::Numbers(values.to_vec());
+    let degrees =
+        |angles: &[f64]| Values::Numbers(angles.iter().map(|angle| angle.to_degrees()).collect());
+    let counted = (1..=t.frames()).map(|i| i as f64).collect();
+    add("frame", "", Values::Numbers(counted));
     for column in &COLUMNS {
         let (name, values) = (column.name, (column.values)(t));
         match column.kind {
-            Kind::Time | Kind::Number | Kind::Count | Kind::Status => {
-                add(name, "", values.into_owned())
-            }
-            Kind::Length => add(name, length, values.into_owned()),
+            Kind::Time | Kind::Number | Kind::Count => add(name, "", numbers(&values)),
+            Kind::Status => add(name, "", Values::Statuses(t.status.clone())),
+            Kind::Length => add(name, length, numbers(&values)),
             Kind::Angle => add(name, "deg", degrees(&values)),
             Kind::Pose => {
-                let prefix = if name == "pose" {
-                    String::new()
-                } else {
-                    format!("{name}_")
-                };
                 for (i, part) in ["x", "y", "z", "qx", "qy", "qz", "qw"]
                     .into_iter()
                     .enumerate()
                 {
                     let own = values.iter().skip(i).step_by(7).copied().collect();
                     add(
-                        &format!("{prefix}{part}"),
+                        &format!("{}{part}", column.prefix),
                         if i < 3 { length } else { "" },
-                        own,
+                        Values::Numbers(own),
                     );
                 }
             }
@@ -116,17 +113,12 @@ fn columns(document: &Document, report: &Report, t: &Trajectory) -> Vec<Column> 
                         if variable.unit == "rad" {
                             add(&name, "deg", degrees(&own));
                         } else {
-                            add(&name, length, own);
+                            add(&name, length, Values::Numbers(own));
                         }
                         k += 1;
                     }
                 }
             }
-        }
-    }
-    for column in &mut list {
-        if column.name == "status" {
-            column.values = Values::Statuses(t.status.clone());
         }
     }
     list

@@ -32,6 +32,8 @@ pub struct Column {
     pub name: &'static str,
     /// What its numbers are.
     pub kind: Kind,
+    /// Of a pose: what stands before the names of its seven columns in a table, x to qw.
+    pub prefix: &'static str,
     /// What it says, in a line.
     pub meaning: &'static str,
     /// Its numbers, frame by frame.
@@ -57,7 +59,10 @@ pub const COLUMNS: [Column; 13] = [
     column("pose", Kind::Pose, "Reached pose.", |t| {
         placed(&t.poses).into()
     }),
-    column("goal", Kind::Pose, "Goal.", |t| placed(&t.goals).into()),
+    Column {
+        prefix: "goal_",
+        ..column("goal", Kind::Pose, "Goal.", |t| placed(&t.goals).into())
+    },
     column(
         "joints",
         Kind::Joints,
@@ -120,6 +125,7 @@ const fn column(
     Column {
         name,
         kind,
+        prefix: "",
         meaning,
         values,
     }
