@@ -7,7 +7,7 @@ use fixtures::{document, lines, problem};
 use std::f64::consts::PI;
 use synthetica::document::schema::{Document, FrameEntry};
 use synthetica::model::joint::JointKind;
-use synthetica::model::scaled::CLOSED;
+use synthetica::model::scaled::{CLOSED, larger};
 use synthetica::motion::trajectory::{Dimension, Trajectory, Warning};
 
 /// Lengths with so many decimals of the size, angles with so many of a radian; right angles inside a joint stay.
@@ -40,7 +40,7 @@ fn rounded(document: &Document, size: f64, decimals: i32) -> Document {
 }
 
 fn misfit(t: &Trajectory) -> f64 {
-    t.misfit.iter().copied().fold(0.0, f64::max)
+    t.misfit.iter().copied().fold(0.0, larger)
 }
 
 /// What is wrong with the motion of a rounded linkage; empty where nothing is.
@@ -107,7 +107,7 @@ fn rounded_dimensions_move_as_their_maker_meant() {
                 .iter()
                 .zip(&meant.translation_gap)
                 .map(|(a, b)| (a - b).abs() / size)
-                .fold(0.0, f64::max);
+                .fold(0.0, larger);
             if apart > 1e3 * (0..decimals).fold(1.0, |step, _| step / 10.0) {
                 found.push(format!(
                     "the gap differs by {apart:e} sizes from the exact linkage's"

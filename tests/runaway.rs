@@ -67,11 +67,12 @@ fn step(solver: &mut Solver, theta: &mut Vec<f64>, random: &mut Random) {
 
 fn check(step: usize) {
     let mut failures = Vec::new();
-    let mut mended = 0;
+    let (mut planned, mut mended) = (0, 0);
     for line in sample(lines("runaway"), step) {
         let case = line["case"].as_str().expect("a name").to_owned();
         let problem = problem(&document(&line));
         let t = problem.plan();
+        planned += 1;
         let first = t.warnings.iter().find_map(|w| match w {
             Warning::Runaway { frame, .. } => Some(*frame),
             _ => None,
@@ -91,7 +92,8 @@ fn check(step: usize) {
             }
         }
     }
-    println!("{mended} motions keep to finite poses");
+    println!("{mended} of {planned} motions keep to finite poses");
+    assert!(planned > 0, "no motion");
     assert!(
         failures.is_empty(),
         "a finite pose is joined:\n{}",

@@ -25,7 +25,7 @@ pub fn problem(document: &Document) -> Problem {
     Problem::new(document).unwrap_or_else(|fault| panic!("{}: {fault}", document.name))
 }
 
-/// Every `step`th entry, or all of them where the environment asks for the long run.
+/// The first entry and every `step`th one after it; all of them with a step of 1.
 pub fn sample<T>(all: Vec<T>, step: usize) -> Vec<T> {
     all.into_iter().step_by(step).collect()
 }
