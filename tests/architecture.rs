@@ -48,15 +48,19 @@ fn code(text: &str) -> &str {
         .unwrap_or_default()
 }
 
-/// The paths that a file names after `crate::`, as far as they have names of files or rooms: `["model", "chain"]`.
-fn imports(text: &str) -> Vec<Vec<String>> {
-    let lines = code(text).lines();
-    let code: Vec<&str> = lines
+/// A file without its own tests and without comments.
+fn stripped(text: &str) -> String {
+    let lines: Vec<&str> = code(text)
+        .lines()
         .map(|line| line.split("//").next().unwrap_or_default())
         .collect();
-    let code = code.join("\n");
+    lines.join("\n")
+}
+
+/// The paths that a file names after `crate::`, as far as they have names of files or rooms: `["model", "chain"]`.
+fn imports(text: &str) -> Vec<Vec<String>> {
     let mut found = Vec::new();
-    for rest in code.split("crate::").skip(1) {
+    for rest in stripped(text).split("crate::").skip(1) {
         expand(rest, &mut Vec::new(), &mut found);
     }
     found
@@ -111,11 +115,24 @@ fn imports_point_down() {
                 )
             });
             assert!(
-                at < target || at == target,
+                at <= target,
                 "{room}/{file} imports {}, which is not below it",
                 path.join("::")
             );
         }
+    }
+}
+
+/// A path through `super` would be an import that [`imports`] does not see.
+#[test]
+fn imports_begin_at_the_crate() {
+    let library = listed()
+        .into_iter()
+        .map(|(room, file)| format!("{room}/{file}.rs"));
+    let command = COMMAND.map(|file| format!("bin/synthetica/{file}.rs"));
+    for path in library.chain(command) {
+        let text = stripped(&read(&path));
+        assert!(!text.contains("super::"), "{path} imports by super::");
     }
 }
 
@@ -147,6 +164,18 @@ fn the_list_has_every_file() {
 }
 
 #[test]
+fn the_list_has_every_file_of_the_command() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/bin/synthetica");
+    let there: BTreeSet<String> = fs::read_dir(root)
+        .expect("the command")
+        .map(|file| file.expect("a file").file_name())
+        .map(|name| name.into_string().expect("a name"))
+        .collect();
+    let listed = COMMAND.map(|file| format!("{file}.rs"));
+    assert_eq!(BTreeSet::from(listed), there);
+}
+
+#[test]
 fn the_command_points_down() {
     for (at, file) in COMMAND.iter().enumerate() {
         for path in imports(&read(&format!("bin/synthetica/{file}.rs"))) {
@@ -161,7 +190,7 @@ fn the_command_points_down() {
     }
 }
 
-/// What the command is made of stays out of the library, and the mathematics knows no document.
+/// Only the command reads a command line: the library does not name clap.
 #[test]
 fn the_library_has_no_command_line() {
     for (room, file) in listed() {
