@@ -43,7 +43,7 @@ fn allocations(
 }
 
 /// Allocations of one more call: the fewest of three, as above.
-fn allocations_of_singular_values(linkage: &common::Linkage, redundant: usize) -> usize {
+fn allocations_of_singular_values(linkage: &common::Linkage, surplus: usize) -> usize {
     let mut state = ChainState::default();
     let jacobians: Vec<_> = linkage
         .mechanism
@@ -54,7 +54,7 @@ fn allocations_of_singular_values(linkage: &common::Linkage, redundant: usize) -
         })
         .collect();
     let mut values = SingularValues::default();
-    let mut smallest = || values.smallest(jacobians.iter().map(Vec::as_slice), redundant);
+    let mut smallest = || values.smallest(jacobians.iter().map(Vec::as_slice), surplus);
     smallest();
     let again = (0..3).map(|_| {
         let region = Region::new(GLOBAL);
@@ -87,8 +87,8 @@ fn a_frame_allocates_nothing() {
             0,
             "{kinds:?}"
         );
-        for redundant in [0, 2] {
-            let found = allocations_of_singular_values(&linkage, redundant);
+        for surplus in [0, 2] {
+            let found = allocations_of_singular_values(&linkage, surplus);
             assert_eq!(found, 0, "{kinds:?}");
         }
     }

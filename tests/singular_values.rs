@@ -46,10 +46,10 @@ fn dense(jacobians: &Jacobians, q: &DualQuaternion) -> Vec<Vec<f64>> {
     rows
 }
 
-fn expected(jacobians: &Jacobians, redundant: usize, random: &mut Random) -> f64 {
+fn expected(jacobians: &Jacobians, surplus: usize, random: &mut Random) -> f64 {
     let q = dual_quaternion(&random.pose(0.0, 3.0), 1.0);
     let sigma = svd(dense(jacobians, &q)).sigma;
-    sigma[sigma.len() - 1 - redundant]
+    sigma[sigma.len() - 1 - surplus]
 }
 
 /// Compares, and returns the relative error where it must be small.
@@ -57,11 +57,11 @@ fn compare(
     what: &str,
     values: &mut SingularValues,
     jacobians: &Jacobians,
-    redundant: usize,
+    surplus: usize,
     random: &mut Random,
 ) -> f64 {
-    let found = values.smallest(jacobians.iter().map(Vec::as_slice), redundant);
-    let expected = expected(jacobians, redundant, random);
+    let found = values.smallest(jacobians.iter().map(Vec::as_slice), surplus);
+    let expected = expected(jacobians, surplus, random);
     let scale = jacobians
         .iter()
         .flatten()
@@ -70,13 +70,13 @@ fn compare(
         let error = (found - expected).abs() / expected;
         assert!(
             error <= 1e-6,
-            "{what}, {redundant} redundant: {found:e} for {expected:e}, {error:e}"
+            "{what}, {surplus} surplus: {found:e} for {expected:e}, {error:e}"
         );
         error
     } else {
         assert!(
             (found - expected).abs() <= 1e-12 * scale,
-            "{what}, {redundant} redundant: {found:e} for {expected:e}"
+            "{what}, {surplus} surplus: {found:e} for {expected:e}"
         );
         0.0
     }
@@ -113,13 +113,13 @@ fn random_linkages() {
         for kinds in assemblies(&mut random) {
             let linkage = linkage(&kinds, &mut random);
             let jacobians = jacobians(&linkage.mechanism, &linkage.home);
-            let redundant = redundancy(&linkage.mechanism, &linkage.home);
+            let surplus = redundancy(&linkage.mechanism, &linkage.home);
             let what = format!("{round} {kinds:?}");
             worst = worst.max(compare(
                 &what,
                 &mut values,
                 &jacobians,
-                redundant,
+                surplus,
                 &mut random,
             ));
         }
@@ -132,14 +132,9 @@ fn vector(random: &mut Random) -> Vector6<f64> {
     Vector6::from_fn(|_, _| random.between(-1.0, 1.0))
 }
 
-/// Chains that hold `redundant` wrench systems among themselves, and one more but for `gap`.
-fn nearly_singular(
-    freedoms: &[usize],
-    redundant: usize,
-    gap: f64,
-    random: &mut Random,
-) -> Jacobians {
-    let systems: Vec<Vec<Vector6<f64>>> = (0..=redundant)
+/// Chains that hold `surplus` wrench systems among themselves, and one more but for `gap`.
+fn nearly_singular(freedoms: &[usize], surplus: usize, gap: f64, random: &mut Random) -> Jacobians {
+    let systems: Vec<Vec<Vector6<f64>>> = (0..=surplus)
         .map(|_| {
             let mut system: Vec<_> = freedoms.iter().map(|_| vector(random)).collect();
             let sum: Vector6<f64> = system[1..].iter().sum();
@@ -169,7 +164,7 @@ fn nearly_singular(
                             column -= b * b.dot(&column);
                         }
                     }
-                    column + basis[redundant] * (gap * random.between(-1.0, 1.0))
+                    column + basis[surplus] * (gap * random.between(-1.0, 1.0))
                 })
                 .collect()
         })
@@ -183,19 +178,19 @@ fn near_singular_positions() {
     let mut worst = 0.0_f64;
     for round in 0..6000 {
         let chains = 2 + random.below(5);
-        let redundant = random.below(3);
+        let surplus = random.below(3);
         let freedoms: Vec<usize> = (0..chains).map(|_| 1 + random.below(5)).collect();
         let gap = libm::pow(10.0, random.between(-10.0, 0.0));
         let unknowns = freedoms.iter().sum::<usize>() + 6;
-        let jacobians = nearly_singular(&freedoms, redundant, gap, &mut random);
+        let jacobians = nearly_singular(&freedoms, surplus, gap, &mut random);
         // More equations than unknowns are dependent whatever the columns.
-        let redundant = redundant.max((6 * chains).saturating_sub(unknowns));
+        let surplus = surplus.max((6 * chains).saturating_sub(unknowns));
         let what = format!("{round} {freedoms:?} gap {gap:e}");
         worst = worst.max(compare(
             &what,
             &mut values,
             &jacobians,
-            redundant,
+            surplus,
             &mut random,
         ));
     }
@@ -210,17 +205,17 @@ fn rounded_dimensions() {
     let mut values = SingularValues::default();
     for round in 0..1000 {
         let chains = 2 + random.below(3);
-        let redundant = 1 + random.below(2);
+        let surplus = 1 + random.below(2);
         let freedoms: Vec<usize> = (0..chains).map(|_| 3 + random.below(3)).collect();
-        let mut jacobians = nearly_singular(&freedoms, redundant, 1.0, &mut random);
+        let mut jacobians = nearly_singular(&freedoms, surplus, 1.0, &mut random);
         for column in jacobians.iter_mut().flatten() {
             *column += vector(&mut random) * 1e-5;
         }
         let unknowns = freedoms.iter().sum::<usize>() + 6;
-        let redundant = redundant.max((6 * chains).saturating_sub(unknowns));
-        if expected(&jacobians, redundant, &mut random) > 1e-3 {
+        let surplus = surplus.max((6 * chains).saturating_sub(unknowns));
+        if expected(&jacobians, surplus, &mut random) > 1e-3 {
             let what = format!("{round} {freedoms:?}");
-            compare(&what, &mut values, &jacobians, redundant, &mut random);
+            compare(&what, &mut values, &jacobians, surplus, &mut random);
         }
     }
 }
@@ -286,10 +281,10 @@ fn overconstrained_linkages() {
     let (a, b, c) = (crank(0.0, 0.0), crank(2.0, 0.0), crank(1.1, -0.5));
     let mut random = Random(8);
     let mut values = SingularValues::default();
-    for (chains, redundant) in [(vec![a.clone(), b.clone()], 3), (vec![a, b, c], 7)] {
+    for (chains, surplus) in [(vec![a.clone(), b.clone()], 3), (vec![a, b, c], 7)] {
         let count = chains.len();
         let m = Mechanism::new(chains).expect("a mechanism");
-        assert_eq!(redundancy(&m, &vec![0.0; 2 * count]), redundant);
+        assert_eq!(redundancy(&m, &vec![0.0; 2 * count]), surplus);
         // The cranks are at atan(0.9 / 0.4) to the base at first.
         let flat = libm::atan2(0.9, 0.4);
         for k in 0..60 {
@@ -300,7 +295,7 @@ fn overconstrained_linkages() {
                 &format!("{above:e}"),
                 &mut values,
                 &jacobians,
-                redundant,
+                surplus,
                 &mut random,
             );
         }
@@ -321,11 +316,11 @@ fn overconstrained_samples() {
         let document = text::parse(sample).expect("a sample");
         let problem = Problem::new(&document).expect("a sample");
         let motion = problem.plan();
-        let redundant = redundancy(&problem.mechanism, motion.joints_at(0));
-        assert!(redundant > 0);
+        let surplus = redundancy(&problem.mechanism, motion.joints_at(0));
+        assert!(surplus > 0);
         for frame in 0..motion.frames() {
             let jacobians = jacobians(&problem.mechanism, motion.joints_at(frame));
-            compare("sample", &mut values, &jacobians, redundant, &mut random);
+            compare("sample", &mut values, &jacobians, surplus, &mut random);
         }
     }
 }
@@ -361,8 +356,8 @@ fn no_unit_and_no_place() {
 fn what_is_no_position() {
     let mut values = SingularValues::default();
     let x = Vector6::new(1.0, 0.0, 0.0, 0.0, 0.0, 0.0);
-    let mut smallest = |jacobians: &[&[Vector6<f64>]], redundant| {
-        values.smallest(jacobians.iter().copied(), redundant)
+    let mut smallest = |jacobians: &[&[Vector6<f64>]], surplus| {
+        values.smallest(jacobians.iter().copied(), surplus)
     };
     let close = |a: f64, b: f64| assert!((a - b).abs() < 1e-12, "{a} {b}");
     // No chain, one chain: the conditions alone.

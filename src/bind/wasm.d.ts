@@ -41,7 +41,7 @@ export interface Motion {
   closure: Float64Array;
   /** By how much rounded dimensions contradict each other, as closure; 0 where they agree. */
   misfit: Float64Array;
-  /** Smallest singular value of [A] that is not zero by dependent equations: lengths as shares of the size, about the workpiece's origin. */
+  /** Smallest singular value of [A] that is not 0 because of surplus constraints: lengths as shares of the size, about the workpiece's origin. */
   sigma_min: Float64Array;
   /** Norm of the projected gradient, lengths as shares of the size; see report.bounds. */
   projected_gradient: Float64Array;
@@ -133,7 +133,7 @@ export interface Posture {
   closure: number;
   /** By how much rounded dimensions contradict each other, as closure; 0 where they agree. */
   misfit: number;
-  /** Smallest singular value of [A] that is not zero by dependent equations: lengths as shares of the size, about the workpiece's origin. */
+  /** Smallest singular value of [A] that is not 0 because of surplus constraints: lengths as shares of the size, about the workpiece's origin. */
   sigma_min: number;
   /** Norm of the projected gradient, lengths as shares of the size; see report.bounds. */
   projected_gradient: number;

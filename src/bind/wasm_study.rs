@@ -184,7 +184,7 @@ fn history(problem: &Problem, history: &History) -> Result<Object, JsValue> {
     numbers("misfit", &history.misfit)?;
     numbers("sigma_min", &history.sigma_min)?;
     numbers("share", &arrivals(|a| a.share))?;
-    numbers("opening", &arrivals(|a| a.opening))?;
+    numbers("opening", &arrivals(|a| a.residual))?;
     numbers("corrections", &arrivals(|a| a.corrections as f64))?;
     numbers("correction", &arrivals(|a| a.correction))?;
     let guarded: Vec<u8> = history.guarded.iter().map(|g| u8::from(*g)).collect();

@@ -1,6 +1,7 @@
 //! The bounds of a document's numbers, texts and counts, and the faults beyond them.
 
 use crate::document::fault::{Fault, FaultCode, Place};
+use std::fmt::Display;
 
 /// Largest length, in the document's unit: a thousand kilometres in micrometres.
 /// Closure is measured in shares of the mechanism's size, so that no digits are lost with the unit.
@@ -16,7 +17,7 @@ pub const MIN_METRIC_LENGTH: f64 = 1e-12;
 pub const MAX_DIMENSION_TOLERANCE: f64 = 1e-2;
 /// Most iterations a frame: five times the limit that the paper's gradient has by itself.
 pub const MAX_ITERATIONS: u32 = 100_000;
-/// Most rows of the tables times frames, 14 numbers each: 56 MB, what a phone still hands out.
+/// Most rows of the tables times frames, 14 numbers each: 56 MB, what a page can allocate on a phone.
 pub const MAX_ROW_FRAMES: usize = 500_000;
 /// Characters of a name.
 pub const MAX_NAME: usize = 100;
@@ -81,11 +82,13 @@ pub(crate) fn wrong_count(place: &Place<'_>, found: usize, accepted: &str) -> Fa
     Fault::new(FaultCode::WrongCount, place, &what, accepted)
 }
 
-pub(crate) fn out_of_range(
-    place: &Place<'_>,
-    value: impl std::fmt::Display,
-    accepted: &str,
-) -> Fault {
+/// A number that is no index of one of `count` things.
+pub(crate) fn no_index(place: &Place<'_>, found: impl Display, count: usize) -> Fault {
+    let accepted = format!("a whole number from 0 to {}", count - 1);
+    out_of_range(place, found, &accepted)
+}
+
+pub(crate) fn out_of_range(place: &Place<'_>, value: impl Display, accepted: &str) -> Fault {
     Fault::new(
         FaultCode::OutOfRange,
         place,
@@ -94,7 +97,7 @@ pub(crate) fn out_of_range(
     )
 }
 
-/// The model refuses what the bounds above have not; kept so that it could not go unsaid.
+/// For a number that passed the bounds above and that the model still refuses.
 pub(crate) fn not_finite(place: &Place<'_>) -> Fault {
     Fault::new(
         FaultCode::OutOfRange,

@@ -128,7 +128,7 @@ fn notes(entries: &[KeyFrameEntry], keys: &[KeyFrame], half_turns: &[HalfTurn]) 
 /// turn from one to the other.
 ///
 /// Angles within ±180° only name a rotation: they are what this crate writes for any rotation, and
-/// 170° beside −170° is no wish to turn by 340°. Of a way round speaks an angle beyond.
+/// 170° beside −170° is no wish to turn by 340°. Only an angle beyond ±180° says which way round.
 fn turn_note(
     key: usize,
     entries: &[KeyFrameEntry],

@@ -77,9 +77,7 @@ impl Problem {
             length_unit: document.length_unit.clone(),
         })
     }
-}
 
-impl Problem {
     /// The joint values to start from: the document's, or an assembly found for chains without.
     pub fn find_start(&self) -> Vec<f64> {
         modes::find(

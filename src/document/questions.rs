@@ -2,7 +2,9 @@
 //! what holds it there, the planners' iterations and the paper's matrix. Checks what a page hands in, and
 //! says in words why a joint stops.
 
-use crate::document::bounds::{MAX_ANGLE, MAX_LENGTH, bounded, out_of_range, wrong_count};
+use crate::document::bounds::{
+    MAX_ANGLE, MAX_LENGTH, bounded, no_index, out_of_range, wrong_count,
+};
 use crate::document::fault::{Fault, FaultCode, Place};
 use crate::document::problem::Problem;
 use crate::document::wording::Wording;
@@ -17,6 +19,11 @@ use crate::study::iterations::{self, Trace};
 use crate::study::matrix::{self, Matrix};
 use crate::study::why::{self, Insight};
 use nalgebra::{Quaternion, Translation3, UnitQuaternion};
+use std::ops::RangeInclusive;
+
+/// Lengths of a quaternion that is read as a rotation. One that is not normalised is; beyond a thousandfold it is four
+/// numbers of another meaning, and near 0 its direction would be rounding.
+pub const QUATERNION_LENGTHS: RangeInclusive<f64> = 1e-3..=1e3;
 
 /// One position of the linkage.
 #[derive(Clone, Debug)]
@@ -30,8 +37,8 @@ pub struct Posture {
 }
 
 impl Problem {
-    /// The closest reachable pose to `goal` (x y z, then a quaternion x y z w of any length but 0) on
-    /// the branch of the joint values `joints`, rad or lengths.
+    /// The closest reachable pose to `goal` (x y z, then a quaternion x y z w, its length within
+    /// [`QUATERNION_LENGTHS`]) on the branch of the joint values `joints`, rad or lengths.
     ///
     /// # Errors
     /// When there is not one finite joint value a joint variable, or the goal is no pose.
@@ -59,12 +66,10 @@ impl Problem {
     /// document could hold.
     pub fn drive(&self, joints: &[f64], variable: usize, value: f64) -> Result<Posture, Fault> {
         self.check_joints(joints)?;
-        const VARIABLE: Place<'static> = Place::WHOLE.field("variable");
         const VALUE: Place<'static> = Place::WHOLE.field("value");
         let turns = self.turns();
         let Some(&turns) = turns.get(variable) else {
-            let accepted = format!("0 to {}", turns.len() - 1);
-            return Err(out_of_range(&VARIABLE, variable, &accepted));
+            return Err(no_index(&VARIABLE, variable, turns.len()));
         };
         check_value(value, turns, &VALUE)?;
         let moved = drive_joint(
@@ -118,10 +123,8 @@ impl Problem {
     /// # Errors
     /// When there is no such frame, or not one finite joint value a joint variable.
     pub fn trace(&self, frame: usize, joints: &[f64]) -> Result<Trace, Fault> {
-        const FRAME: Place<'static> = Place::WHOLE.field("frame");
         let Some(goal) = self.goals.get(frame) else {
-            let accepted = format!("0 to {}", self.goals.len() - 1);
-            return Err(out_of_range(&FRAME, frame, &accepted));
+            return Err(no_index(&FRAMES, frame, self.goals.len()));
         };
         let from = if joints.is_empty() {
             self.find_start()
@@ -228,6 +231,11 @@ impl Problem {
 }
 
 const JOINTS: Place<'static> = Place::WHOLE.field("joints");
+const MOTION: Place<'static> = Place::WHOLE.field("motion");
+/// The place of a frame that does not exist.
+pub(crate) const FRAMES: Place<'static> = MOTION.field("frames");
+/// The place of a joint variable that does not exist.
+pub(crate) const VARIABLE: Place<'static> = Place::WHOLE.field("variable");
 
 /// Joint motion, rad or sizes, that closes loops which count as closed: near a singular position a closure error of
 /// 1e-10 takes the root of it.
@@ -256,9 +264,10 @@ fn pose(numbers: &[f64]) -> Result<Pose, Fault> {
     let rotation = Quaternion::new(qw, qx, qy, qz);
     let norm = rotation.norm();
     // Also refuses NaN.
-    if !(1e-3..=1e3).contains(&norm) {
-        let accepted = "a quaternion of a length near 1";
-        return Err(out_of_range(&GOAL, norm, accepted));
+    if !QUATERNION_LENGTHS.contains(&norm) {
+        let (least, most) = QUATERNION_LENGTHS.into_inner();
+        let accepted = format!("a quaternion of a length from {least} to {most}");
+        return Err(out_of_range(&GOAL, norm, &accepted));
     }
     let rotation = UnitQuaternion::from_quaternion(rotation);
     Ok(Pose::from_parts(Translation3::new(x, y, z), rotation))

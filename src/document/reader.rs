@@ -200,7 +200,7 @@ fn whole(value: f64) -> Result<u32, Refusal> {
             WHOLE,
         ));
     }
-    #[allow(
+    #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
         reason = "a whole number in the range of u32"

@@ -23,7 +23,7 @@ pub struct Report {
     /// How distances were measured.
     pub metric: MetricReport,
     /// The bounds that were used.
-    pub bounds: BoundsReport,
+    pub bounds: Bounds,
     /// Largest misfit of rounded dimensions in any frame.
     pub misfit: f64,
     /// What deserves a look.
@@ -46,21 +46,6 @@ pub struct MetricReport {
     pub origin: Option<[f64; 3]>,
 }
 
-/// The bounds by which frames were judged: lengths as shares of the mechanism's size, angles in rad.
-#[derive(Clone, Debug, Serialize)]
-pub struct BoundsReport {
-    /// Of `closure`.
-    pub closure: f64,
-    /// Of `misfit`.
-    pub misfit: f64,
-    /// Of `projected_gradient`, in certified frames.
-    pub projected_gradient: f64,
-    /// The least curvature of f in certified frames, with the opposite sign.
-    pub curvature: f64,
-    /// Of `metric`, in frames that reached their goal.
-    pub reached: f64,
-}
-
 /// The name of a metric in documents and reports.
 pub const fn metric_name(kind: MetricKind) -> &'static str {
     match kind {
@@ -74,13 +59,6 @@ impl Report {
     pub fn new(mechanism: &Mechanism, unit: &str, trajectory: &Trajectory) -> Self {
         let wording = Wording { mechanism, unit };
         let metric = &trajectory.metric_used;
-        let Bounds {
-            closure,
-            misfit,
-            projected_gradient,
-            curvature,
-            reached,
-        } = trajectory.bounds;
         Self {
             statuses: Status::ALL.map(Status::name).to_vec(),
             chains: mechanism.chains().iter().map(chain).collect(),
@@ -92,13 +70,7 @@ impl Report {
                 length_source: trajectory.length_source.name(),
                 origin: (metric.kind == MetricKind::DualQuaternion).then(|| metric.origin.into()),
             },
-            bounds: BoundsReport {
-                closure,
-                misfit,
-                projected_gradient,
-                curvature,
-                reached,
-            },
+            bounds: trajectory.bounds,
             misfit: trajectory.misfit.iter().copied().fold(0.0, f64::max),
             warnings: trajectory
                 .warnings

@@ -1,11 +1,11 @@
 //! A document that is opened once and asked many times: parsed, checked and converted when it is
 //! opened, its start searched for when a question first needs one.
 
-use crate::document::bounds::out_of_range;
+use crate::document::bounds::no_index;
 use crate::document::comparison::Comparison;
 use crate::document::fault::{Fault, Place};
 use crate::document::problem::Problem;
-use crate::document::questions::Posture;
+use crate::document::questions::{FRAMES, Posture, VARIABLE};
 use crate::document::schema::Document;
 use crate::document::text;
 use crate::motion::trajectory::Trajectory;
@@ -133,13 +133,12 @@ impl Session {
         self.problem.check_joints(joints)
     }
 
-    /// A frame's index from a number that may be none, as JavaScript has them.
+    /// A frame's index from a JavaScript number.
     ///
     /// # Errors
     /// When it is no whole number from 0 to the last frame.
     pub fn frame(&self, number: f64) -> Result<usize, Fault> {
-        const FRAMES: Place<'static> = Place::WHOLE.field("motion");
-        below(number, self.problem.goals.len(), &FRAMES.field("frames"))
+        below(number, self.problem.goals.len(), &FRAMES)
     }
 
     /// The same for a joint variable, counted through all chains.
@@ -148,7 +147,7 @@ impl Session {
     /// When it is no whole number from 0 to the last variable.
     pub fn variable(&self, number: f64) -> Result<usize, Fault> {
         let variables = self.problem.mechanism.variables();
-        below(number, variables, &Place::WHOLE.field("variable"))
+        below(number, variables, &VARIABLE)
     }
 }
 
@@ -170,8 +169,7 @@ fn below(number: f64, count: usize, place: &Place<'_>) -> Result<usize, Fault> {
         .ok_or_else(|| {
             // The shortest digits, and 1e300 not written out.
             let found = format!("{number:?}");
-            let accepted = format!("a whole number from 0 to {}", count - 1);
-            out_of_range(place, found.trim_end_matches(".0"), &accepted)
+            no_index(place, found.trim_end_matches(".0"), count)
         })
 }
 

@@ -21,7 +21,7 @@ pub fn parse(text: &str) -> Result<Document, Fault> {
             FaultCode::TextTooLong,
             &whole,
             &what,
-            "up to 1,000,000 bytes",
+            &format!("up to {MAX_TEXT} bytes"),
         ));
     }
     // Some editors put a byte-order mark before the text.

@@ -5,6 +5,7 @@
 //! its factorisations also allocate. Matrices are slices, one column after the other.
 
 pub use crate::math::cholesky::{cholesky, solve_lower, solve_lower_transposed};
+pub use crate::math::dot::dot;
 pub use crate::math::qr::PivotedQr;
 pub use crate::math::svd::{Svd, SvdFactors, svd};
 pub use crate::math::symmetric::symmetric_eigen;

@@ -1,6 +1,7 @@
 //! Rigid displacements, screws, and small dense linear algebra; knows no linkage.
 
 pub mod cholesky;
+pub mod dot;
 pub mod lanczos;
 pub mod linalg;
 pub mod metric;

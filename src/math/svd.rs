@@ -1,5 +1,7 @@
 //! Singular value decomposition of small dense matrices.
 
+use crate::math::dot::dot;
+
 /// Sweeps over all pairs of columns before the rotations are given up; about eight are needed.
 const SWEEPS: usize = 60;
 /// Cosine of the angle between two columns that count as orthogonal: a few units of the last place.
@@ -122,10 +124,6 @@ fn rotate(x: &mut [f64], y: &mut [f64], c: f64, s: f64) {
     for (x, y) in x.iter_mut().zip(y) {
         (*x, *y) = (c * *x - s * *y, s * *x + c * *y);
     }
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 /// What [`svd`] returns: [`Svd`] copied into vectors, for a matrix that is decomposed once.

@@ -102,7 +102,7 @@ pub const COLUMNS: [Column; 13] = [
     column(
         "sigma_min",
         Kind::Number,
-        "Smallest singular value of [A] that is not zero by dependent equations: lengths as shares of the size, about the workpiece's origin.",
+        "Smallest singular value of [A] that is not 0 because of surplus constraints: lengths as shares of the size, about the workpiece's origin.",
         |t| (&t.sigma_min[..]).into(),
     ),
     column(

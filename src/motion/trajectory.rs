@@ -2,6 +2,7 @@
 
 use crate::math::metric::Metric;
 use crate::math::pose::Pose;
+use serde::Serialize;
 
 /// How a frame ended. Only frames of the first three are answers to the question asked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -154,15 +155,15 @@ pub enum Dimension {
 }
 
 /// The bounds by which the frames of a motion were judged. Lengths as shares of the mechanism's size, angles in rad.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Bounds {
     /// Of `closure`.
     pub closure: f64,
     /// Of `misfit`: the tolerance of the dimensions.
     pub misfit: f64,
-    /// Of `projected_gradient`.
+    /// Of `projected_gradient`, in certified frames.
     pub projected_gradient: f64,
-    /// The least curvature of a minimum, with the opposite sign: what counts as flat.
+    /// The least curvature of f in certified frames, with the opposite sign: what counts as flat.
     pub curvature: f64,
     /// Of `metric`, where the goal counts as reached.
     pub reached: f64,
@@ -234,7 +235,7 @@ pub struct Trajectory {
     pub closure: Vec<f64>,
     /// By how much the rest of them contradicts that; 0 where nothing does.
     pub misfit: Vec<f64>,
-    /// Smallest singular value of \[A\] that is not zero by dependent equations, lengths as shares of the size,
+    /// Smallest singular value of \[A\] that is not 0 because of surplus constraints, lengths as shares of the size,
     /// measured about the workpiece's origin.
     pub sigma_min: Vec<f64>,
     /// Norm of the projected gradient, the measure of convergence, lengths as shares of the size.

@@ -1,17 +1,18 @@
 //! A finite closest pose where the followed branch has none: from positions that closed walks join to the present one,
 //! and in other assemblies. A closed walk is a path of short steps over positions whose loops are closed.
 
+use crate::math::linalg::dot;
 use crate::math::pose::Pose;
 use crate::math::random::Random;
 use crate::model::mechanism::Mechanism;
 use crate::plan::modes;
 use crate::plan::settings::Settings;
-use crate::solve::close::{Reach, Shortest, add_rates, dot, solve_gram};
+use crate::solve::close::{Reach, Shortest, add_rates, solve_gram};
 use crate::solve::solver::{Solved, Solver};
 
 /// Walks, and positions on each from which a minimum is looked for: about 200 starts.
 const WALKS: u64 = 8;
-const STOPS: usize = 24;
+const POSITIONS: usize = 24;
 /// Steps from one to the next, straight on where that is possible: 4 rad, or sizes, so that a walk crosses the workspace.
 const STRIDE: usize = 20;
 /// Length of a step, root of the joints' squared motions, and of its corrections: half of it, so that the walk does not
@@ -29,7 +30,7 @@ pub fn joined(solver: &mut Solver, joints: &[f64], goal: &Pose) -> Option<(Vec<f
     for walk in 0..WALKS {
         let mut random = Random::new(walk);
         let mut theta = solver.scaled().entered(joints);
-        for _ in 0..STOPS {
+        for _ in 0..POSITIONS {
             let mut heading = random_heading(&mut random, theta.len());
             for _ in 0..STRIDE {
                 if !step(solver, &mut theta, &mut heading) {

@@ -38,8 +38,8 @@ const SEEDS: usize = 96;
 const PATIENCE: usize = 48;
 /// Seeds where an assembly meets the goal: none is nearer, and its chains are looked at one by one.
 const SEEDS_REACHED: usize = 16;
-/// Seeds that close but for the misfit of rounded dimensions, where none closes exactly, after which these are
-/// believed: near a singular position one in a hundred seems so by chance.
+/// Seeds that close but for the misfit of rounded dimensions, where none closes exactly, after which they
+/// count as found: near a singular position one in a hundred seems so by chance.
 const ROUNDED: usize = 8;
 /// One seed of so many is drawn anew, the others are hops from the best.
 const DRAWN: usize = 3;
@@ -95,7 +95,7 @@ pub fn find(
     let mut search = Search::new(mechanism, given, &whole, first, &scaled, settings);
     let mut joints = scaled.left(&search.run());
     for outside in outside_limits(mechanism, &whole) {
-        if search.variables[outside.variable].held {
+        if search.variables[outside.variable].given {
             joints[outside.variable] = outside.value;
         }
     }
@@ -139,10 +139,10 @@ impl Search {
         let (mut parts, mut variables) = (Vec::new(), Vec::new());
         let chains = scaled.chains().iter().zip(mechanism.chains()).zip(given);
         for ((chain, unscaled), values) in chains {
-            let held = values.is_some();
+            let given = values.is_some();
             let range = variables.len()..variables.len() + chain.freedoms();
-            variables.extend(Variable::of(chain, unscaled, unit, held));
-            if held && parts.iter().all(|part: &Part| !part.held) {
+            variables.extend(Variable::of(chain, unscaled, unit, given));
+            if given && parts.iter().all(|part: &Part| !part.given) {
                 goal = chain.pose(&start[range.clone()]);
             }
             let one = Mechanism::new(vec![chain.clone()]).expect("one chain is a mechanism");
@@ -150,11 +150,11 @@ impl Search {
                 chain: chain.clone(),
                 solver: alone.solver(&one, 1.0),
                 range,
-                held,
+                given,
             });
         }
         for (x, variable) in start.iter_mut().zip(&variables) {
-            if !variable.held {
+            if !variable.given {
                 *x = variable.within(*x);
             }
         }
@@ -214,7 +214,7 @@ impl Search {
         pairs
             .map(|((x, start), variable)| {
                 let moved = x + HOP * (2.0 * random.unit() - 1.0);
-                if variable.held {
+                if variable.given {
                     *start
                 } else {
                     variable.within(moved)
@@ -231,18 +231,18 @@ impl Search {
         let mut joints = self.start.clone();
         if seed > 0 {
             for (x, variable) in joints.iter_mut().zip(&self.variables) {
-                if !variable.held {
+                if !variable.given {
                     *x = variable.draw(draw % 2 == 1, &mut random);
                 }
             }
         }
-        let anyone = self.parts.iter().any(|part| part.held);
+        let anyone = self.parts.iter().any(|part| part.given);
         let mut target = self.goal;
         if draw % 4 >= 2 && !anyone {
             let part = &self.parts[draw / 4 % self.parts.len()];
             target = part.chain.pose(&joints[part.range.clone()]);
         }
-        // One chain alone, or beside one that is held, has nothing to agree upon.
+        // One chain alone, or beside one that is given, has nothing to agree upon.
         let targets = if anyone || self.parts.len() == 1 {
             1
         } else {
@@ -252,7 +252,7 @@ impl Search {
             let ends: Vec<Pose> = (self.parts.iter_mut())
                 .map(|part| {
                     let own = &mut joints[part.range.clone()];
-                    if !part.held {
+                    if !part.given {
                         part.go(&target, own);
                         for (x, variable) in own.iter_mut().zip(&self.variables[part.range.clone()])
                         {
@@ -289,7 +289,7 @@ impl Search {
         }
         let mut joints = found.joints.clone();
         for part in &self.parts {
-            if !part.held {
+            if !part.given {
                 relax(&part.chain, &mut joints[part.range.clone()]);
             }
         }
@@ -338,7 +338,7 @@ impl Search {
         let mut unchanged = 0;
         for turn in 0..ROUNDS * count {
             unchanged += 1;
-            if !self.parts[turn % count].held
+            if !self.parts[turn % count].given
                 && self.refine_chain(turn % count, &mut best, &mut random)
             {
                 unchanged = 0;

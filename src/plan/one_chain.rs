@@ -34,7 +34,7 @@ pub struct Part {
     /// Its variables among those of the mechanism.
     pub range: Range<usize>,
     /// Whether its values were given.
-    pub held: bool,
+    pub given: bool,
 }
 
 impl Part {

@@ -1,6 +1,5 @@
 //! What is published of a frame, and what only the whole motion shows.
 
-use crate::math::metric::Metric;
 use crate::math::pose::{self, Pose};
 use crate::model::mechanism::Mechanism;
 use crate::model::scaled::{CLOSED, Scaled};
@@ -114,16 +113,6 @@ fn status(solved: &Solved, closure: f64, misfit: f64, tolerance: f64) -> Status 
 fn gaps(scaled: &Scaled, near: &Pose, goal: &Pose) -> (f64, f64) {
     let (translation, rotation) = pose::gaps(near, &scaled.enter_pose(goal));
     (translation * scaled.unit(), rotation)
-}
-
-/// Both metrics' distances of a motion from its goals, the largest of each: `pose` and `dual-quaternion`.
-pub fn largest_distances(t: &Trajectory, metrics: [&Metric; 2]) -> [f64; 2] {
-    metrics.map(|metric| {
-        let pairs = t.poses.iter().zip(&t.goals);
-        pairs
-            .map(|(pose, goal)| metric.value(pose, goal))
-            .fold(0.0, f64::max)
-    })
 }
 
 /// The smallest singular value of every frame, not counting those that are 0 because of constraints that are surplus in

@@ -18,19 +18,19 @@ pub struct Variable {
     /// What a slider's row adds to its variable: together they are its length.
     offset: f64,
     /// Was its value given?
-    pub held: bool,
+    pub given: bool,
 }
 
 impl Variable {
     /// The variables of `chain`, which is `unscaled` with lengths in multiples of `unit`.
-    pub fn of(chain: &Chain, unscaled: &Chain, unit: f64, held: bool) -> Vec<Self> {
+    pub fn of(chain: &Chain, unscaled: &Chain, unit: f64, given: bool) -> Vec<Self> {
         let kinds = chain.turns().zip(chain.limits()).zip(offsets(unscaled));
         kinds
             .map(|((turns, limits), offset)| Self {
                 turns,
                 limits,
                 offset: offset / unit,
-                held,
+                given,
             })
             .collect()
     }
@@ -40,7 +40,7 @@ impl Variable {
     pub fn rounded(&self, x: f64) -> f64 {
         /// A power of two: the products are exact.
         const GRID: f64 = (1_u64 << 20) as f64;
-        if self.held {
+        if self.given {
             x
         } else {
             libm::round(x * GRID) / GRID
@@ -74,7 +74,7 @@ impl Variable {
     /// The same angle in (−π, π], or where the limits do not allow that, as near to it as they do. What
     /// is −π but for rounding is π.
     pub fn wrapped(&self, x: f64) -> f64 {
-        if !self.turns || self.held {
+        if !self.turns || self.given {
             return x;
         }
         let near = x + libm::floor((PI + EQUAL - x) / TAU) * TAU;

@@ -3,7 +3,7 @@
 //! A correction is a Gauss–Newton step of the loop equations. Of the many that close the loops to first order it is the
 //! shortest, in the workpiece's twist or in the joints.
 
-use crate::math::linalg;
+use crate::math::linalg::{self, dot};
 use crate::model::joint::Stop;
 use crate::model::scaled::{SOLVED, Scaled};
 use crate::solve::dependent::Dependence;
@@ -242,8 +242,4 @@ pub fn add_rates(free: &Free<'_>, coefficients: &[f64], scale: f64, sum: &mut [f
 pub fn longest(step: &[f64]) -> f64 {
     step.iter()
         .fold(0.0, |m: f64, s| if s.abs() <= m { m } else { s.abs() })
-}
-
-pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }

@@ -6,9 +6,10 @@
 //! the sense of least squares, the linkage must close, and must move some way while the misfit stays within the
 //! tolerance. An ordinary linkage near a singular position does not: there the misfit grows with the square of the way.
 
+use crate::math::linalg::dot;
 use crate::model::scaled::{CLOSED, SOLVED, Scaled};
-use crate::solve::close::{Closer, Reach, Shortest, dot, longest};
-use crate::solve::dependent::Dependence;
+use crate::solve::close::{Closer, Reach, Shortest, longest};
+use crate::solve::dependent::{Dependence, IMPLIED};
 use crate::solve::limits::Holding;
 
 /// Gauss–Newton from a random start takes about a dozen steps.
@@ -29,8 +30,6 @@ const NEAR: f64 = 1e-2;
 /// At a singular position an error e is closed by a motion of about √(e/κ), κ the curvature there, 0.01 and more where
 /// links are well proportioned. More than this many times √e is a leap.
 const LEAP: f64 = 10.0;
-/// Distance from dependence up to which constraints are surplus with exact dimensions.
-const EXACT: f64 = 1e-9;
 /// Length of a trial motion, root of the joints' squared motions: where curvature is 1, an ordinary constraint that was
 /// left out is open by 5e-3 after it.
 const TRIAL: f64 = 0.1;
@@ -178,7 +177,8 @@ fn descend(
 
 /// The position near `theta` that closes a linkage with rounded dimensions, if it is one; sets the dependence then, and
 /// leaves it alone else. `error` is the closure error where the start was nearly closed; `closed`: the loops are closed
-/// exactly at `theta`. Limits are not kept here.
+/// exactly at `theta`. A joint that meets a limit on the way is held there; surplus constraints and trial motions are
+/// those of the linkage without held joints.
 fn rounded(
     closer: &mut Closer,
     scaled: &Scaled,
@@ -201,7 +201,7 @@ fn rounded(
     // A linkage off singular positions, as most are, ends here.
     if closed
         && tangent.surplus_within(free.stops(), independent)
-            == tangent.surplus_within(free.stops(), EXACT)
+            == tangent.surplus_within(free.stops(), IMPLIED)
     {
         return None;
     }

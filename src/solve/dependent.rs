@@ -6,7 +6,11 @@
 //! the whole misfit on it. Then the constraints are met in the sense of least squares: of all constraints those r
 //! orthonormal combinations are kept that are most independent, the left singular vectors of the largest singular values.
 
-use crate::math::linalg::{PivotedQr, svd};
+use crate::math::linalg::{PivotedQr, dot, svd};
+
+/// Distance from dependence below which a constraint of a closed linkage counts as implied by the others: the closure
+/// error of 1e-11 amplified a hundredfold.
+pub(super) const IMPLIED: f64 = 1e-9;
 
 /// Which constraints are left out when a system is factored.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,9 +24,8 @@ pub enum Dependence {
 }
 
 impl Dependence {
-    /// Distance from dependence below which a constraint of a closed linkage counts as implied by the others: the
-    /// closure error of 1e-11 amplified a hundredfold.
-    pub const FOUND: Self = Self::Within(1e-9);
+    /// Those that are found to be implied by the others at a closed position of a linkage with exact dimensions.
+    pub const FOUND: Self = Self::Within(IMPLIED);
 
     /// How many constraints are known to be surplus.
     pub fn known(self) -> usize {
@@ -39,9 +42,9 @@ impl Dependence {
 
     /// The distance from dependence of constraints that are dropped.
     pub(super) fn threshold(self) -> f64 {
-        match (self, Self::FOUND) {
-            (Self::Within(distance), _) | (_, Self::Within(distance)) => distance,
-            (_, Self::Implied(_) | Self::Rounded(_)) => 0.0,
+        match self {
+            Self::Within(distance) => distance,
+            Self::Implied(_) | Self::Rounded(_) => IMPLIED,
         }
     }
 }
@@ -122,8 +125,8 @@ impl Combination {
     }
 }
 
-/// A combination of the others' constraints that the first chain's span, with the multipliers of those that take it away:
-/// together they are a system of wrenches without any sum.
+/// The multipliers of all constraints for one dropped combination: `column` for the other chains', and for the first
+/// chain's those that cancel their sum. The wrenches then add up to 0.
 fn contradiction(first: &[f64], others: &[f64], unknowns: usize, column: &[f64]) -> Vec<f64> {
     let mut sum = vec![0.0; unknowns];
     for (form, c) in others.chunks_exact(unknowns).zip(column) {
@@ -187,8 +190,4 @@ fn across(basis: &[Vec<f64>], vector: &mut [f64]) {
             .zip(direction)
             .for_each(|(x, d)| *x -= along * d);
     }
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }

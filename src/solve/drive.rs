@@ -11,9 +11,10 @@
 //! point) the rates of the others grow beyond all bounds, the steps shrink, and the drive ends.
 //! Joints that come to a limit are held there as long as the motion pushes them against it.
 
+use crate::math::linalg::dot;
 use crate::model::joint::Stop;
 use crate::model::scaled::Scaled;
-use crate::solve::close::{Closer, Reach, Shortest, add_rates, dot, solve_gram};
+use crate::solve::close::{Closer, Reach, Shortest, add_rates, solve_gram};
 use crate::solve::dependent::Dependence;
 use crate::solve::limits::Holding;
 
@@ -309,7 +310,7 @@ impl Path<'_> {
         let held = match end {
             End::Value(value) => {
                 theta[self.variable] = value;
-                // Either stop says that it stands still.
+                // `Min` or `Max`: it is only held.
                 Some((self.variable, Stop::Min))
             }
             End::Limit(joint, stop) => {

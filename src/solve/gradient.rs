@@ -6,7 +6,7 @@
 //! as the singular value decomposition of Eq. 27 in a tenth of the time; an observer can ask for the
 //! singular values themselves.
 
-use crate::math::linalg::{PivotedQr, svd};
+use crate::math::linalg::{PivotedQr, dot, svd};
 use crate::math::metric::{MetricKind, Target};
 use crate::math::pose::{self, DualQuaternion};
 use crate::model::chain::Chain;
@@ -57,7 +57,7 @@ pub struct Arrival {
     /// The share of Δr = \[W\] a that was taken; 0 for the first iterate.
     pub share: f64,
     /// Largest entry of E after that step.
-    pub opening: f64,
+    pub residual: f64,
     /// Corrections that followed.
     pub corrections: usize,
     /// Length of all corrections together.
@@ -178,7 +178,7 @@ fn close(chains: &[Chain], r: &mut [f64], rank: usize, way: &mut Arrival) -> Opt
         let entries = linearised.residual.iter();
         let open = entries.fold(0.0, |m: f64, e| if e.abs() <= m { m } else { e.abs() });
         if last == f64::INFINITY {
-            way.opening = open;
+            way.residual = open;
         }
         // Written so that NaN ends it.
         if open <= CLOSED || !(open < last) {
@@ -228,8 +228,4 @@ fn nearer_rotation(q: &DualQuaternion, g: DualQuaternion) -> DualQuaternion {
 /// q, the last eight entries of r.
 fn workpiece(r: &[f64]) -> DualQuaternion {
     DualQuaternion::from_column_slice(&r[r.len() - 8..])
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }

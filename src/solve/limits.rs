@@ -180,15 +180,6 @@ impl Holding {
         pairs.all(|(t, l)| *t >= l.min - LIMIT && *t <= l.max + LIMIT)
     }
 
-    /// The joints beyond their limits.
-    pub fn beyond(&self, theta: &[f64]) -> Vec<usize> {
-        let pairs = theta.iter().zip(&self.limits).enumerate();
-        pairs
-            .filter(|(_, (t, l))| !(**t >= l.min - LIMIT && **t <= l.max + LIMIT))
-            .map(|(joint, _)| joint)
-            .collect()
-    }
-
     /// Widens the limits of joints that are beyond them to where they are.
     pub fn widen(&mut self, theta: &[f64]) {
         for (l, &t) in self.limits.iter_mut().zip(theta) {
@@ -226,7 +217,6 @@ mod tests {
         assert!(holding.contains(&theta));
         theta[0] = 1.0 + 1e-3;
         assert!(!holding.contains(&theta));
-        assert_eq!(holding.beyond(&theta), [0]);
         theta[0] = f64::NAN;
         assert!(!holding.contains(&theta));
     }

@@ -1,6 +1,7 @@
 //! How far a position is from a singular one: the smallest singular value of \[A\].
 
 use crate::math::lanczos::{Lanczos, scatter};
+use crate::math::linalg::dot;
 use crate::solve::loop_factor::LoopFactor;
 use nalgebra::Vector6;
 
@@ -40,25 +41,25 @@ pub struct SingularValues {
 impl SingularValues {
     /// σ_min of the position where the chains have these Jacobians: the columns of each, twists (v, ω)
     /// of the workpiece's origin a unit of each joint variable, lengths in units of the mechanism's
-    /// size. `redundant` constraints are surplus: so many of the smallest singular values do not count.
+    /// size. So many of the smallest singular values as there are `surplus` constraints do not count.
     ///
     /// Numbers that are not finite give 0.
     pub fn smallest<'a>(
         &mut self,
         jacobians: impl IntoIterator<Item = &'a [Vector6<f64>]>,
-        redundant: usize,
+        surplus: usize,
     ) -> f64 {
         self.factor.clear();
         jacobians.into_iter().for_each(|j| self.factor.push(j));
         let n = self.factor.equations();
         // Six equations, as many as the workpiece's twist has, are always independent.
-        let redundant = redundant.min(n.saturating_sub(6));
+        let surplus = surplus.min(n.saturating_sub(6));
         if n <= 6 {
             // One chain: of ‖Bᵀu‖² the second part alone is 4.
             return OF_CONDITIONS;
         }
         self.wrenches.clear();
-        for _ in 0..redundant {
+        for _ in 0..surplus {
             self.put_away_dependent(n);
         }
         if !self.factor.factor() {
@@ -93,8 +94,4 @@ impl SingularValues {
         }
         self.factor.add_row(own, OUT_OF_THE_WAY);
     }
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }

@@ -5,7 +5,7 @@
 //! number's twist s, and μ by −λ_i·s δ. The number is looked for that takes most of all μ away; of several that do
 //! equally well, the one that has to change the least.
 
-use crate::model::joint::{JointKind, Moves, Stop};
+use crate::model::joint::{Joint, JointKind, Moves, Stop};
 use crate::model::scaled::Scaled;
 use crate::motion::trajectory::{Dimension, Suspect};
 use crate::solve::close::Closer;
@@ -92,9 +92,7 @@ fn remedy(
 
 /// For each variable of a chain the row of its table and what moves in it; none for inner rows of a T, S or E, whose
 /// numbers are fixed, and for the second variable of a C.
-fn table_rows(
-    joints: &[crate::model::joint::Joint],
-) -> impl Iterator<Item = Option<(usize, Moves)>> {
+fn table_rows(joints: &[Joint]) -> impl Iterator<Item = Option<(usize, Moves)>> {
     let mut rows = Vec::new();
     let mut row = 0;
     for joint in joints {

@@ -31,7 +31,7 @@ pub struct History {
     pub closure_error: Vec<f64>,
     /// By how much rounded dimensions contradict each other, in the same measure.
     pub misfit: Vec<f64>,
-    /// Smallest singular value of \[A\] that is not zero by dependent equations.
+    /// Smallest singular value of \[A\] that is not 0 because of surplus constraints.
     pub sigma_min: Vec<f64>,
     /// Of the gradient: the step that led here and its corrections by Eq. 28.
     pub arrivals: Vec<Arrival>,

@@ -4,6 +4,7 @@
 use crate::math::linalg::{self, PivotedQr};
 use crate::math::pose::Pose;
 use crate::math::screw::{self, Screw};
+use crate::model::joint::Stop;
 use crate::model::scaled::Scaled;
 use crate::solve::free::{Free, Held};
 use crate::solve::limits::Holding;
@@ -89,7 +90,7 @@ pub fn explain(solver: &mut Solver, joints: &[f64], goal: &Pose) -> Insight {
             .hold(&model.gradient);
         match holding.releasable(tolerances.stationary, |joint| held.torque(joint)) {
             Some(joint) => {
-                holding.set(joint, crate::model::joint::Stop::None);
+                holding.set(joint, Stop::None);
             }
             None => {
                 break tangent

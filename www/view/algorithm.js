@@ -49,7 +49,7 @@ export function createAlgorithm({ root, store, planner, player, signal }, panel)
     row('above', 'f − f*', 'above the minimum'),
     row('slope', '‖a‖, projected gradient', 'Eq. 31'),
     row('closure', 'Closure', 'how far the loops are open: lengths as shares of the mechanism’s size, or rad'),
-    row('sigma', 'σ min of [A]', 'the smallest singular value that is not zero by dependent equations: lengths as shares of the mechanism’s size, about the workpiece’s origin'),
+    row('sigma', 'σ min of [A]', 'the smallest singular value that is not 0 because of surplus constraints: lengths as shares of the mechanism’s size, about the workpiece’s origin'),
   );
   const steps = createSteps({
     choose: (index) => show(index),

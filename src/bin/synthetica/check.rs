@@ -60,7 +60,7 @@ struct Verdict<'a> {
     translation_gap: f64,
     /// The same of the rotation, degrees.
     rotation_gap: f64,
-    /// How far the loops are open at most, lengths as shares of the mechanism's size or rad.
+    /// Largest closure error, lengths as shares of the mechanism's size or rad.
     closure: f64,
     /// By how much rounded dimensions contradict each other at most, as `closure`.
     misfit: f64,
