@@ -197,11 +197,5 @@ pub fn closure_error(twist: &Vector6<f64>) -> f64 {
 /// The larger of two; NaN if either is, so that it never passes for closed.
 #[inline]
 pub fn larger(a: f64, b: f64) -> f64 {
-    if b <= a {
-        a
-    } else if a.is_nan() {
-        a
-    } else {
-        b
-    }
+    if b <= a || a.is_nan() { a } else { b }
 }
