@@ -97,9 +97,12 @@ fn check(step: usize) {
         let told: Vec<usize> = t
             .warnings
             .iter()
-            .filter_map(|w| match w {
-                Warning::BranchJump { first, .. } => Some(*first),
-                _ => None,
+            .filter_map(|w| {
+                if let Warning::BranchJump { first, .. } = w {
+                    Some(*first)
+                } else {
+                    None
+                }
             })
             .collect();
         leaps += told.len();

@@ -73,9 +73,12 @@ fn check(step: usize) {
         let problem = problem(&document(&line));
         let t = problem.plan();
         planned += 1;
-        let first = t.warnings.iter().find_map(|w| match w {
-            Warning::Runaway { frame, .. } => Some(*frame),
-            _ => None,
+        let first = t.warnings.iter().find_map(|w| {
+            if let Warning::Runaway { frame, .. } = w {
+                Some(*frame)
+            } else {
+                None
+            }
         });
         match first {
             None => mended += 1,
