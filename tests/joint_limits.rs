@@ -7,6 +7,9 @@ mod by_axes;
 #[path = "common/checks.rs"]
 mod checks;
 
+#[path = "common/fixtures.rs"]
+mod fixtures;
+
 use by_axes::{Line, limited};
 use checks::{NEWTON, at, between, goals, is_certified, is_honest, mechanism};
 use synthetica::math::metric::Metric;
@@ -345,4 +348,100 @@ fn limits_that_cannot_be_kept() {
         "{:?}",
         t.warnings
     );
+}
+
+/// A turn that ends at a limit: the corner in the joint's motion is no leap, at any number of frames.
+#[test]
+fn running_into_a_limit_is_no_leap() {
+    let text = r#"{"version": 1, "chains": [{"joints": [{"type": "R", "rows": [{}], "limits": [{"max": 100}]}],
+        "gripper": {"x": 1}, "start": [0]}],
+        "motion": {"key_frames": [{"x": 1}, {"x": -0.8660254037844387, "y": 0.5, "roll": 150}]}}"#;
+    for frames in [5, 9, 17, 33, 65, 129] {
+        let mut document = synthetica::document::text::parse(text).expect("a document");
+        document.motion.frames = frames;
+        document.motion.interpolation = synthetica::motion::goal::Interpolation::Sclerp;
+        let problem = synthetica::document::problem::Problem::new(&document).expect("a problem");
+        let t = problem.plan();
+        keeps_limits("turntable", &problem.mechanism, &t);
+        assert!(t.warnings.is_empty(), "{frames} frames: {:?}", t.warnings);
+        assert_eq!(t.status[t.frames() - 1], Status::AtLimit);
+    }
+}
+
+/// Random assemblies with random limits about their starts: a frame at a limit has a joint at one, none is beyond, and
+/// what is certified is a minimum among the positions that the limits allow nearby.
+#[test]
+fn random_limits_are_kept_and_certified() {
+    use fixtures::{document, lines, problem, sample};
+    use synthetica::math::random::Random;
+    let mut random = Random::new(0x11417);
+    let (mut held, mut frames) = (0, 0);
+    for line in sample(lines("assemblies"), 3) {
+        let case = line["case"].to_string();
+        let mut document = document(&line);
+        document.motion.frames = document.motion.frames.min(33);
+        for chain in &mut document.chains {
+            let start = chain.start.clone().expect("a start");
+            let mut first = 0;
+            for joint in &mut chain.joints {
+                let freedoms = joint.kind.freedoms();
+                if random.unit() < 0.5 {
+                    let range = |x: &f64| {
+                        let scale = if x.abs() > 3.0 { 30.0 } else { 0.3 };
+                        Some(synthetica::document::schema::LimitsEntry {
+                            min: Some(x - scale * (0.05 + random.unit())),
+                            max: Some(x + scale * (0.05 + random.unit())),
+                        })
+                    };
+                    let mut range = range;
+                    joint.limits = Some(
+                        start[first..first + freedoms]
+                            .iter()
+                            .map(&mut range)
+                            .collect(),
+                    );
+                }
+                first += freedoms;
+            }
+        }
+        let problem = problem(&document);
+        let t = problem.plan();
+        keeps_limits(&case, &problem.mechanism, &t);
+        frames += t.frames();
+        held += t.status.iter().filter(|s| **s == Status::AtLimit).count();
+        // Walked on from a certified frame towards the same goal nothing is gained.
+        for frame in (0..t.frames())
+            .step_by(4)
+            .filter(|&f| t.status[f] == Status::AtLimit)
+        {
+            let mut solver = problem
+                .settings
+                .solver(&problem.mechanism, problem.extent());
+            let mut at = t.joints_at(frame).to_vec();
+            assert!(solver.close_start(&mut at, 0.0).is_closed(), "{case}");
+            let before = at.clone();
+            let solved = solver.solve(&problem.goals[frame].pose, &mut at, &before);
+            let gained = t.metric[frame] - solved.value;
+            assert!(
+                gained < 1e-9,
+                "{case}, frame {frame}: f falls by {gained:e} from a certified frame"
+            );
+        }
+    }
+    assert!(held > frames / 20, "{held} of {frames} frames at a limit");
+}
+
+/// A frame takes about as many linear systems as it may, and is then stalled: here a valley that takes fifty.
+#[test]
+fn iterations_are_bounded() {
+    let text = include_str!("field/stalled-1512.json");
+    let mut document = synthetica::document::text::parse(text).expect("a document");
+    document.planner.max_iterations = Some(3);
+    let t = synthetica::document::problem::Problem::new(&document)
+        .expect("a problem")
+        .plan();
+    // The direct way's steps come before, and the corrections of the last guarded step behind.
+    let most = t.iterations.iter().max().copied().unwrap_or(0);
+    assert!(most <= 3 + 8 + 24, "{most}");
+    assert!(t.status.contains(&Status::Stalled), "{:?}", t.status);
 }

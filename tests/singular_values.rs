@@ -377,3 +377,28 @@ fn what_is_no_position() {
         assert!((0.0..=1.0).contains(&found), "{bad}: {found}");
     }
 }
+
+/// Planar linkages in the plane z = 0, whose Jacobians are full of exact zeros.
+#[test]
+fn planar_linkages_in_the_plane() {
+    let z = [0.0, 0.0, 1.0];
+    let mut random = Random(10);
+    let mut values = SingularValues::default();
+    for k in 0..3000 {
+        let workpiece =
+            Pose::translation(random.between(-1.0, 1.0), random.between(-1.0, 1.0), 0.0);
+        let mut crank = || {
+            let mut point = || [random.between(-1.0, 1.0), random.between(-1.0, 1.0), 0.0];
+            by_axes::chain("RR", &[(point(), z), (point(), z)], &workpiece)
+        };
+        let m = Mechanism::new(vec![crank(), crank()]).expect("a mechanism");
+        let jacobians = jacobians(&m, &[0.0; 4]);
+        compare(
+            &format!("planar {k}"),
+            &mut values,
+            &jacobians,
+            3,
+            &mut random,
+        );
+    }
+}

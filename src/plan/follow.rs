@@ -19,6 +19,9 @@ use crate::solve::solver::{End, Solved, Solver};
 /// stopping rule leaves in the flattest directions met.
 const GRADIENT_FALL: f64 = 2e-8;
 
+/// Frames at which a misfit is looked into: one alone may be explained by a number that has nothing to do with it.
+const LOOKED_AT: usize = 9;
+
 /// Plans the motion closest to `goals` from the joint values `start`, which choose the assembly
 /// mode; where they do not close the loops, the nearest closed position is taken, with a warning.
 ///
@@ -318,7 +321,10 @@ impl Planning {
         measure_singular(&mut self.t, &mut self.solver);
         let misfit = self.t.misfit.iter().copied().fold(0.0, f64::max);
         if misfit > CLOSED {
-            let suspect = self.solver.suspect(self.t.joints_at(0));
+            let step = self.t.frames().div_ceil(LOOKED_AT);
+            let frames = (0..self.t.frames()).step_by(step);
+            let positions: Vec<&[f64]> = frames.map(|frame| self.t.joints_at(frame)).collect();
+            let suspect = self.solver.suspect(&positions);
             self.t
                 .warnings
                 .push(Warning::RoundedDimensions { misfit, suspect });

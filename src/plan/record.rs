@@ -48,7 +48,9 @@ pub fn begin(
         ..Trajectory::default()
     };
     let given = metric.length;
-    if settings.metric_length.is_some() && !(1.0 / FAR_OFF..=FAR_OFF).contains(&(given / proposed))
+    if settings.metric_length.is_some()
+        && source != LengthSource::None
+        && !(given < FAR_OFF * proposed && proposed < FAR_OFF * given)
     {
         t.warnings.push(Warning::MetricLength { given, proposed });
     }
@@ -79,7 +81,7 @@ pub fn record(
     t.poses.push(reached);
     t.joints.extend_from_slice(joints);
     // The solver's value, where it has one: it has followed the sides of the quaternions.
-    let value = Some(solved.value).filter(|value| value.is_finite());
+    let value = Some(solved.value).filter(|f| f.is_finite() && solved.end != End::Runaway);
     t.metric.push(value.unwrap_or_else(|| target.value(&near)));
     t.translation_gap.push(translation);
     t.rotation_gap.push(rotation);
@@ -138,12 +140,13 @@ pub fn measure_singular(t: &mut Trajectory, solver: &mut Solver) {
         t.sigma_min
             .push(closer.smallest_singular_value(scaled, &theta, surplus, &mut values));
     }
+    // At a position whose loops are open it says nothing.
+    let is_near = |frame: &usize| {
+        t.sigma_min[*frame] < NEAR_SINGULAR && t.status[*frame] != Status::ClosureLost
+    };
     let mut frame = 0;
     while frame < t.frames() {
-        let run = t.sigma_min[frame..]
-            .iter()
-            .take_while(|s| **s < NEAR_SINGULAR)
-            .count();
+        let run = (frame..t.frames()).take_while(is_near).count();
         if run > 0 {
             let (first, last) = (frame, frame + run - 1);
             let smallest = t.sigma_min[first..=last]
@@ -195,5 +198,31 @@ mod tests {
         assert_eq!(status(&minimum, 0.0, 9e-5, 1e-4), Status::Closest);
         assert_eq!(status(&minimum, 0.0, 1.1e-4, 1e-4), Status::ClosureLost);
         assert_eq!(status(&minimum, 0.0, f64::NAN, 1e-4), Status::ClosureLost);
+    }
+
+    /// The loops are looked at once more before a frame is published, whatever the solver says of it.
+    #[test]
+    fn the_closure_is_measured_anew() {
+        let text = include_str!("../../www/mechanisms/four-bar.json");
+        let document = crate::document::text::parse(text);
+        let problem = crate::document::problem::Problem::new(&document.expect("a sample"));
+        let problem = problem.expect("a problem");
+        let (mechanism, settings) = (&problem.mechanism, &problem.settings);
+        let mut solver = settings.solver(mechanism, 1.0);
+        let mut joints = problem.find_start();
+        assert!(solver.close_start(&mut joints, 0.0).is_closed());
+        let before = joints.clone();
+        joints[0] += 1e-6;
+        let mut t = begin(mechanism, &solver, 1.0, settings);
+        record(
+            &mut t,
+            &mut solver,
+            &problem.goals[0],
+            &before,
+            &joints,
+            &solved(End::Minimum),
+        );
+        assert_eq!(t.status, [Status::ClosureLost]);
+        assert!(t.closure[0] > 1e-8, "{:e}", t.closure[0]);
     }
 }

@@ -84,7 +84,7 @@ pub fn close_start(
         holding.clear();
         let path = descend(closer, scaled, holding, hold, theta);
         holding.clear();
-        let begins_near = path.error <= NEAR && path.near.as_deref() == Some(&given);
+        let begins_near = path.begins_near;
         if path.closed && !path.leaps {
             if let Some(rounded) = rounded(closer, scaled, theta, path.error, tolerance, true) {
                 theta.copy_from_slice(&rounded);
@@ -124,6 +124,8 @@ struct Path {
     /// The first position on it that is nearly closed, and its closure error.
     near: Option<Vec<f64>>,
     error: f64,
+    /// That is where it begins.
+    begins_near: bool,
     /// From there on it went further than closing needs.
     leaps: bool,
 }
@@ -140,16 +142,18 @@ fn descend(
         closed: false,
         near: None,
         error: f64::INFINITY,
+        begins_near: false,
         leaps: false,
     };
     let (mut correction, mut step) = (Vec::new(), vec![0.0; theta.len()]);
-    for _ in 0..STEPS {
+    for step_number in 0..STEPS {
         holding.clamp(theta, hold);
         let tangent = closer.tangent();
         let open = tangent.evaluate(scaled.chains(), theta);
         if path.near.is_none() && open <= NEAR {
             path.near = Some(theta.to_vec());
             path.error = open;
+            path.begins_near = step_number == 0;
         }
         if open <= SOLVED {
             path.closed = true;

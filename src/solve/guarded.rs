@@ -33,6 +33,8 @@ impl Solver {
         observe: &mut Observer<'_>,
     ) -> Solved {
         let mut radius = STEP;
+        // Stops may come from another position.
+        self.holding.release_away(theta);
         if !self.closer.close(
             &self.scaled,
             self.holding.stops(),
@@ -88,7 +90,10 @@ impl Solver {
             self.region
                 .prepare(held.free(), &self.curvature, &self.slope);
             self.closer.note_surplus(surplus);
-            if stationary && self.region.least() >= -self.tolerances.flat {
+            if stationary
+                && self.region.least() >= -self.tolerances.flat
+                && self.holding.contains(theta)
+            {
                 return solved(minimum(&self.holding), *iterations);
             }
             let ended = solved(End::Stalled, *iterations);

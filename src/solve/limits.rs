@@ -53,6 +53,15 @@ impl Holding {
         self.stops.iter().all(|stop| *stop == Stop::None)
     }
 
+    /// Lets those joints go that do not stand at the limit at which they are held.
+    pub fn release_away(&mut self, theta: &[f64]) {
+        for ((stop, l), &t) in self.stops.iter_mut().zip(&self.limits).zip(theta) {
+            if *stop != Stop::None && !((t - stop.bound(l)).abs() <= LIMIT) {
+                *stop = Stop::None;
+            }
+        }
+    }
+
     /// Puts the held joints at their limits.
     pub fn apply(&self, theta: &mut [f64]) {
         for ((t, stop), limits) in theta.iter_mut().zip(&self.stops).zip(&self.limits) {

@@ -262,6 +262,10 @@ fn take_back<const P: usize>(rest: &mut [f64; LOOP], columns: &[[f64; LOOP]; WID
     }
 }
 
+/// Square of a column's length below which the column is zero; the columns of a linkage in units of its size are of
+/// length 1, and rounding leaves 1e-32 of that.
+const NOTHING: f64 = 1e-200;
+
 /// Reflects so that column `p` of the `others` becomes 0, T of these rows with them. The column is not
 /// used again, and holds what the reflection leaves there.
 fn reflect(
@@ -275,7 +279,8 @@ fn reflect(
     let norm2 = others
         .iter()
         .fold(head * head, |sum, row| sum + row[p] * row[p]);
-    if norm2 == 0.0 {
+    // What rounding leaves of a zero column, 1e-150 say, is a zero: its square would overflow 1 / ‖x‖².
+    if norm2 < NOTHING {
         return;
     }
     // v = x − α e₁ with α = −sign(x₁) ‖x‖, and 2/vᵀv = 1 / (‖x‖ (‖x‖ + |x₁|)).

@@ -99,8 +99,8 @@ impl Solver {
     }
 
     /// The number that explains the misfit of rounded dimensions best; see [`suspect`].
-    pub fn suspect(&mut self, joints: &[f64]) -> Option<Suspect> {
-        let theta = self.scaled.entered(joints);
-        suspect(&self.scaled, &mut self.closer, &theta)
+    pub fn suspect(&mut self, positions: &[&[f64]]) -> Option<Suspect> {
+        let positions: Vec<_> = positions.iter().map(|at| self.scaled.entered(at)).collect();
+        suspect(&self.scaled, &mut self.closer, &positions)
     }
 }

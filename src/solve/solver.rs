@@ -37,7 +37,7 @@ pub struct Solved {
     pub end: End,
     /// The goal is met to within the tolerance of the metric.
     pub reached: bool,
-    /// f.
+    /// f; of a runaway at the farthest position, not at the joint values that are left.
     pub value: f64,
     /// Norm of the objective's gradient along orthonormal free directions, lengths as shares of the size.
     pub projected_gradient: f64,
