@@ -21,7 +21,7 @@ pub fn parse(text: &str) -> Result<Document, Fault> {
             FaultCode::TextTooLong,
             &whole,
             &what,
-            &format!("up to {MAX_TEXT} bytes"),
+            &format!("up to {} bytes", grouped(MAX_TEXT)),
         ));
     }
     // Some editors put a byte-order mark before the text.
@@ -44,6 +44,14 @@ pub fn parse(text: &str) -> Result<Document, Fault> {
         }
     }
     Ok(document)
+}
+
+/// A whole number with commas between its thousands.
+fn grouped(number: usize) -> String {
+    if number < 1000 {
+        return number.to_string();
+    }
+    format!("{},{:03}", grouped(number / 1000), number % 1000)
 }
 
 /// The reader's message, and where it stopped.

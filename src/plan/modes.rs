@@ -133,7 +133,6 @@ impl Search {
         };
         let near = Mechanism::new(scaled.chains().to_vec()).expect("as many chains as before");
         let metric = settings.metric_for(&near, 1.0);
-        let unit = scaled.unit();
         let mut start = scaled.entered(whole);
         let mut goal = scaled.enter_pose(first);
         let (mut parts, mut variables) = (Vec::new(), Vec::new());
@@ -141,7 +140,7 @@ impl Search {
         for ((chain, unscaled), values) in chains {
             let given = values.is_some();
             let range = variables.len()..variables.len() + chain.freedoms();
-            variables.extend(Variable::of(chain, unscaled, unit, given));
+            variables.extend(Variable::of(chain, unscaled, scaled.unit(), given));
             if given && parts.iter().all(|part: &Part| !part.given) {
                 goal = chain.pose(&start[range.clone()]);
             }
