@@ -54,7 +54,7 @@ fn scaled(document: &Document, s: f64) -> Document {
     let frame = |f: &mut FrameEntry| {
         [&mut f.x, &mut f.y, &mut f.z]
             .into_iter()
-            .for_each(|x| *x *= s)
+            .for_each(|x| *x *= s);
     };
     for chain in &mut document.chains {
         frame(&mut chain.base);
@@ -236,7 +236,7 @@ fn any_unit_moves_the_same() {
 }
 
 #[test]
-#[ignore = "minutes in release: cargo test --release --test everybodys_numbers -- --ignored"]
+#[ignore = "minutes in release: cargo test --release --test any_unit_any_place -- --ignored"]
 fn any_unit_moves_the_same_in_all_assemblies() {
     any_unit(1);
 }
@@ -355,7 +355,7 @@ fn any_place_moves_the_same() {
 }
 
 #[test]
-#[ignore = "minutes in release: cargo test --release --test everybodys_numbers -- --ignored"]
+#[ignore = "minutes in release: cargo test --release --test any_unit_any_place -- --ignored"]
 fn any_place_moves_the_same_in_all_assemblies() {
     any_place(1);
 }
