@@ -9,5 +9,6 @@ pub mod pose;
 pub mod qr;
 pub mod random;
 pub mod screw;
+pub mod sort;
 pub mod svd;
 pub mod symmetric;

@@ -1,6 +1,7 @@
 //! A space of twists told by its simplest screws: pure shifts, and the principal screws of the rest.
 
 use crate::math::linalg;
+use crate::math::sort::sort_few;
 use nalgebra::{Matrix3, Vector3, Vector6};
 use serde::Serialize;
 
@@ -86,10 +87,8 @@ pub fn principal(twists: &[Vector6<f64>], size: f64, origin: &Vector3<f64>) -> V
             screw(&axis, &(velocity * axis * size), size, origin)
         })
         .collect();
-    turning.sort_by(|a, b| {
-        let pitch = |s: &Screw| s.pitch.unwrap_or(0.0).abs();
-        pitch(a).total_cmp(&pitch(b))
-    });
+    let pitch = |s: &Screw| s.pitch.unwrap_or(0.0).abs();
+    sort_few(&mut turning, |a, b| pitch(a) < pitch(b));
     screws.extend(turning);
     screws
 }

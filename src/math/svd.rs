@@ -1,6 +1,7 @@
 //! Singular value decomposition of small dense matrices.
 
 use crate::math::dot::dot;
+use crate::math::sort::sort_few;
 
 /// Sweeps over all pairs of columns before the rotations are given up; about eight are needed.
 const SWEEPS: usize = 60;
@@ -84,10 +85,9 @@ impl Svd {
             self.sigma.push(norm);
         }
         let sigma = &self.sigma;
-        // Equal values stay in the order of the columns; a sort that keeps order would allocate.
-        self.order
-            .sort_unstable_by(|&a, &b| sigma[b].total_cmp(&sigma[a]).then(a.cmp(&b)));
-        self.sigma.sort_unstable_by(|a, b| b.total_cmp(a));
+        // Equal values stay in the order of the columns.
+        sort_few(&mut self.order, |&a, &b| sigma[a] > sigma[b]);
+        sort_few(&mut self.sigma, |a, b| a > b);
     }
 
     /// The singular values, one a column, the largest first.

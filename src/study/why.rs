@@ -4,6 +4,7 @@
 use crate::math::linalg::{self, PivotedQr};
 use crate::math::pose::Pose;
 use crate::math::screw::{self, Screw};
+use crate::math::sort::sort_few;
 use crate::model::joint::Stop;
 use crate::model::scaled::Scaled;
 use crate::solve::free::{Free, Held};
@@ -239,6 +240,6 @@ fn singular_values(tangent: &Tangent) -> Vec<f64> {
     }
     let mut sigma = linalg::svd(rows).sigma;
     sigma.extend([2.0, 1.0]);
-    sigma.sort_by(|a, b| b.total_cmp(a));
+    sort_few(&mut sigma, |a, b| a > b);
     sigma
 }
