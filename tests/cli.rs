@@ -7,6 +7,7 @@ use std::fs;
 use std::io::{Read, Write};
 use std::path::PathBuf;
 use std::process::{Command, Output, Stdio};
+use synthetica::document::wording::readable;
 use synthetica::document::{problem::Problem, schema, text};
 use synthetica::exchange::export;
 use synthetica::types::tables::tables;
@@ -162,10 +163,10 @@ fn a_check_says_how_it_was_measured() {
     let gaps = |of: &Value| {
         let number = |name| of[name].as_f64().expect("a number");
         format!(
-            "{} {:.4} m, {:.2}°",
+            "{} {} m, {}°",
             of["metric"].as_str().expect("a name"),
-            number("translation_gap"),
-            number("rotation_gap")
+            readable(number("translation_gap")),
+            readable(number("rotation_gap"))
         )
     };
     let line = format!("  compared  {} | {}\n", gaps(pose), gaps(paper));

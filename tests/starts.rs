@@ -266,12 +266,12 @@ fn a_start_outside_its_limits_is_told() {
         .flatten()
         .copied()
         .collect::<Vec<f64>>();
-    assert_eq!(outside_limits(&whole.mechanism, &home), []);
+    assert_eq!(outside_limits(&whole.mechanism, &home, 1.0), []);
     // The cylinder's slider of the first chain at 0.0555, and its first angle at −67.97°.
     document["chains"][0]["joints"][3]["limits"] = json(r#"[{}, {"min": 0.1, "max": 0.5}]"#);
     document["chains"][0]["joints"][0]["limits"] = json(r#"[{"min": -170, "max": -68.5}]"#);
     let limited = problem(&document);
-    let outside = outside_limits(&limited.mechanism, &home);
+    let outside = outside_limits(&limited.mechanism, &home, 1.0);
     let slider = OutsideLimit {
         variable: 4,
         value: home[4],
@@ -308,5 +308,5 @@ fn a_start_outside_its_limits_is_told() {
     let found = problem(&document);
     let joints = found.find_start();
     assert!(openness(&found, &joints) <= 1.0);
-    assert_eq!(outside_limits(&found.mechanism, &joints), []);
+    assert_eq!(outside_limits(&found.mechanism, &joints, 1.0), []);
 }

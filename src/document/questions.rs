@@ -223,7 +223,13 @@ impl Problem {
     /// Has the document a limit near this value, and not only the drive?
     fn has_limit(&self, variable: usize, value: f64) -> bool {
         let mut limits = self.mechanism.chains().iter().flat_map(Chain::limits);
-        let near = |limit: f64| (limit - value).abs() <= 1e-6 * (1.0 + value.abs());
+        let turns = self.turns()[variable];
+        let scale = if turns {
+            1.0
+        } else {
+            self.mechanism.size_or(self.extent())
+        };
+        let near = |limit: f64| (limit - value).abs() <= 1e-6 * (scale + value.abs());
         limits
             .nth(variable)
             .is_some_and(|l| near(l.min) || near(l.max))

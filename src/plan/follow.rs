@@ -86,7 +86,7 @@ impl Planning {
         let mut solver = settings.solver(mechanism, extent);
         let mut t = begin(mechanism, &solver, extent, settings);
         let mut joints = start.to_vec();
-        given::move_within_limits(mechanism, &mut joints, &mut t.warnings);
+        given::move_within_limits(mechanism, &mut joints, extent, &mut t.warnings);
         let mut closed = close_start(&mut solver, &mut joints, settings, &mut t.warnings);
         t.mobility_rank = solver.mobility(&joints).0;
         if closed && t.mobility_rank.cast_signed() != t.mobility_count {

@@ -14,16 +14,16 @@ pub struct OutsideLimit {
     pub limit: f64,
 }
 
-/// The joint values `start` (rad or lengths) that are beyond their limits.
+/// The joint values `start` (rad or lengths) that are beyond their limits, for a motion of this extent.
 ///
 /// # Panics
 /// When `start` does not have one value a joint variable.
-pub fn outside_limits(mechanism: &Mechanism, start: &[f64]) -> Vec<OutsideLimit> {
+pub fn outside_limits(mechanism: &Mechanism, start: &[f64], extent: f64) -> Vec<OutsideLimit> {
     /// Excess, rad or sizes, that the last digits of a printed table explain, as for loops that are closed
     /// as given.
     const ROUNDING: f64 = 1e-6;
     assert_eq!(start.len(), mechanism.variables(), "one value a variable");
-    let size = mechanism.size_or(1.0);
+    let size = mechanism.size_or(extent);
     let kinds = (mechanism.chains().iter()).flat_map(|c| c.turns().zip(c.limits()));
     let values = start.iter().enumerate().zip(kinds);
     values
@@ -44,9 +44,10 @@ pub fn outside_limits(mechanism: &Mechanism, start: &[f64]) -> Vec<OutsideLimit>
 pub(crate) fn move_within_limits(
     mechanism: &Mechanism,
     start: &mut [f64],
+    extent: f64,
     warnings: &mut Vec<Warning>,
 ) {
-    for outside in outside_limits(mechanism, start) {
+    for outside in outside_limits(mechanism, start, extent) {
         let OutsideLimit {
             variable,
             value,

@@ -94,7 +94,7 @@ pub fn find(
     };
     let mut search = Search::new(mechanism, given, &whole, first, &scaled, settings);
     let mut joints = scaled.left(&search.run());
-    for outside in outside_limits(mechanism, &whole) {
+    for outside in outside_limits(mechanism, &whole, extent) {
         if search.variables[outside.variable].given {
             joints[outside.variable] = outside.value;
         }

@@ -30,6 +30,8 @@ const NEAR: f64 = 1e-2;
 /// At a singular position an error e is closed by a motion of about √(e/κ), κ the curvature there, 0.01 and more where
 /// links are well proportioned. More than this many times √e is a leap.
 const LEAP: f64 = 10.0;
+/// Joint motion, rad or sizes, that is never a leap.
+const SHORT: f64 = 0.02;
 /// Length of a trial motion, root of the joints' squared motions: where curvature is 1, an ordinary constraint that was
 /// left out is open by 5e-3 after it.
 const TRIAL: f64 = 0.1;
@@ -118,6 +120,11 @@ pub fn close_start(
     open
 }
 
+/// How far a joint may move, rad or sizes, to close loops that are open by `error`.
+fn reach(error: f64) -> f64 {
+    (LEAP * error.sqrt()).max(SHORT)
+}
+
 /// The path on which the loops were closed, dimensions taken as exact.
 struct Path {
     closed: bool,
@@ -174,7 +181,7 @@ fn descend(
             .for_each(|(t, s)| *t += scale * s);
     }
     if let Some(near) = &path.near {
-        path.leaps = !(Scaled::largest_motion(near, theta).0 <= LEAP * path.error.sqrt());
+        path.leaps = !(Scaled::largest_motion(near, theta).0 <= reach(path.error));
     }
     path
 }
@@ -211,7 +218,7 @@ fn rounded(
     }
     let mut at = theta.to_vec();
     let (mut correction, mut step) = (Vec::new(), vec![0.0; at.len()]);
-    let most = LEAP * open.max(CLOSED).sqrt();
+    let most = reach(open);
     for _ in 0..STEPS {
         let open = closer.tangent().evaluate(scaled.chains(), &at);
         let count = closer.tangent().surplus_within(free.stops(), blur(open));

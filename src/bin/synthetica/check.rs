@@ -9,6 +9,7 @@ use std::collections::BTreeMap;
 use synthetica::document::comparison::MetricGaps;
 use synthetica::document::fault::Fault;
 use synthetica::document::report::Report;
+use synthetica::document::wording::readable;
 use synthetica::motion::trajectory::{Status, Trajectory, Warning};
 
 /// Says it of each document; fails where one is at fault, or has a frame that is not certified.
@@ -158,7 +159,11 @@ fn words(verdict: &Verdict, planned: &Planned) -> String {
         format!("  chains    {}", chains.join(", ")),
         format!("  mobility  {rank} by rank, {count} by count"),
         format!("  frames    {}: {}", verdict.frames, statuses.join(", ")),
-        format!("  gap       up to {shift:.4} {unit} and {turn:.2}°"),
+        format!(
+            "  gap       up to {} {unit} and {}°",
+            readable(shift),
+            readable(turn)
+        ),
         format!(
             "  loops     closed to {:.1e}, at most {:.1e}",
             verdict.closure, report.bounds.closure
@@ -178,7 +183,7 @@ fn words(verdict: &Verdict, planned: &Planned) -> String {
             rotation_gap: turn,
             ..
         } = gaps;
-        format!("{metric} {shift:.4} {unit}, {turn:.2}°")
+        format!("{metric} {} {unit}, {}°", readable(*shift), readable(*turn))
     });
     lines.push(format!("  compared  {}", either.join(" | ")));
     lines.push(format!(
@@ -209,13 +214,8 @@ fn metric(report: &Report, unit: &str) -> String {
     format!(
         "{}{about}, length {} {unit} ({source})",
         used.kind,
-        rounded(used.length)
+        readable(used.length)
     )
-}
-
-/// Four digits, without zeros at the end.
-fn rounded(length: f64) -> f64 {
-    format!("{length:.3e}").parse().unwrap_or(length)
 }
 
 /// Frames count from 1 here.
