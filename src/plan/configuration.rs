@@ -87,7 +87,11 @@ fn move_from(
     } else {
         (Solved::OPEN, None, Some(Obstacle::Open))
     };
-    let pose = goal.unwrap_or_else(|| mechanism.chains()[0].pose(&joints));
+    // Of a driven joint the reached pose, computed as it is published.
+    let pose = goal.unwrap_or_else(|| {
+        let scaled = solver.scaled();
+        scaled.leave_pose(&scaled.chains()[0].pose(&scaled.entered(&joints)))
+    });
     let goal = Goal { time: 0.0, pose };
     let start = t.start.clone();
     record(&mut t, &mut solver, &goal, &start, &joints, &solved);
