@@ -2,11 +2,11 @@
 //! line of JSON with a digest of every column of its planned motion, bit for bit. tests/e2e/bits.test.mjs compares
 //! them with those of the wasm package in Node and in Chromium.
 
-use serde_json::{Value, json};
+use serde_json::Value;
 use std::io::{Error, stdin};
 use synthetica::document::problem::Problem;
 use synthetica::document::text::parse;
-use synthetica::math::pose::Pose;
+use synthetica::motion::columns::{COLUMNS, Kind, placed};
 
 fn main() -> Result<(), Error> {
     for line in stdin().lines() {
@@ -19,35 +19,22 @@ fn digests(text: &str) -> Result<Value, synthetica::document::fault::Fault> {
     let problem = Problem::new(&parse(text)?)?;
     let motion = problem.plan();
     let floats = |column: &[f64]| digest(column.iter().map(|x| x.to_bits()));
-    let poses = |column: &[Pose]| {
-        floats(
-            &column
-                .iter()
-                .flat_map(|pose| {
-                    [
-                        pose.translation.vector.as_slice(),
-                        pose.rotation.coords.as_slice(),
-                    ]
-                    .concat()
-                })
-                .collect::<Vec<_>>(),
-        )
-    };
-    Ok(json!({
-        "time": floats(&motion.time),
-        "goal": poses(&motion.goals),
-        "pose": poses(&motion.poses),
-        "joints": floats(&motion.joints),
-        "rows": poses(&problem.row_frames(&motion)),
-        "metric": floats(&motion.metric),
-        "translation_gap": floats(&motion.translation_gap),
-        "rotation_gap": floats(&motion.rotation_gap),
-        "closure": floats(&motion.closure),
-        "sigma_min": floats(&motion.sigma_min),
-        "projected_gradient": floats(&motion.projected_gradient),
-        "iterations": digest(motion.iterations.iter().map(|&n| u64::from(n))),
-        "status": digest(motion.status.iter().map(|&status| status as u64)),
-    }))
+    let mut digests = serde_json::Map::new();
+    for column in &COLUMNS {
+        let values = (column.values)(&motion);
+        let words = match column.kind {
+            // As JavaScript has them: whole numbers, not the bits of a float.
+            Kind::Count => digest(motion.iterations.iter().map(|&n| u64::from(n))),
+            Kind::Status => digest(motion.status.iter().map(|&status| status as u64)),
+            Kind::Time | Kind::Length | Kind::Angle | Kind::Number | Kind::Pose | Kind::Joints => {
+                floats(&values)
+            }
+        };
+        digests.insert(column.name.to_owned(), words.into());
+    }
+    let rows = floats(&placed(&problem.row_frames(&motion)));
+    digests.insert("rows".to_owned(), rows.into());
+    Ok(digests.into())
 }
 
 /// FNV-1a over 64-bit words: another bit anywhere is another digest. With the count of words.
