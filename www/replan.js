@@ -33,7 +33,10 @@ export function createReplanning({ store, planner }) {
       const motion = await planner.plan(textOf(document), {
         stop: mine.signal,
         onProgress: (progress) => {
-          if (stop === mine && performance.now() - began > LONG) store.setPlanning({ ...progress, stop: () => mine.abort() });
+          if (stop !== mine) return;
+          // What is planned is not at fault: what was wrong with an earlier text is mended.
+          if (store.result.fault) store.setResult({ fault: null });
+          if (performance.now() - began > LONG) store.setPlanning({ ...progress, stop: () => mine.abort() });
         },
       });
       store.setResult({ motion, document, fault: null, trouble: '' });

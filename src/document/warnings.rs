@@ -88,7 +88,7 @@ pub fn warning(warning: &Warning, wording: &Wording<'_>) -> WarningReport {
         Warning::MetricLength { given, proposed } => say(
             "metric-length",
             format!(
-                "The metric's length is {}, and the linkage's lengths are about {}: rotations weigh {} against translations. A length of {} would be usual, which null stands for.",
+                "The metric's length is {}, and the linkage's lengths are about {}: rotations weigh {} against translations. A length of {} would be usual: it is taken where the field is empty, or null in a file.",
                 wording.length(given),
                 wording.length(proposed),
                 if given < proposed { "next to nothing" } else { "almost everything" },

@@ -48,3 +48,16 @@ test('of an older plan nothing is said', async () => {
   await settled();
   assert.equal(store.planning.done, 1);
 });
+
+test('a fault of an earlier text goes as soon as the mended one is being planned', async () => {
+  const { store, plans, replan } = made();
+  replan();
+  store.setResult({ fault: { code: 'out-of-range', message: 'a fault', where: '', accepted: '' } });
+  plans[0].onProgress({ done: 1, frames: 9 });
+  assert.equal(store.result.fault, null);
+  // An older plan says nothing of the present text.
+  store.edit(() => named('b'));
+  store.setResult({ fault: { code: 'out-of-range', message: 'a fault', where: '', accepted: '' } });
+  plans[0].onProgress({ done: 2, frames: 9 });
+  assert.notEqual(store.result.fault, null);
+});

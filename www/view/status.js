@@ -71,7 +71,7 @@ export function createStatus({ find, store, player }) {
     const part = partSentence(motion);
     const worst = worstFrame(motion.metric);
     find('motion-summary').replaceChildren(
-      `${plural(motion.frames, 'frame')}: ${countStatuses(motion)}. Largest gap `,
+      `${plural(motion.frames, 'frame')}: ${countStatuses(motion)}. Farthest from the goal in frame ${worst + 1}: `,
       jump(`${length(motion.translation_gap[worst], document?.length_unit)}, ${angle(motion.rotation_gap[worst])}`, worst),
       `.${part && ` ${part}`}`,
     );
