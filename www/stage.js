@@ -21,7 +21,7 @@ export function createStage({ find, store, player, signal }) {
   /** @type {HTMLCanvasElement} */
   const canvas = find('canvas');
   canvas.addEventListener('webglcontextlost', () => {
-    if (!scene?.released) tell('The 3D view was interrupted by the browser. Tables and numbers go on.');
+    if (!scene?.givenBack) tell('The 3D view was interrupted by the browser. Tables and numbers go on.');
   });
   canvas.addEventListener('webglcontextrestored', () => {
     tell('');

@@ -261,7 +261,7 @@ export class SyntheticaLinkage extends LinkageWords {
       if (seen) this.#show();
       if (!this.#benchBegun) return;
       const { scene } = await this.workbench;
-      if (scene && !signal.aborted) scene.released = !seen;
+      if (scene && !signal.aborted) scene.setSeen(seen);
     });
   }
 

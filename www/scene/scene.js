@@ -11,6 +11,7 @@ import { ghostFrames } from './ghosts.js';
 import { createGround } from './ground.js';
 import { createHighlight } from './highlight.js';
 import { createLabels } from './labels.js';
+import { createLease } from './lease.js';
 import { createLight } from './light.js';
 import { Linkage } from './linkage.js';
 import { createMaterials } from './materials.js';
@@ -101,16 +102,13 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
     paths.show(what);
   }
 
-  // A browser has few contexts: one that is out of sight is given back, and asked for again.
-  const lending = context.getExtension('WEBGL_lose_context');
-  let released = false;
+  const lease = createLease(canvas, context);
   const poster = createPoster(canvas);
   signal?.addEventListener('abort', () => {
-    released = true;
     // It listens to the document too.
     view.controls.dispose();
     renderer.dispose();
-    lending?.loseContext();
+    lease.setSeen(false);
   });
 
   /** @type {Set<(event: PointerEvent) => boolean>} */
@@ -119,19 +117,17 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
   const drawn = new Set();
   return {
     canvas,
-    /** Whether its context is given back at its own wish. */
-    get released() {
-      return released;
+    /** Whether its context is lost because it is out of sight. */
+    get givenBack() {
+      return lease.givenBack;
     },
-    /** @param {boolean} next */
-    set released(next) {
-      if (next === released || !lending) return;
-      if (next) {
+    /** @param {boolean} seen whether it is in sight: its last picture stands in for it while it is not */
+    setSeen(seen) {
+      if (!seen && lease.ready) {
         renderer.render(root, view.camera);
         poster.keep();
-        lending.loseContext();
-      } else lending.restoreContext();
-      released = next;
+      }
+      lease.setSeen(seen);
     },
     /** Where other bodies, such as handles, are added. */
     root,
@@ -232,7 +228,7 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
 
     /** @param {import('./frame.js').Shown} what the columns and the frame in them that are drawn */
     draw(what) {
-      if (released) return;
+      if (!lease.ready) return;
       view.step();
       pose(what);
       for (const { place, text, at } of marks) if (text) highlight.anchorOf(place, at);
