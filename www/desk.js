@@ -13,14 +13,15 @@
  * @typedef {{asker: object, latest: boolean, call: Call, args: unknown[], text?: string, signal?: AbortSignal,
  *   stop?: AbortSignal, onProgress?: (progress: Progress) => void}} Request
  *
- * `slow` after a while; `cancelled` if its answer is not wanted any more.
- * @typedef {Request & {id: number, resolve: (value: any) => void, reject: (reason: unknown) => void, slow: boolean,
- *   cancelled: boolean, timer?: ReturnType<typeof setTimeout>}} Job
+ * `begun` once the worker computes, which on a slow network it first has to load; `slow` after a while; `cancelled` if its
+ * answer is not wanted any more.
+ * @typedef {Request & {id: number, resolve: (value: any) => void, reject: (reason: unknown) => void, begun: boolean,
+ *   slow: boolean, cancelled: boolean, timer?: ReturnType<typeof setTimeout>}} Job
  */
 import { DocumentFault, PlannerFailure, Superseded } from './faults.js';
 import { openPort } from './port.js';
 
-/** How long a question may hold up a newer one of the same asker before its worker is ended, in milliseconds. */
+/** How long a question that is computed may hold up a newer one of the same asker before its worker is ended, in milliseconds. */
 const PATIENCE = 4000;
 
 /** How long a plan goes on while a newer one of the same asker waits, in milliseconds: what changes step by step is seen to. */
@@ -62,7 +63,7 @@ export class Desk {
     }
     return new Promise((resolve, reject) => {
       /** @type {Job} */
-      const job = { ...request, id: ++this.#lastId, resolve, reject, slow: false, cancelled: false };
+      const job = { ...request, id: ++this.#lastId, resolve, reject, begun: false, slow: false, cancelled: false };
       this.#waiting.push(job);
       request.signal?.addEventListener('abort', () => this.#takeBack(job), { once: true });
       request.stop?.addEventListener('abort', () => this.#stop(job), { once: true });
@@ -89,10 +90,11 @@ export class Desk {
 
   /** Only newer questions of the same asker end a job: a slow plan holds up only its own element. @param {Job} job */
   #hurry(job) {
-    if (job.cancelled) return;
-    if (isLong(job)) {
+    if (job.cancelled) {
+      if (job.begun) job.timer ??= setTimeout(() => this.#discard(new PlannerFailure('a question could not be taken back'), job), PATIENCE);
+    } else if (isLong(job)) {
       if (job.slow && this.#waiting.some((other) => other.latest && isSame(other, job))) this.#cancel(job, new Superseded());
-    } else if (this.#patience < Infinity && this.#waiting.some(({ asker }) => asker === job.asker)) {
+    } else if (job.begun && this.#patience < Infinity && this.#waiting.some(({ asker }) => asker === job.asker)) {
       // setTimeout cannot take Infinity.
       job.timer ??= setTimeout(() => this.#discard(new PlannerFailure('a question took too long and was given up'), job), this.#patience);
     }
@@ -137,6 +139,11 @@ export class Desk {
   #receive(answer) {
     const job = this.#running.get(answer.id);
     if (!job) return;
+    if (answer.kind === 'begun') {
+      job.begun = true;
+      this.#hurry(job);
+      return;
+    }
     if (answer.kind === 'progress') {
       if (!job.cancelled) job.onProgress?.(answer.progress);
       return;
@@ -161,8 +168,9 @@ export class Desk {
     if (job.cancelled) return;
     job.cancelled = true;
     clearTimeout(job.timer);
-    job.timer = setTimeout(() => this.#discard(new PlannerFailure('a question could not be taken back'), job), PATIENCE);
+    job.timer = undefined;
     this.#port?.post({ kind: 'cancel', id: job.id });
+    this.#hurry(job);
   }
 
   /** @param {Job} job */
@@ -187,6 +195,7 @@ export class Desk {
   #settle(job) {
     clearTimeout(job.timer);
     job.timer = undefined;
+    job.begun = false;
     job.slow = false;
     this.#running.delete(job.id);
   }

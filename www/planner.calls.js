@@ -13,8 +13,10 @@
  * @typedef {{id: number, kind: 'value', value: unknown}
  *   | {id: number, kind: 'fault', fault: Fault}
  *   | {id: number, kind: 'failure', message: string}
+ *   | {id: number, kind: 'begun'}
  *   | {id: number, kind: 'progress', progress: Progress}
- *   | {id: number, kind: 'cancelled'}} Answer `progress` is followed by others, all else is the last
+ *   | {id: number, kind: 'cancelled'}} Answer `begun`, when the planner is loaded, and `progress` are followed by others,
+ *   all else is the last
  *
  * @typedef {'plan' | 'pull' | 'explain' | 'text' | 'find_start' | 'drive' | 'trace' | 'matrix' | 'compare_metrics' | 'export_motion'} DocumentCall
  *   methods of the packages' Session
@@ -83,6 +85,7 @@ export function createAnswers(send) {
       /** @type {Record<string, any> & Module} */
       const module = FIRST.includes(call) ? first : await (whole ??= loadWhole());
       if (!isWanted()) return;
+      send({ id, kind: 'begun' });
       if (document) {
         const session = sessionOf(document, module);
         const done = await prepare(call, session, { id, question, isWanted });

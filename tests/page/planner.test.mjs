@@ -30,6 +30,8 @@ afterEach(() => mock.timers.reset());
 
 /** Answers a question, the last one unless told. */
 const answer = (worker, message, { id } = worker.requests.at(-1)) => worker.onmessage({ data: { id, ...message } });
+/** Says that a question is computed now, the last one unless told. */
+const begin = (worker, question) => answer(worker, { kind: 'begun' }, question);
 const others = (worker) => worker.messages.filter(({ kind }) => kind !== 'ask');
 const textsOf = (worker) => worker.requests.map(({ text }) => text);
 
@@ -184,6 +186,7 @@ test('a plan that does not end when it is taken back ends with its worker; the o
   const [planner, other] = [new Planner(desk), new Planner(desk)];
   const hangs = assert.rejects(planner.plan('a'), Superseded);
   const theirs = other.plan('theirs');
+  begin(workers[0], workers[0].requests[0]);
   mock.timers.tick(1000);
   const next = planner.plan('b');
   await hangs;
@@ -201,6 +204,7 @@ test('a question that hangs gives way to a newer one of the same asker', async (
   mock.timers.enable({ apis: ['setTimeout'] });
   const planner = new Planner(new Desk());
   const slow = planner.trace('a', 0, new Float64Array());
+  begin(workers[0]);
   mock.timers.tick(60_000);
   assert.equal(workers[0].ended, false);
   const given = assert.rejects(slow, PlannerFailure);
@@ -211,10 +215,47 @@ test('a question that hangs gives way to a newer one of the same asker', async (
   assert.equal(await next, 2);
 });
 
+test('on a slow network the planner may take as long to load as it takes, also for what is taken back', async () => {
+  mock.timers.enable({ apis: ['setTimeout'] });
+  const planner = new Planner(new Desk());
+  const first = planner.defaults();
+  const waits = planner.normalise('a');
+  const old = assert.rejects(planner.plan('a'), Superseded);
+  mock.timers.tick(1000);
+  const plan = planner.plan('b');
+  await old;
+  mock.timers.tick(600_000);
+  assert.deepEqual([workers.length, workers[0].ended], [1, false]);
+  answer(workers[0], { kind: 'cancelled' });
+  const [defaults] = workers[0].requests;
+  begin(workers[0], defaults);
+  mock.timers.tick(1000);
+  answer(workers[0], { kind: 'value', value: 1 }, defaults);
+  answer(workers[0], { kind: 'value', value: 2 });
+  answer(workers[0], { kind: 'value', value: 3 }, workers[0].requests[2]);
+  assert.deepEqual(await Promise.all([first, waits, plan]), [1, 2, 3]);
+  assert.deepEqual(workers[0].requests.map(({ call }) => call), ['defaults', 'plan', 'plan', 'text']);
+});
+
+test('what is taken back on its way into the worker is ended with it where it hangs there', async () => {
+  mock.timers.enable({ apis: ['setTimeout'] });
+  const planner = new Planner(new Desk());
+  const old = assert.rejects(planner.plan('a'), Superseded);
+  mock.timers.tick(1000);
+  const next = planner.plan('b');
+  await old;
+  begin(workers[0]);
+  mock.timers.tick(4000);
+  assert.equal(workers[0].ended, true);
+  answer(workers[1], { kind: 'value', value: 2 });
+  assert.equal(await next, 2);
+});
+
 test('a program’s desk waits for what takes long, and others wait behind it', async () => {
   mock.timers.enable({ apis: ['setTimeout'] });
   const planner = new Planner(new Desk(Infinity));
   const slow = planner.trace('a', 0, new Float64Array());
+  begin(workers[0]);
   const next = planner.normalise('b');
   mock.timers.tick(600_000);
   assert.equal(workers[0].ended, false);
