@@ -90,3 +90,20 @@ test('of two linkages one is planned while the other takes long', async () => {
   assert.deepEqual(answer, [null, 129]);
   assert.deepEqual(problems, []);
 });
+
+test('a slow network makes the first motion late, and breaks nothing', async () => {
+  const { page, problems } = await browser.blankPage();
+  // Longer than a question that hangs is waited for.
+  await page.context().route('**/*.wasm', async (route) => {
+    await new Promise((resolve) => setTimeout(resolve, 6000));
+    await route.continue();
+  });
+  let loads = 0;
+  page.context().on('request', (request) => (loads += Number(request.url().endsWith('.wasm'))));
+  await page.goto(browser.address);
+  await says(page, /^Loading the planner\.$/);
+  assert.equal(await page.getByRole('button', { name: /^(Stop|Plan the rest)$/ }).count(), 0);
+  await page.waitForFunction(() => (page$('#closure')?.textContent ?? '–') !== '–');
+  assert.equal(await page.locator('#planning').isVisible(), false);
+  assert.deepEqual([loads, problems], [1, []]);
+});
