@@ -346,7 +346,8 @@ fn slider_that_runs_away() {
         assert_eq!(t.status[0], Status::Stalled);
         assert!(
             t.warnings.contains(&Warning::Runaway {
-                frame: 0,
+                first: 0,
+                last: 0,
                 elsewhere: false
             }),
             "{:?}",

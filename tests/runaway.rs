@@ -74,8 +74,8 @@ fn check(step: usize) {
         let t = problem.plan();
         planned += 1;
         let first = t.warnings.iter().find_map(|w| {
-            if let Warning::Runaway { frame, .. } = w {
-                Some(*frame)
+            if let Warning::Runaway { first, .. } = w {
+                Some(*first)
             } else {
                 None
             }

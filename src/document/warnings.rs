@@ -76,7 +76,7 @@ pub fn warning(warning: &Warning, wording: &Wording<'_>) -> WarningReport {
         Warning::BranchJump { first, time, moved, variable } => say(
             "branch-jump",
             format!(
-                "The linkage leaps between frames {} and {}, at time {}: {} moves by {} at once. There is no continuous way on from its branch.",
+                "The linkage leaps between frames {} and {}, at time {}: {} moves by {} at once. From there on the motion is on another branch.",
                 first + 1,
                 first + 2,
                 readable(time),
@@ -88,7 +88,7 @@ pub fn warning(warning: &Warning, wording: &Wording<'_>) -> WarningReport {
         Warning::MetricLength { given, proposed } => say(
             "metric-length",
             format!(
-                "The metric's length is {}, and the linkage's lengths are about {}: rotations weigh {} against translations. A length of {} would be usual: it is taken where the field is empty, or null in a file.",
+                "The metric's length is {}, and the linkage, or its motion where it has no lengths, measures about {}: rotations weigh {} against translations. A length of {} would be usual: it is taken where the field is empty, or null in a file.",
                 wording.length(given),
                 wording.length(proposed),
                 if given < proposed { "next to nothing" } else { "almost everything" },
@@ -144,14 +144,18 @@ pub fn warning(warning: &Warning, wording: &Wording<'_>) -> WarningReport {
             typed,
             turn,
         } => say("short-way", short_way(neighbours, angle, typed, turn), None),
-        Warning::Runaway { frame, elsewhere } => say(
+        Warning::Runaway { first, last, elsewhere } => say(
             "runaway",
             format!(
-                "At frame {} the distance keeps falling while a slider runs away: there is no closest pose on this branch. {}Limits for the sliders would help.",
-                frame + 1,
-                if elsewhere { "Another assembly, which no motion joins to this one, comes closer. " } else { "" }
+                "{} the distance keeps falling while a slider runs away: no closest pose was found on this branch. {}Limits for the sliders would help.",
+                if first == last {
+                    format!("At frame {}", first + 1)
+                } else {
+                    format!("In frames {} to {}", first + 1, last + 1)
+                },
+                if elsewhere { "Another assembly, to which no motion was found, comes closer. " } else { "" }
             ),
-            Some((frame, frame)),
+            Some((first, last)),
         ),
     }
 }
@@ -178,7 +182,10 @@ fn rounded_dimensions(misfit: f64, suspect: Option<&Suspect>, wording: &Wording<
         readable(misfit)
     );
     if let Some(suspect) = suspect {
-        text += &format!(" The largest misfit is {}.", wording.suspect(suspect));
+        text += &format!(
+            " The smallest change that explains most of it: {}.",
+            wording.suspect(suspect)
+        );
     }
     text
 }

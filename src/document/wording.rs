@@ -58,7 +58,7 @@ impl Wording<'_> {
         }
     }
 
-    /// Such as: the twist α of row 2 of chain 1, which would fit with 3.7e−6 rad more.
+    /// Such as: the twist α of row 2 of chain 1, by 0.0002° more.
     pub fn suspect(&self, suspect: &Suspect) -> String {
         let what = match suspect.dimension {
             Dimension::Twist => "the twist α",
@@ -74,7 +74,7 @@ impl Wording<'_> {
         };
         let side = if suspect.change < 0.0 { "less" } else { "more" };
         let (row, chain) = (suspect.row + 1, self.chain(suspect.chain));
-        format!("{what} of row {row} of {chain}, which would fit with {amount} {side}")
+        format!("{what} of row {row} of {chain}, by {amount} {side}")
     }
 }
 

@@ -94,14 +94,18 @@ pub enum Warning {
         last: usize,
         smallest: f64,
     },
-    /// At this frame the distance to the goal keeps falling while a slider without limits runs away. `elsewhere`:
-    /// another assembly, which no motion joins to this one, comes closest at a finite place.
-    Runaway { frame: usize, elsewhere: bool },
+    /// In frames `first` to `last` the distance to the goal keeps falling while a slider without limits runs away.
+    /// `elsewhere`: at one of them another assembly, to which no motion was found, comes closer at a finite place.
+    Runaway {
+        first: usize,
+        last: usize,
+        elsewhere: bool,
+    },
     /// The gradient planner does not keep joint limits; frames beyond one are not certified.
     LimitsUnknown,
     /// The mobility by rank differs from the count of Eq. 10.
     MobilityDiffers { count: isize, rank: usize },
-    /// The metric's length is far off the lengths of the linkage.
+    /// The metric's length is far off the linkage's lengths, or its motion's extent where it has none.
     MetricLength { given: f64, proposed: f64 },
     /// Two key frames are half a turn apart, so that both ways are equally long; the workpiece turns
     /// about `axis`, a unit vector in the fixed frame, by the right-hand rule.
@@ -161,7 +165,7 @@ pub struct Bounds {
     pub closure: f64,
     /// Of `misfit`: the tolerance of the dimensions.
     pub misfit: f64,
-    /// Of `projected_gradient`, in certified frames.
+    /// Of `projected_gradient`, in certified frames; in its units.
     pub projected_gradient: f64,
     /// The least curvature of f in certified frames, with the opposite sign: what counts as flat.
     pub curvature: f64,
@@ -238,7 +242,8 @@ pub struct Trajectory {
     /// Smallest singular value of \[A\] that is not 0 because of surplus constraints, lengths as shares of the size,
     /// measured about the workpiece's origin.
     pub sigma_min: Vec<f64>,
-    /// Norm of the projected gradient, the measure of convergence, lengths as shares of the size.
+    /// Norm of the projected gradient, the measure of convergence: lengths as shares of the size, or of the metric's
+    /// length with the gradient planner.
     pub projected_gradient: Vec<f64>,
     /// Linear systems solved.
     pub iterations: Vec<u32>,

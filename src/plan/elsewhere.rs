@@ -5,10 +5,58 @@ use crate::math::linalg::dot;
 use crate::math::pose::Pose;
 use crate::math::random::Random;
 use crate::model::mechanism::Mechanism;
+use crate::motion::trajectory::Warning;
 use crate::plan::modes;
 use crate::plan::settings::Settings;
 use crate::solve::close::{Reach, Shortest, add_rates, solve_gram};
 use crate::solve::solver::{Solved, Solver};
+
+/// Frames in which a slider runs away; see [`Warning::Runaway`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Runaway {
+    first: usize,
+    last: usize,
+    elsewhere: bool,
+}
+
+impl Runaway {
+    /// Adds a frame to the frames before it, or as the first of others.
+    pub fn add(runaways: &mut Vec<Self>, frame: usize, elsewhere: bool) {
+        match runaways.last_mut() {
+            Some(before) if before.last + 1 == frame => {
+                before.last = frame;
+                before.elsewhere |= elsewhere;
+            }
+            _ => runaways.push(Self {
+                first: frame,
+                last: frame,
+                elsewhere,
+            }),
+        }
+    }
+
+    /// Forgets the frames after `frame`.
+    pub fn keep_to(runaways: &mut Vec<Self>, frame: usize) {
+        runaways.retain_mut(|runaway| {
+            runaway.last = runaway.last.min(frame);
+            runaway.first <= frame
+        });
+    }
+
+    /// As a warning.
+    pub fn warning(&self) -> Warning {
+        let Self {
+            first,
+            last,
+            elsewhere,
+        } = *self;
+        Warning::Runaway {
+            first,
+            last,
+            elsewhere,
+        }
+    }
+}
 
 /// Walks, and positions on each from which a minimum is looked for: about 200 starts.
 const WALKS: u64 = 8;
@@ -113,4 +161,27 @@ pub fn another_assembly(
     let predicted = joints.clone();
     let solved = solver.solve(goal, &mut joints, &predicted);
     solved.end.is_minimum() && solved.value < value
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Runaway;
+
+    #[test]
+    fn frames_in_a_row_are_one_runaway() {
+        let mut runaways = Vec::new();
+        for (frame, elsewhere) in [(3, false), (4, true), (5, false), (8, false), (9, false)] {
+            Runaway::add(&mut runaways, frame, elsewhere);
+        }
+        let of = |first, last, elsewhere| Runaway {
+            first,
+            last,
+            elsewhere,
+        };
+        assert_eq!(runaways, [of(3, 5, true), of(8, 9, false)]);
+        Runaway::keep_to(&mut runaways, 8);
+        assert_eq!(runaways, [of(3, 5, true), of(8, 8, false)]);
+        Runaway::keep_to(&mut runaways, 4);
+        assert_eq!(runaways, [of(3, 4, true)]);
+    }
 }

@@ -6,7 +6,7 @@ use crate::model::mechanism::Mechanism;
 use crate::model::scaled::CLOSED;
 use crate::motion::goal::Goal;
 use crate::motion::trajectory::{Trajectory, Warning};
-use crate::plan::elsewhere;
+use crate::plan::elsewhere::{self, Runaway};
 use crate::plan::given;
 use crate::plan::leaps::{self, Leap};
 use crate::plan::record::{begin, measure_singular, record};
@@ -65,7 +65,7 @@ pub struct Planning {
     /// Intervals between frames that were looked at for leaps.
     checked: usize,
     leaps: Vec<Leap>,
-    runaways: Vec<Warning>,
+    runaways: Vec<Runaway>,
     /// The first frame at which the next search for a finite pose may be made: searches are slow, and get rarer.
     search_from: usize,
     searches: usize,
@@ -251,7 +251,7 @@ impl Planning {
                 runaway.value,
             );
         }
-        self.runaways.push(Warning::Runaway { frame, elsewhere });
+        Runaway::add(&mut self.runaways, frame, elsewhere);
         runaway
     }
 
@@ -306,8 +306,7 @@ impl Planning {
             }
             self.leaps.retain(|leap| leap.first < first);
             self.leaps.extend(leaps);
-            self.runaways
-                .retain(|w| !matches!(w, Warning::Runaway { frame, .. } if *frame > first));
+            Runaway::keep_to(&mut self.runaways, first);
             let before = self.t.joints_at(first).to_vec();
             self.t.truncate(first + 1);
             self.joints = way.joints;
@@ -331,7 +330,8 @@ impl Planning {
         }
         let leaps = self.leaps.iter().map(Leap::warning);
         self.t.warnings.extend(leaps);
-        self.t.warnings.append(&mut self.runaways);
+        let runaways = self.runaways.iter().map(Runaway::warning);
+        self.t.warnings.extend(runaways);
         self.t
     }
 }
@@ -343,9 +343,7 @@ pub(super) fn close_start(
     settings: &Settings,
     warnings: &mut Vec<Warning>,
 ) -> bool {
-    /// Motion, rad or sizes, below which a start counts as closed as given: the last digits of a printed table.
-    const MOVED: f64 = 1e-6;
-    let given = solver.scaled().entered(joints);
+    let given = joints.to_vec();
     match solver.close_start(joints, settings.dimension_tolerance) {
         Start::Rigid { error, leap } => {
             warnings.push(Warning::StartRigid { error, leap });
@@ -356,8 +354,8 @@ pub(super) fn close_start(
             false
         }
         Start::Closed | Start::Rounded => {
-            let leap = Leap::between(solver.scaled(), &solver.scaled().left(&given), joints);
-            if leap.moved_scaled > MOVED {
+            let leap = Leap::between(solver.scaled(), &given, joints);
+            if leap.moved_scaled > given::PRINTED {
                 warnings.push(Warning::StartMoved {
                     moved: leap.moved,
                     variable: leap.variable,

@@ -3,6 +3,9 @@
 use crate::model::mechanism::Mechanism;
 use crate::motion::trajectory::Warning;
 
+/// Motion, rad or sizes, that the last digits of a printed table explain: no warning speaks of it.
+pub(super) const PRINTED: f64 = 1e-6;
+
 /// A joint value beyond a limit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OutsideLimit {
@@ -19,9 +22,6 @@ pub struct OutsideLimit {
 /// # Panics
 /// When `start` does not have one value a joint variable.
 pub fn outside_limits(mechanism: &Mechanism, start: &[f64], extent: f64) -> Vec<OutsideLimit> {
-    /// Excess, rad or sizes, that the last digits of a printed table explain, as for loops that are closed
-    /// as given.
-    const ROUNDING: f64 = 1e-6;
     assert_eq!(start.len(), mechanism.variables(), "one value a variable");
     let size = mechanism.size_or(extent);
     let kinds = (mechanism.chains().iter()).flat_map(|c| c.turns().zip(c.limits()));
@@ -29,7 +29,7 @@ pub fn outside_limits(mechanism: &Mechanism, start: &[f64], extent: f64) -> Vec<
     values
         .filter_map(|((variable, &value), (turns, limits))| {
             let limit = value.clamp(limits.min, limits.max);
-            let least = if turns { ROUNDING } else { ROUNDING * size };
+            let least = if turns { PRINTED } else { PRINTED * size };
             let outside = (value - limit).abs() > least;
             outside.then_some(OutsideLimit {
                 variable,
