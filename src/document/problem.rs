@@ -351,14 +351,13 @@ pub fn start_values(mechanism: &Mechanism, joints: &[f64]) -> Vec<Vec<f64>> {
     let in_degrees = |(chain, values): (&Chain, &[f64])| {
         let pairs = chain.turns().zip(values);
         pairs
-            .map(|(turns, &v)| short(if turns { v.to_degrees() } else { v }))
+            .map(|(turns, &v)| if turns { short(v.to_degrees()) } else { v })
             .collect()
     };
     mechanism.split(joints).map(in_degrees).collect()
 }
 
-/// Rounded to 10⁻¹², so that 45° is not written 44.99999999999999°; less than the rounding of the
-/// loops' closure.
+/// Rounded to 10⁻¹², so that 45° is not written 44.99999999999999°: for degrees, and for lengths near 1.
 pub(crate) fn short(value: f64) -> f64 {
     const DIGITS: f64 = 1e12;
     let rounded = (value * DIGITS).round() / DIGITS;

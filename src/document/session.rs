@@ -125,14 +125,6 @@ impl Session {
         self.problem.explain(joints, goal)
     }
 
-    /// Are these joint values of this document's mechanism?
-    ///
-    /// # Errors
-    /// When there is not one finite joint value a joint variable.
-    pub fn check_joints(&self, joints: &[f64]) -> Result<(), Fault> {
-        self.problem.check_joints(joints)
-    }
-
     /// A frame's index from a JavaScript number.
     ///
     /// # Errors
@@ -200,9 +192,12 @@ mod tests {
     #[test]
     fn joint_values_are_counted_and_finite() {
         let session = Session::open(SAMPLE).expect("a sample");
-        assert_eq!(session.check_joints(&[0.0; 8]), Ok(()));
+        assert_eq!(session.problem().check_joints(&[0.0; 8]), Ok(()));
         for joints in [&[][..], &[0.0; 7], &[f64::NAN; 8], &[f64::INFINITY; 8]] {
-            let fault = session.check_joints(joints).expect_err("no joint values");
+            let fault = session
+                .problem()
+                .check_joints(joints)
+                .expect_err("no joint values");
             assert!(fault.place.starts_with("joints"), "{fault}");
         }
     }
