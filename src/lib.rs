@@ -54,8 +54,8 @@
 //! | f, for the status `Reached` | ½ (1e-8)² · max(1, 1/4L²) (`reached`) |
 //!
 //! The bounds are [`model::scaled::Tolerances`], with s = max(1/4L², 1e-4) and L as a share of the size. The
-//! gradient planner stops at a projected gradient of 1e-7; its frames count as minima if the quadratic
-//! model there falls by at most 2e-8. A motion carries the bounds that were used:
+//! gradient planner stops at a projected gradient of 1e-7; its frames count as minima up to 1e-5, if the
+//! quadratic model there falls by at most 2e-8. A motion carries the bounds that were used:
 //! [`Trajectory::bounds`].
 //!
 //! What is certified is a local minimum on the branch of the frame before.

@@ -37,6 +37,12 @@ impl JointKind {
         }
     }
 
+    /// The kind of a letter, capital or small.
+    pub fn named(letter: char) -> Option<Self> {
+        let capital = letter.to_ascii_uppercase();
+        Self::ALL.into_iter().find(|kind| kind.letter() == capital)
+    }
+
     /// Degrees of freedom (Table 1).
     pub const fn freedoms(self) -> usize {
         match self {

@@ -174,11 +174,6 @@ impl Curve {
         (self.times[0], self.times[self.times.len() - 1])
     }
 
-    /// Where the way round was chosen between two that are equally long.
-    pub fn half_turns(&self) -> &[HalfTurn] {
-        &self.half_turns
-    }
-
     /// The pose at a time; the nearer end's outside of the interval.
     ///
     /// All arithmetic is on differences of positions, which are small wherever the fixed frame is.

@@ -7,6 +7,7 @@
 //! become shorter than 1e-6 of the interval, it leaps. This distinguishes a motion that is fast but continuous from one
 //! that leaves its branch.
 
+use crate::math::metric::nearer;
 use crate::math::pose::Pose;
 use crate::model::scaled::Scaled;
 use crate::motion::goal::Goal;
@@ -254,11 +255,7 @@ fn between(from: &Goal, to: &Goal, s: f64) -> Pose {
         return to.pose;
     }
     let (a, b) = (&from.pose, &to.pose);
-    let turned = if a.rotation.coords.dot(&b.rotation.coords) < 0.0 {
-        nalgebra::UnitQuaternion::new_unchecked(-b.rotation.into_inner())
-    } else {
-        b.rotation
-    };
     let position = a.translation.vector.lerp(&b.translation.vector, s);
-    Pose::from_parts(position.into(), a.rotation.nlerp(&turned, s))
+    let rotation = a.rotation.nlerp(&nearer(&b.rotation, &a.rotation), s);
+    Pose::from_parts(position.into(), rotation)
 }

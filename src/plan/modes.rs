@@ -362,10 +362,7 @@ impl Search {
                 own = variables.iter().map(draw).collect();
             }
             part.go(&best.pose, &mut own);
-            let by_size = Metric {
-                kind: MetricKind::Pose,
-                ..Metric::PAPER
-            };
+            let by_size = Metric::default();
             let away = by_size.value(&part.chain.pose(&own), &best.pose);
             if !(away <= SAME_POSE) {
                 continue;

@@ -2,7 +2,7 @@
 //! values while the workpiece stands still.
 //!
 //! Where a chain can move so, one pose has a continuum of joint values, and which of them a search comes to
-//! hangs on its rounding. The least sum of squares is one of them.
+//! depends on rounding. The least sum of squares is one of them.
 
 use crate::math::pose::{Pose, difference};
 use crate::model::chain::{Chain, ChainState, MAX_FREEDOMS};
@@ -18,12 +18,12 @@ type Values = SVector<f64, MAX_FREEDOMS>;
 const STILL: f64 = 1e-12;
 /// Steps; they converge linearly, most often by a third or better each.
 const STEPS: usize = 200;
-/// Projected values, rad or sizes, at which they are least: a tenth of the digits that the start is to share
-/// with that in another unit.
+/// Length of a step, rad or sizes, at which the sum of squares counts as least: a tenth of the closure bound, so that
+/// starts in two units agree to it.
 const LEAST: f64 = 1e-11;
 /// Corrections of a step, and how far the workpiece may stay away, rad and sizes.
 const CORRECTIONS: usize = 6;
-const CLOSED: f64 = 1e-12;
+const STANDS_STILL: f64 = 1e-12;
 /// Share of a step at which the search ends.
 const SMALLEST_SHARE: f64 = 1e-3;
 
@@ -84,7 +84,7 @@ fn close(chain: &Chain, pose: &Pose, values: &mut Values) -> Option<Tangent> {
     for _ in 0..CORRECTIONS {
         let tangent = Tangent::new(chain, values);
         let away = difference(pose, &tangent.pose);
-        if away.amax() <= CLOSED {
+        if away.amax() <= STANDS_STILL {
             let mut pairs = values.iter().zip(chain.limits());
             let within = pairs.all(|(x, limits)| limits.min <= *x && *x <= limits.max);
             return within.then_some(tangent);

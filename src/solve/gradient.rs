@@ -3,10 +3,9 @@
 //! Kept as the reference for [`crate::solve::newton`] and for teaching. It converges linearly: several
 //! hundred iterations a frame where the goal is off the workspace. Its steps, the pseudo-inverse and
 //! the projection on the null space, are taken from a pivoted QR of \[A\]ᵀ, which gives the same steps
-//! as the singular value decomposition of Eq. 27 in a tenth of the time; an observer can ask for the
-//! singular values themselves.
+//! as the singular value decomposition of Eq. 27 in a tenth of the time.
 
-use crate::math::linalg::{PivotedQr, dot, svd};
+use crate::math::linalg::{PivotedQr, dot};
 use crate::math::metric::{MetricKind, Target};
 use crate::math::pose::{self, DualQuaternion};
 use crate::model::chain::Chain;
@@ -62,13 +61,6 @@ pub struct Arrival {
     pub corrections: usize,
     /// Length of all corrections together.
     pub correction: f64,
-}
-
-impl Iteration<'_> {
-    /// Singular values of \[A\], largest first (Eq. 27).
-    pub fn singular_values(&self) -> Vec<f64> {
-        svd(self.linearised.rows.clone()).sigma
-    }
 }
 
 /// How the iteration ended.

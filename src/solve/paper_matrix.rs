@@ -45,7 +45,7 @@ pub fn condition_rates(q: &DualQuaternion) -> SMatrix<f64, 2, 8> {
 /// The linearised closure equations \[A\] Δr = E at one r (Eq. 21), dense.
 #[derive(Clone, Debug)]
 pub struct Linearised {
-    /// \[A\] by rows: 6k + 2 rows of n entries, the joint variables first and then q.
+    /// \[A\] by rows: 6k + 2 rows of n + 8 entries, the n joint variables first and then q.
     pub rows: Vec<Vec<f64>>,
     /// E with the sign of Eq. 23–25: the pseudo-inverse step is r ← r − \[A\]⁺ E, not + as Eq. 28
     /// prints it.

@@ -37,9 +37,10 @@ pub struct Solved {
     pub end: End,
     /// The goal is met to within the tolerance of the metric.
     pub reached: bool,
-    /// f; of a runaway at the farthest position, not at the joint values that are left.
+    /// f; of a runaway at the last position before it was given up, not at the joint values that are left.
     pub value: f64,
-    /// Norm of the objective's gradient along orthonormal free directions, lengths as shares of the size.
+    /// Norm of the objective's gradient along orthonormal free directions: lengths as shares of the size, or of the
+    /// metric's length with the gradient planner.
     pub projected_gradient: f64,
     /// Linear systems solved.
     pub iterations: usize,

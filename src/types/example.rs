@@ -76,14 +76,7 @@ pub fn chains_of(text: &str) -> Result<Vec<Vec<JointKind>>, NoType> {
         } else {
             count.parse().ok()
         };
-        let kinds: Option<Vec<JointKind>> = joints
-            .chars()
-            .map(|c| {
-                JointKind::ALL
-                    .into_iter()
-                    .find(|kind| kind.letter() == c.to_ascii_uppercase())
-            })
-            .collect();
+        let kinds: Option<Vec<JointKind>> = joints.chars().map(JointKind::named).collect();
         let kinds = kinds.filter(|kinds| {
             (1..=MAX_FREEDOMS).contains(&kinds.iter().map(|kind| kind.freedoms()).sum())
         });

@@ -257,10 +257,7 @@ pub type Chain = Vec<JointKind>;
 
 fn chain(letters: &str) -> Result<Chain, String> {
     let joint = |letter: char| {
-        let found = JointKind::ALL
-            .into_iter()
-            .find(|kind| kind.letter() == letter);
-        found.ok_or_else(|| {
+        JointKind::named(letter).ok_or_else(|| {
             format!("\u{201c}{letter}\u{201d} is no joint. Accepted: R, P, C, T, S, E")
         })
     };
