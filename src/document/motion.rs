@@ -6,6 +6,7 @@ use crate::document::bounds::{
 use crate::document::fault::{Fault, FaultCode, Place};
 use crate::document::parts::{each, frame, point};
 use crate::document::schema::{FrameEntry, KeyFrameEntry, MotionEntry};
+use crate::document::wording::readable;
 use crate::math::pose::gaps;
 use crate::motion::goal::{DoubleQuaternions, Goal, GoalMotion, MAX_FRAMES, goal_motion};
 use crate::motion::key_frames::{HalfTurn, KeyFrame, KeyFrameFault, MAX_KEY_FRAMES};
@@ -65,11 +66,10 @@ pub(crate) fn goal_of(motion: &MotionEntry) -> Result<(Vec<Goal>, Vec<Warning>),
 }
 
 /// To four digits, so that what a message names is accepted.
-fn rounded_up(value: f64) -> f64 {
+fn rounded_up(value: f64) -> String {
     /// Half a unit of the fourth digit, at most.
     const HALF: f64 = 5e-4;
-    let text = format!("{:.3e}", value * (1.0 + HALF));
-    text.parse().unwrap_or(value)
+    readable(value * (1.0 + HALF))
 }
 
 fn key_frame(entry: &KeyFrameEntry, place: &Place<'_>) -> Result<KeyFrame, Fault> {
