@@ -7,7 +7,7 @@ use std::fs;
 use std::io::{Read, Write};
 use std::path::PathBuf;
 use std::process::{Command, Output, Stdio};
-use synthetica::document::wording::readable;
+use synthetica::document::number::readable;
 use synthetica::document::{problem::Problem, schema, text};
 use synthetica::exchange::export;
 use synthetica::types::tables::tables;

@@ -9,6 +9,7 @@ use crate::document::problem::Problem;
 use crate::document::questions::Posture;
 use crate::document::report::Report;
 use crate::document::session;
+use crate::document::text::{self, Digits};
 use crate::motion::columns::{COLUMNS, Column, Kind, placed};
 use crate::motion::trajectory::Trajectory;
 use crate::plan::follow::Planning;
@@ -295,9 +296,10 @@ pub(crate) fn refusal(fault: &Fault) -> JsValue {
     to_js(fault).unwrap_or_else(|error| error)
 }
 
-pub(crate) fn to_js(value: &impl Serialize) -> Result<JsValue, JsValue> {
-    let serializer = serde_wasm_bindgen::Serializer::json_compatible();
-    value.serialize(&serializer).map_err(JsValue::from)
+/// Small plain data as an object, by way of JSON: documents need its writer anyway, and a second one for objects would
+/// make the package 2 kB larger.
+fn to_js(value: &impl Serialize) -> Result<JsValue, JsValue> {
+    js_sys::JSON::parse(&text::json(value, Digits::All))
 }
 
 /// The page's, the worker's or the program's clock.

@@ -1,7 +1,7 @@
 //! The bindings that a page asks for only now and then: a joint driven by hand, the planners' iterations, exports,
 //! tables of types, linkages of a type, the schema. The package that a page loads first is built without them (feature `study`).
 
-use crate::bind::wasm::{Clock, JsPosture, Session, posture, refusal, to_js};
+use crate::bind::wasm::{Clock, JsPosture, Session, posture, refusal};
 use crate::document::example_document;
 use crate::document::problem::Problem;
 use crate::document::schema::SCHEMA;
@@ -13,6 +13,7 @@ use crate::solve::gradient::Arrival;
 use crate::study::iterations::History;
 use crate::types::{enumerate, tables};
 use js_sys::{Float64Array, Object, Reflect, Uint8Array, Uint32Array};
+use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]
@@ -192,4 +193,9 @@ fn history(problem: &Problem, history: &History) -> Result<Object, JsValue> {
     set("last", &history.last.into())?;
     set("converged", &history.converged.into())?;
     Ok(object)
+}
+
+fn to_js(value: &impl Serialize) -> Result<JsValue, JsValue> {
+    let serializer = serde_wasm_bindgen::Serializer::json_compatible();
+    value.serialize(&serializer).map_err(JsValue::from)
 }

@@ -1,6 +1,7 @@
 //! The bounds of a document's numbers, texts and counts, and the faults beyond them.
 
 use crate::document::fault::{Fault, FaultCode, Place};
+use crate::document::number::typed;
 use std::fmt::Display;
 
 /// Largest length, in the document's unit: a thousand kilometres in micrometres.
@@ -53,8 +54,8 @@ pub(crate) fn bounded(value: f64, most: f64, what: &str, place: &Place<'_>) -> R
     } else {
         Err(out_of_range(
             place,
-            format_args!("{value:e}"),
-            &format!("{what} from -{most} to {most}"),
+            typed(value),
+            &format!("{what} from {} to {}", typed(-most), typed(most)),
         ))
     }
 }

@@ -7,6 +7,7 @@ pub mod defaults;
 pub mod example_document;
 pub mod fault;
 mod motion;
+pub mod number;
 mod parts;
 pub mod problem;
 pub mod questions;

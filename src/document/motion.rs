@@ -4,9 +4,9 @@ use crate::document::bounds::{
     MAX_NAME, MAX_TIME, bounded, check_text, length, not_finite, out_of_range, wrong_count,
 };
 use crate::document::fault::{Fault, FaultCode, Place};
+use crate::document::number::{readable, typed};
 use crate::document::parts::{each, frame, point};
 use crate::document::schema::{FrameEntry, KeyFrameEntry, MotionEntry};
-use crate::document::wording::readable;
 use crate::math::pose::gaps;
 use crate::motion::goal::{DoubleQuaternions, Goal, GoalMotion, MAX_FRAMES, goal_motion};
 use crate::motion::key_frames::{HalfTurn, KeyFrame, KeyFrameFault, MAX_KEY_FRAMES};
@@ -45,8 +45,8 @@ pub(crate) fn goal_of(motion: &MotionEntry) -> Result<(Vec<Goal>, Vec<Warning>),
             Fault::new(FaultCode::TimeMissing, &key_place(key).field("time"), what, accepted)
         }
         KeyFrameFault::TimeOrder { key, previous, time } => {
-            let what = format!("{time} is not later than the time before");
-            let accepted = format!("a time later than {previous}");
+            let what = format!("{} is not later than the time before", typed(time));
+            let accepted = format!("a time later than {}", typed(previous));
             Fault::new(FaultCode::TimeOrder, &key_place(key).field("time"), &what, &accepted)
         }
         KeyFrameFault::Radius { radius, least } => {
@@ -54,7 +54,7 @@ pub(crate) fn goal_of(motion: &MotionEntry) -> Result<(Vec<Goal>, Vec<Warning>),
                 "a positive length that is not below {}, half the distance of the farthest key frame from the reference point, or null",
                 rounded_up(least)
             );
-            out_of_range(&MOTION.field("radius"), radius, &accepted)
+            out_of_range(&MOTION.field("radius"), typed(radius), &accepted)
         }
         KeyFrameFault::FrameCount { found } => {
             let accepted = format!("a whole number from 2 to {MAX_FRAMES}");

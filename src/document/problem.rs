@@ -8,6 +8,7 @@ use crate::document::bounds::{
 };
 use crate::document::fault::{Fault, FaultCode, Place};
 use crate::document::motion::goal_of;
+use crate::document::number::typed;
 use crate::document::parts::{each, frame, point};
 use crate::document::schema::{ChainEntry, Document, JointEntry, LimitsEntry, RowEntry};
 use crate::math::pose::Pose;
@@ -189,24 +190,24 @@ fn joint(entry: &JointEntry, place: &Place<'_>) -> Result<Joint, Fault> {
         JointFault::InnerTwist { row, .. } => {
             let alpha = entry.rows[row].alpha;
             let what =
-                format!("the axes inside a joint of type {letter} are at right angles, here at {alpha}");
+                format!("the axes inside a joint of type {letter} are at right angles, here at {}", typed(alpha));
             inner(row, "alpha", what, "90 or -90")
         }
         JointFault::InnerLength { row, .. } => {
             let a = entry.rows[row].a;
             let what =
-                format!("the axes inside a joint of type {letter} meet, here they are {a} apart");
+                format!("the axes inside a joint of type {letter} meet, here they are {} apart", typed(a));
             inner(row, "a", what, "0")
         }
         JointFault::InnerOffset { row, .. } => {
             let d = entry.rows[row].d;
-            let what = format!("the axes of a joint of type S meet in one point, here {d} apart");
+            let what = format!("the axes of a joint of type S meet in one point, here {} apart", typed(d));
             inner(row, "d", what, "0")
         }
         JointFault::InnerAngle { row, .. } => {
             let theta = entry.rows[row].theta;
             let what = format!(
-                "the axis of a joint of type E is at right angles to both sliders, here turned by {theta}"
+                "the axis of a joint of type E is at right angles to both sliders, here turned by {}", typed(theta)
             );
             inner(row, "theta", what, "90 or -90")
         }
@@ -284,19 +285,19 @@ fn settings(document: &Document) -> Result<Settings, Fault> {
         .metric_length
         .filter(|length| !(MIN_METRIC_LENGTH..=MAX_LENGTH).contains(length))
     {
-        let accepted = format!("a length from {MIN_METRIC_LENGTH:e} to {MAX_LENGTH:e}, or null");
+        let (least, most) = (typed(MIN_METRIC_LENGTH), typed(MAX_LENGTH));
+        let accepted = format!("a length from {least} to {most}, or null");
         let place = PLACE.field("metric_length");
-        return Err(out_of_range(&place, format_args!("{length:?}"), &accepted));
+        return Err(out_of_range(&place, typed(length), &accepted));
     }
     let tolerance = entry.dimension_tolerance;
     if !(0.0..=MAX_DIMENSION_TOLERANCE).contains(&tolerance) {
-        let accepted = format!("a share of the size from 0 to {MAX_DIMENSION_TOLERANCE}");
+        let accepted = format!(
+            "a share of the size from 0 to {}",
+            typed(MAX_DIMENSION_TOLERANCE)
+        );
         let place = PLACE.field("dimension_tolerance");
-        return Err(out_of_range(
-            &place,
-            format_args!("{tolerance:?}"),
-            &accepted,
-        ));
+        return Err(out_of_range(&place, typed(tolerance), &accepted));
     }
     if let Some(most) = entry
         .max_iterations
@@ -357,7 +358,7 @@ pub fn start_values(mechanism: &Mechanism, joints: &[f64]) -> Vec<Vec<f64>> {
     mechanism.split(joints).map(in_degrees).collect()
 }
 
-/// Rounded to 10⁻¹², so that 45° is not written 44.99999999999999°: for degrees, and for lengths near 1.
+/// Rounded to 10⁻¹², so that 45° is not typed 44.99999999999999°: for degrees, and for lengths near 1.
 pub(crate) fn short(value: f64) -> f64 {
     const DIGITS: f64 = 1e12;
     let rounded = (value * DIGITS).round() / DIGITS;

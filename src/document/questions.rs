@@ -6,6 +6,7 @@ use crate::document::bounds::{
     MAX_ANGLE, MAX_LENGTH, bounded, no_index, out_of_range, wrong_count,
 };
 use crate::document::fault::{Fault, FaultCode, Place};
+use crate::document::number::typed;
 use crate::document::problem::Problem;
 use crate::document::wording::Wording;
 use crate::math::pose::Pose;
@@ -272,8 +273,12 @@ fn pose(numbers: &[f64]) -> Result<Pose, Fault> {
     // Also refuses NaN.
     if !QUATERNION_LENGTHS.contains(&norm) {
         let (least, most) = QUATERNION_LENGTHS.into_inner();
-        let accepted = format!("a quaternion of a length from {least} to {most}");
-        return Err(out_of_range(&GOAL, norm, &accepted));
+        let accepted = format!(
+            "a quaternion of a length from {} to {}",
+            typed(least),
+            typed(most)
+        );
+        return Err(out_of_range(&GOAL, typed(norm), &accepted));
     }
     let rotation = UnitQuaternion::from_quaternion(rotation);
     Ok(Pose::from_parts(Translation3::new(x, y, z), rotation))

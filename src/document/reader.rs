@@ -4,6 +4,7 @@
 //! text without its place, takes a list for an object, and is twice the size for a page to load.
 
 use crate::document::fault::{FaultCode, excerpt};
+use crate::document::number::written;
 use crate::document::refusal::{Refusal, one_of};
 use serde::de::value::StrDeserializer;
 use serde::de::{
@@ -41,7 +42,7 @@ impl Node {
         match self {
             Self::Null => "null".to_owned(),
             Self::Bool(value) => value.to_string(),
-            Self::Number(value) => format!("the number {value}"),
+            Self::Number(value) => format!("the number {}", written(*value)),
             Self::Text(text) => format!("the text \u{201c}{}\u{201d}", excerpt(text)),
             Self::List(_) => "a list".to_owned(),
             Self::Object(_) => "an object".to_owned(),
@@ -196,7 +197,7 @@ fn whole(value: f64) -> Result<u32, Refusal> {
     if !(0.0..=f64::from(u32::MAX)).contains(&value) {
         return Err(Refusal::new(
             FaultCode::OutOfRange,
-            format!("{value} is out of range"),
+            format!("{} is out of range", written(value)),
             WHOLE,
         ));
     }

@@ -4,6 +4,7 @@
 use crate::document::bounds::no_index;
 use crate::document::comparison::Comparison;
 use crate::document::fault::{Fault, Place};
+use crate::document::number::typed;
 use crate::document::problem::Problem;
 use crate::document::questions::{FRAMES, Posture, VARIABLE};
 use crate::document::schema::Document;
@@ -66,7 +67,7 @@ impl Session {
         &self.problem
     }
 
-    /// The document's text with every default written out.
+    /// The document's text with every default typed out.
     pub fn text(&self) -> String {
         self.document.text()
     }
@@ -77,7 +78,7 @@ impl Session {
         self.start.get_or_init(|| self.problem.find_start())
     }
 
-    /// The document's text with the start written into it.
+    /// The document's text with the start typed into it.
     pub fn text_with_start(&self) -> String {
         let mut document = self.document.clone();
         document.set_start(&self.problem.mechanism, self.start());
@@ -158,11 +159,7 @@ fn below(number: f64, count: usize, place: &Place<'_>) -> Result<usize, Fault> {
     index(number)
         .and_then(|whole| usize::try_from(whole).ok())
         .filter(|&whole| whole < count)
-        .ok_or_else(|| {
-            // The shortest digits, and 1e300 not written out.
-            let found = format!("{number:?}");
-            no_index(place, found.trim_end_matches(".0"), count)
-        })
+        .ok_or_else(|| no_index(place, typed(number), count))
 }
 
 #[cfg(test)]

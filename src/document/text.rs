@@ -1,6 +1,7 @@
 //! Text to document and back: reading that says what is wrong, writing that a person can read.
 
 use crate::document::fault::{Fault, FaultCode, Place};
+use crate::document::number::written;
 use crate::document::reader::Node;
 use crate::document::schema::{Document, VERSION};
 use serde::{Deserialize, Serialize};
@@ -91,41 +92,42 @@ impl Document {
     /// # Panics
     /// Never: the document holds nothing that JSON cannot.
     pub fn text(&self) -> String {
-        let mut writer = serde_json::Serializer::with_formatter(Vec::new(), ShortNumbers);
-        self.serialize(&mut writer)
-            .expect("plain data becomes JSON");
-        layout(&String::from_utf8(writer.into_inner()).expect("JSON is text"))
+        layout(&json(self, Digits::Short))
     }
 }
 
-/// Compact JSON with short numbers: 1 and not 1.0, 45 and not 44.99999999999999.
-///
-/// They have the 15 digits that a double always keeps. serde_json's quick reader may miss the last
-/// bit of a longer number, and with 15 digits a normalised document still stays as it is; its exact
-/// reader would add 13 kB to what a page loads.
-struct ShortNumbers;
+/// How many digits numbers have.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Digits {
+    /// Those of documents.
+    Short,
+    /// As many as tell a double from all others, for objects of JavaScript.
+    #[cfg(target_arch = "wasm32")]
+    All,
+}
 
-impl serde_json::ser::Formatter for ShortNumbers {
+/// Compact JSON of plain data.
+///
+/// # Panics
+/// For a map whose keys are no texts.
+pub(crate) fn json(value: &impl Serialize, digits: Digits) -> String {
+    let mut writer = serde_json::Serializer::with_formatter(Vec::new(), digits);
+    value
+        .serialize(&mut writer)
+        .expect("plain data becomes JSON");
+    String::from_utf8(writer.into_inner()).expect("JSON is text")
+}
+
+impl serde_json::ser::Formatter for Digits {
     fn write_f64<W: ?Sized + std::io::Write>(
         &mut self,
         out: &mut W,
         x: f64,
     ) -> std::io::Result<()> {
-        if x == 0.0 {
-            return out.write_all(b"0");
-        }
-        let scientific = format!("{x:.14e}");
-        let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
-        let mantissa = mantissa.trim_end_matches('0').trim_end_matches('.');
-        let places = mantissa
-            .split_once('.')
-            .map_or(0, |(_, places)| places.len());
-        match exponent.parse::<isize>() {
-            Ok(exponent @ -6..15) => {
-                let places = places.saturating_add_signed(-exponent);
-                write!(out, "{x:.places$}")
-            }
-            _ => write!(out, "{mantissa}e{exponent}"),
+        match self {
+            Self::Short => out.write_all(written(x).as_bytes()),
+            #[cfg(target_arch = "wasm32")]
+            Self::All => write!(out, "{x:e}"),
         }
     }
 }

@@ -1,7 +1,8 @@
 //! What deserves a look in a motion, as sentences for a person.
 
 use crate::document::fault::excerpt;
-use crate::document::wording::{Wording, readable};
+use crate::document::number::readable;
+use crate::document::wording::Wording;
 use crate::motion::trajectory::{Neighbours, Suspect, Warning};
 use serde::Serialize;
 

@@ -2,6 +2,7 @@
 
 use crate::document::chain_report::chain;
 use crate::document::fault::excerpt;
+use crate::document::number::readable;
 use crate::model::chain::Chain;
 use crate::model::mechanism::Mechanism;
 use crate::motion::trajectory::{Dimension, Suspect};
@@ -78,55 +79,8 @@ impl Wording<'_> {
     }
 }
 
-/// A number with four digits, whatever its size: 12.35, 0.001235, 1.235e−13; with the minus sign of the page.
-pub fn readable(x: f64) -> String {
-    if x == 0.0 {
-        return "0".to_owned();
-    }
-    let scientific = format!("{x:.3e}");
-    let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
-    let exponent: i32 = exponent.parse().unwrap_or(0);
-    let text = if (-3..6).contains(&exponent) {
-        let places = usize::try_from(3 - exponent).unwrap_or(0);
-        let plain = format!("{x:.places$}");
-        if plain.contains('.') {
-            plain.trim_end_matches('0').trim_end_matches('.').to_owned()
-        } else {
-            plain
-        }
-    } else {
-        let mantissa = mantissa.trim_end_matches('0').trim_end_matches('.');
-        format!("{mantissa}e{exponent}")
-    };
-    text.replace('-', "−")
-}
-
 fn subscript(c: char) -> char {
     c.to_digit(10)
         .and_then(|digit| char::from_u32('₀' as u32 + digit))
         .unwrap_or(c)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::readable;
-
-    #[test]
-    fn numbers_of_every_size_can_be_read() {
-        let cases = [
-            (0.0, "0"),
-            (1.0, "1"),
-            (-12.3456, "−12.35"),
-            (0.0012349, "0.001235"),
-            (1e-13, "1e−13"),
-            (-1.23456e-13, "−1.235e−13"),
-            (123_456.0, "123456"),
-            (1.5e9, "1.5e9"),
-            (99_999.96, "100000"),
-        ];
-        for (x, text) in cases {
-            assert_eq!(readable(x), text);
-        }
-        assert_eq!(readable(f64::INFINITY), "inf");
-    }
 }

@@ -4,18 +4,19 @@
 //! Where a chain can move so, one pose has a continuum of joint values, and which of them a search comes to
 //! depends on rounding. The least sum of squares is one of them.
 
+use crate::math::linalg::{SvdFactors, svd};
 use crate::math::pose::{Pose, difference};
 use crate::model::chain::{Chain, ChainState, MAX_FREEDOMS};
 use crate::solve::solver::Solver;
-use nalgebra::{SMatrix, SVector, SymmetricEigen, Vector6};
+use nalgebra::{SVector, Vector6};
 use std::ops::Range;
 
 /// One entry a freedom, the rest 0.
 type Values = SVector<f64, MAX_FREEDOMS>;
 
-/// Eigenvalue of JᵀJ, over the largest, of a motion that leaves the workpiece where it is: those of closed
+/// Singular value of the Jacobian, over the largest, of a motion that leaves the workpiece where it is: those of closed
 /// positions are rounding, 1e-16, or far above.
-const STILL: f64 = 1e-12;
+const STILL: f64 = 1e-6;
 /// Steps; they converge linearly, most often by a third or better each.
 const STEPS: usize = 200;
 /// Length of a step, rad or sizes, at which the sum of squares counts as least: a tenth of the closure bound, so that
@@ -97,11 +98,9 @@ fn close(chain: &Chain, pose: &Pose, values: &mut Values) -> Option<Tangent> {
 /// How the joint variables move the workpiece at one position.
 struct Tangent {
     pose: Pose,
-    jacobian: SMatrix<f64, 6, MAX_FREEDOMS>,
-    /// Eigenvectors of JᵀJ, and 1/λ, or 0 for those that leave the workpiece where it is.
-    vectors: SMatrix<f64, MAX_FREEDOMS, MAX_FREEDOMS>,
-    inverse: Values,
-    freedoms: usize,
+    /// Of the Jacobian J = U Σ Vᵀ, the twists and the joint motions that cause them, with the values σ; without those
+    /// that leave the workpiece where it is.
+    moving: Vec<(Vector6<f64>, Values, f64)>,
 }
 
 impl Tangent {
@@ -109,36 +108,38 @@ impl Tangent {
         let freedoms = chain.freedoms();
         let mut state = ChainState::default();
         chain.evaluate(values.as_slice(), &mut state);
-        let jacobian = SMatrix::<f64, 6, MAX_FREEDOMS>::from_columns(&state.jacobian);
-        let eigen = SymmetricEigen::new(jacobian.transpose() * jacobian);
-        let least = STILL * eigen.eigenvalues.max();
+        let columns = state.jacobian[..freedoms].iter();
+        let SvdFactors { u, sigma, v } =
+            svd(columns.map(|twist| twist.as_slice().to_vec()).collect());
+        let least = STILL * sigma.first().copied().unwrap_or(0.0);
+        let moving = (u.iter().zip(&v).zip(sigma))
+            .filter(|(_, sigma)| *sigma > least)
+            .map(|((twist, motion), sigma)| {
+                let mut all = Values::zeros();
+                all.as_mut_slice()[..freedoms].copy_from_slice(motion);
+                (Vector6::from_column_slice(twist), all, sigma)
+            })
+            .collect();
         Self {
             pose: state.pose,
-            jacobian,
-            vectors: eigen.eigenvectors,
-            inverse: eigen
-                .eigenvalues
-                .map(|x| if x > least { 1.0 / x } else { 0.0 }),
-            freedoms,
+            moving,
         }
     }
 
     /// The part of `values` that leaves the workpiece where it is.
     fn still(&self, values: &Values) -> Values {
         let mut part = *values;
-        for (vector, inverse) in self.vectors.column_iter().zip(&self.inverse) {
-            if *inverse > 0.0 {
-                part -= vector * vector.dot(values);
-            }
+        for (_, motion, _) in &self.moving {
+            part -= motion * motion.dot(values);
         }
-        // Columns past the chain's freedoms are 0 and move nothing.
-        part.as_mut_slice()[self.freedoms..].fill(0.0);
         part
     }
 
     /// The shortest motion by the twist `away`.
     fn shortest(&self, away: &Vector6<f64>) -> Values {
-        let pulled = self.jacobian.transpose() * away;
-        self.vectors * (self.vectors.transpose() * pulled).component_mul(&self.inverse)
+        let share = |(twist, motion, sigma): &(Vector6<f64>, Values, f64)| {
+            motion * (twist.dot(away) / sigma)
+        };
+        self.moving.iter().map(share).sum()
     }
 }

@@ -8,8 +8,8 @@ use serde::Serialize;
 use std::collections::BTreeMap;
 use synthetica::document::comparison::MetricGaps;
 use synthetica::document::fault::Fault;
+use synthetica::document::number::readable;
 use synthetica::document::report::Report;
-use synthetica::document::wording::readable;
 use synthetica::motion::trajectory::{Status, Trajectory, Warning};
 
 /// Says it of each document; fails where one is at fault, or has a frame that is not certified.
