@@ -19,8 +19,78 @@ export const tightMarkup = () => ({
   },
 });
 
-/** The 3D library's shaders are texts, which no minifier shortens: without their margins, remarks and empty lines. */
+/**
+ * What no material and no light of www/scene has, as the 3D library's shaders ask for it: textures of any kind, fog, skins,
+ * morphs, batches, coats and the like. tests/e2e/shaders.test.mjs sees that no shader is compiled with any of them.
+ */
+export const NEVER_DEFINED = [
+  'USE_ALPHAHASH USE_ALPHAMAP USE_ALPHATEST USE_ANISOTROPY USE_ANISOTROPYMAP USE_AOMAP USE_BATCHING USE_BATCHING_COLOR',
+  'USE_BUMPMAP USE_CLEARCOAT USE_CLEARCOATMAP USE_CLEARCOAT_NORMALMAP USE_CLEARCOAT_ROUGHNESSMAP USE_DIFFUSE_ROUGHNESS',
+  'USE_DIFFUSE_ROUGHNESSMAP USE_DISPERSION USE_DISPLACEMENTMAP USE_EMISSIVEMAP USE_ENVMAP USE_FOG USE_GRADIENTMAP',
+  'USE_INSTANCING_MORPH USE_IRIDESCENCE USE_IRIDESCENCEMAP USE_IRIDESCENCE_THICKNESSMAP USE_LIGHTMAP USE_LIGHT_PROBES',
+  'USE_LOGARITHMIC_DEPTH_BUFFER USE_MAP USE_METALNESSMAP USE_MORPHCOLORS USE_MORPHNORMALS USE_MORPHTARGETS USE_NORMALMAP',
+  'USE_NORMALMAP_OBJECTSPACE USE_NORMALMAP_TANGENTSPACE USE_POINTS_UV USE_RETROREFLECTION USE_ROUGHNESSMAP USE_SHEEN',
+  'USE_SHEEN_COLORMAP USE_SHEEN_ROUGHNESSMAP USE_SKINNING USE_SPECULARMAP USE_SPECULAR_COLORMAP USE_SPECULAR_INTENSITYMAP',
+  'USE_TANGENT USE_THICKNESSMAP USE_TRANSMISSION USE_TRANSMISSIONMAP DITHERING',
+].join(' ').split(' ');
+
+/** Counts that are always 0, in the same sense. */
+const ALWAYS_ZERO = 'NUM_CLIPPING_PLANES NUM_LIGHT_PROBE_GRIDS NUM_POINT_LIGHTS NUM_RECT_AREA_LIGHTS NUM_SPOT_LIGHTS NUM_SPOT_LIGHT_COORDS NUM_SPOT_LIGHT_MAPS NUM_SUN_LIGHTS'.split(' ');
+
+/** Whether a condition of a shader never holds: one that is known never to, all of several, or one of those that must. */
+function neverHolds(condition) {
+  const never = (term) => {
+    const [, name] = term.match(/^\(?\s*(?:defined\s*\(\s*)?(\w+)(?: > 0)?\s*\)?\s*\)?$/) ?? [];
+    return NEVER_DEFINED.includes(name) || ALWAYS_ZERO.includes(name);
+  };
+  // Anything deeper is left to the shader's compiler.
+  if (/!|\( *\w.*[|&].*\)/.test(condition)) return false;
+  return condition.includes('||') ? !condition.includes('&&') && condition.split('||').every((term) => never(term.trim())) : condition.split('&&').some((term) => never(term.trim()));
+}
+
+/** A shader without the parts that are compiled under conditions that never hold. @param {string} text */
+export function withoutUnused(text) {
+  const kept = [];
+  /** Open conditions: `never` drops the first branch and all directives; with an #elif the directives must stay. */
+  const open = [];
+  const lines = text.split('\n');
+  lines.forEach((line, at) => {
+    const [, word, condition = ''] = line.match(/^\s*#\s*(ifdef|ifndef|if|elif|else|endif)\b\s*(.*?)\s*(?:\/\/.*)?$/) ?? [];
+    const top = open.at(-1);
+    const dropped = open.some((block) => block.dropping);
+    if (word === 'ifdef' || word === 'ifndef' || word === 'if') {
+      const never = word !== 'ifndef' && neverHolds(condition) && !branches(lines, at);
+      open.push({ never, dropping: never });
+      if (!never && !dropped) kept.push(line);
+    } else if (word === 'endif') {
+      open.pop();
+      if (!top.never && !dropped) kept.push(line);
+    } else if (word === 'else' && top.never) top.dropping = false;
+    else if (!dropped) kept.push(line);
+  });
+  return kept.join('\n');
+}
+
+/** Whether the condition that opens at this line has an #elif of its own. @param {string[]} lines @param {number} at */
+function branches(lines, at) {
+  let depth = 0;
+  for (const line of lines.slice(at)) {
+    const [, word] = line.match(/^\s*#\s*(if|elif|endif)/) ?? [];
+    if (word === 'if') depth += 1;
+    else if (word === 'endif') depth -= 1;
+    else if (word === 'elif' && depth === 1) return true;
+    if (depth === 0) return false;
+  }
+  return false;
+}
+
+/** The 3D library's shaders are texts, which no minifier shortens: without their margins, remarks, empty lines and what is never used. */
 export const tightShaders = () => ({
   name: 'tight-shaders',
-  transform: (code, id) => (id.endsWith('/three.module.js') ? code.replace(/^[ \t]+/gm, '').replace(/^\/\/.*$/gm, '').replace(/\n{2,}/g, '\n') : null),
+  transform(code, id) {
+    if (!id.endsWith('/three.module.js')) return null;
+    const tight = code.replace(/^[ \t]+/gm, '').replace(/^\/\/.*$/gm, '').replace(/\n{2,}/g, '\n');
+    // A shader is a text in quotes on a line of its own, with its line ends written as \n.
+    return tight.replace(/^((?:var|const) \w+ = )("(?:[^"\\]|\\.)*");$/gm, (whole, start, text) => `${start}${JSON.stringify(withoutUnused(JSON.parse(text)).replace(/\n[ \t]+/g, '\n'))};`);
+  },
 });
