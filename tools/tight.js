@@ -39,13 +39,11 @@ const ALWAYS_ZERO = 'NUM_CLIPPING_PLANES NUM_LIGHT_PROBE_GRIDS NUM_POINT_LIGHTS 
 
 /** Whether a condition of a shader never holds: one that is known never to, all of several, or one of those that must. */
 function neverHolds(condition) {
-  const never = (term) => {
-    const [, name] = term.match(/^\(?\s*(?:defined\s*\(\s*)?(\w+)(?: > 0)?\s*\)?\s*\)?$/) ?? [];
-    return NEVER_DEFINED.includes(name) || ALWAYS_ZERO.includes(name);
-  };
+  const plain = condition.replace(/defined\s*\(\s*(\w+)\s*\)/g, '$1').replace(/\(\s*(\w+ > 0)\s*\)/g, '$1').replaceAll(' > 0', '');
   // Anything deeper is left to the shader's compiler.
-  if (/!|\( *\w.*[|&].*\)/.test(condition)) return false;
-  return condition.includes('||') ? !condition.includes('&&') && condition.split('||').every((term) => never(term.trim())) : condition.split('&&').some((term) => never(term.trim()));
+  if (/[!()=<>]/.test(plain)) return false;
+  const never = (name) => NEVER_DEFINED.includes(name) || ALWAYS_ZERO.includes(name);
+  return plain.split('||').every((all) => all.split('&&').some((name) => never(name.trim())));
 }
 
 /** A shader without the parts that are compiled under conditions that never hold. @param {string} text */

@@ -255,6 +255,8 @@ impl<'de> MapAccess<'de> for Fields<'de> {
             .map_err(|refusal| refusal.in_field(name))
     }
 
+    // Once a type, and not once a field: 1 kB less of the package.
+    #[inline(never)]
     fn next_value_seed<V: DeserializeSeed<'de>>(&mut self, seed: V) -> Result<V::Value, Refusal> {
         let (name, value) = &self.fields[self.next];
         self.next += 1;

@@ -1,0 +1,33 @@
+// What the build leaves out of the 3D library's shaders is asked for by none that is compiled.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { NEVER_DEFINED } from '../../tools/tight.js';
+import { openBrowser } from './browser.mjs';
+
+test('no shader is compiled with what the build has left out', async () => {
+  const browser = await openBrowser();
+  try {
+    const { page, problems } = await browser.blankPage({ viewport: { width: 1280, height: 800 } });
+    await page.addInitScript(() => {
+      globalThis.shaders = [];
+      const { shaderSource } = WebGL2RenderingContext.prototype;
+      WebGL2RenderingContext.prototype.shaderSource = function (shader, text) {
+        globalThis.shaders.push(text);
+        shaderSource.call(this, shader, text);
+      };
+    });
+    await page.goto(browser.address);
+    await page.locator('#canvas').focus();
+    // A part that is pointed at is outlined, and can be moved by its handles.
+    for (let i = 0; i < 4; i += 1) await page.keyboard.press(']');
+    await page.keyboard.press('Enter');
+    await page.waitForFunction(() => globalThis.shaders.length >= 12);
+    const shaders = await page.evaluate(() => globalThis.shaders);
+    const defined = new Set(shaders.flatMap((text) => [...text.matchAll(/^#define (\w+)/gm)].map(([, name]) => name)));
+    assert.ok(defined.has('STANDARD') && defined.has('USE_SHADOWMAP'), 'the lit materials are among them');
+    assert.deepEqual(NEVER_DEFINED.filter((name) => defined.has(name)), []);
+    assert.deepEqual(problems, []);
+  } finally {
+    await browser.close();
+  }
+});

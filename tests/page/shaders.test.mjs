@@ -1,0 +1,31 @@
+// The build leaves out the parts of shaders whose conditions never hold, and nothing else.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { withoutUnused } from '../../tools/tight.js';
+
+/** @param {string} text @param {string} expected */
+const becomes = (text, expected) => assert.equal(withoutUnused(text), expected);
+
+test('what is never defined goes, its other branch stays', () => {
+  becomes('a\n#ifdef USE_FOG\nb\n#endif\nc', 'a\nc');
+  becomes('#ifdef USE_FOG\nb\n#else\nc\n#endif', 'c');
+  becomes('#if defined( USE_MAP ) || defined( USE_ALPHAMAP )\nb\n#endif\nc', 'c');
+  becomes('#if ( NUM_POINT_LIGHTS > 0 ) && defined( RE_Direct )\nb\n#endif\nc', 'c');
+  becomes('\t#ifdef USE_MAP // remark\n#ifdef X\nb\n#else\nc\n#endif\n#endif\nd', 'd');
+});
+
+test('all else stays as it is', () => {
+  for (const text of [
+    '#ifdef USE_COLOR\nb\n#endif',
+    '#ifndef USE_FOG\nb\n#endif',
+    '#if defined( USE_MAP ) || defined( USE_COLOR )\nb\n#endif',
+    '#if ! defined( USE_FOG )\nb\n#endif',
+    '#if ! defined ( USE_TANGENT ) && ( defined ( USE_NORMALMAP_TANGENTSPACE ) || defined ( X ) )\nb\n#endif',
+    '#if NUM_POINT_LIGHTS > 0\na\n#elif defined( X )\nb\n#else\nc\n#endif',
+    '#if NUM_DIR_LIGHTS > 0\na\n#endif',
+  ]) becomes(text, text);
+});
+
+test('of conditions within others only those that never hold go', () => {
+  becomes('#ifdef USE_COLOR\n#ifdef USE_FOG\na\n#endif\nb\n#else\nc\n#endif', '#ifdef USE_COLOR\nb\n#else\nc\n#endif');
+});
