@@ -15,6 +15,7 @@ use checks::{
 };
 use common::{Random, golden};
 use std::f64::consts::PI;
+use synthetica::math::metric::MetricKind;
 use synthetica::math::pose::Pose;
 use synthetica::model::chain::Chain;
 use synthetica::model::dh::DhRow;
@@ -322,10 +323,10 @@ fn standing_still() {
     }
 }
 
-/// A slider that would have to run hundreds of sizes far: that is no answer, and the frame after it
-/// finds the linkage where it was. The size is 1, the hand's length.
+/// A goal that is hundreds of sizes away has a closest pose as any other has, and the frame after it comes back. The size
+/// is 1, the hand's length; what the goal turns otherwise than the slider points costs some sizes at most.
 #[test]
-fn slider_that_runs_away() {
+fn a_goal_that_is_far_away() {
     let c = chain(
         "RP",
         &[(ORIGIN, Z), (ORIGIN, X)],
@@ -336,25 +337,14 @@ fn slider_that_runs_away() {
         at(500.0, 20.0, 0.0, 0.0, 0.0, 3.0),
         at(-1e4, 1e4, 3.0, 0.3, 0.0, 1.0),
     ] {
-        let t = plan(
-            &m,
-            &[0.0, 0.3],
-            &goals(&[far, at(1.5, 0.1, 0.0, 0.0, 0.0, 0.2)]),
-            &NEWTON,
-        );
-        is_honest("RP far away", &t, 2);
-        assert_eq!(t.status[0], Status::Stalled);
-        assert!(
-            t.warnings.contains(&Warning::Runaway {
-                first: 0,
-                last: 0,
-                elsewhere: false
-            }),
-            "{:?}",
-            t.warnings
-        );
-        assert_eq!(t.joints_at(0), [0.0, 0.3], "left where they were");
-        assert!(t.status[1].is_certified(), "{:?}", t.status);
+        let near = at(1.5, 0.1, 0.0, 0.0, 0.0, 0.2);
+        let settings = Settings {
+            metric: MetricKind::Pose,
+            ..NEWTON
+        };
+        let t = plan(&m, &[0.0, 0.3], &goals(&[far, near]), &settings);
+        is_certified("RP far away", &t, 2);
+        assert!(t.translation_gap[0] < 5.0, "{:?}", t.translation_gap);
     }
 }
 

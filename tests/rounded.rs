@@ -6,6 +6,7 @@ mod fixtures;
 use fixtures::{document, lines, problem};
 use std::f64::consts::PI;
 use synthetica::document::schema::{Document, FrameEntry};
+use synthetica::document::text::parse;
 use synthetica::model::joint::JointKind;
 use synthetica::model::scaled::{CLOSED, larger};
 use synthetica::motion::trajectory::{Dimension, Trajectory, Warning};
@@ -188,5 +189,72 @@ fn the_number_that_is_named_remedies_the_misfit() {
             after < 0.2 * before,
             "case {case}, {suspect:?}: {after:e} of {before:e}"
         );
+    }
+}
+
+/// The four-bar of the samples, changed.
+fn four_bar(change: impl FnOnce(&mut Document)) -> Document {
+    let mut document = parse(include_str!("../www/mechanisms/four-bar.json")).expect("a sample");
+    change(&mut document);
+    document
+}
+
+/// Dimensions whose misfit lies between what the solver asks for, 1e-11, and what is published, 1e-10, are rounded ones too.
+#[test]
+fn a_misfit_below_the_published_bound_is_one_too() {
+    for alpha in [1e-9, 2e-9, 3e-9, 5.6e-9, 1e-8] {
+        let document = four_bar(|d| d.chains[0].joints[1].rows[0].alpha += alpha);
+        let t = problem(&document).plan();
+        assert!(
+            t.status.iter().all(|s| s.is_certified()),
+            "{alpha:e}: {:?}",
+            t.warnings
+        );
+    }
+}
+
+/// A slider that cannot move, at right angles to the plane of a rounded four-bar, is held at its limit and in nobody's way.
+#[test]
+fn an_idle_joint_at_its_limit_leaves_a_rounded_linkage_its_freedom() {
+    for alpha in [0.0, 1e-5] {
+        let document = four_bar(|d| {
+            d.chains[0].joints[1].rows[0].alpha += alpha;
+            let slider = r#"{"type": "P", "rows": [{}], "limits": [{"min": 0, "max": 0}]}"#;
+            let slider = serde_json::from_str(slider).expect("a joint");
+            let rocker = &mut d.chains[1];
+            rocker.joints.push(slider);
+            rocker.start.as_mut().expect("a start").push(0.0);
+        });
+        let t = problem(&document).plan();
+        assert_eq!(t.mobility_rank, 1, "{alpha:e}: {:?}", t.warnings);
+        assert!(
+            t.status.iter().all(|s| s.is_certified()),
+            "{alpha:e}: {:?}",
+            t.warnings
+        );
+    }
+}
+
+/// What each chain holds is the same for rounded dimensions as for exact ones: the wrench systems of surplus constraints
+/// are known for both.
+#[test]
+fn a_rounded_linkage_is_held_as_the_exact_one() {
+    let shares = |alpha: f64| -> Vec<f64> {
+        let document = four_bar(|d| d.chains[0].joints[1].rows[0].alpha += alpha);
+        let problem = problem(&document);
+        let t = problem.plan();
+        let frame = 30;
+        let goal = &t.goals[frame];
+        let (v, r) = (goal.translation.vector, goal.rotation.coords);
+        let goal = [v.x, v.y, v.z, r.x, r.y, r.z, r.w];
+        let insight = problem
+            .explain(t.joints_at(frame), &goal)
+            .expect("a closed position");
+        insight.chains.iter().map(|hold| hold.share).collect()
+    };
+    let (exact, rounded) = (shares(0.0), shares(1e-5));
+    assert!(exact.iter().all(|share| *share > 0.1), "{exact:?}");
+    for (a, b) in exact.iter().zip(&rounded) {
+        assert!((a - b).abs() < 1e-4, "{exact:?} {rounded:?}");
     }
 }

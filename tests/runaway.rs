@@ -5,6 +5,7 @@ mod fixtures;
 
 use fixtures::{document, lines, problem, sample};
 use synthetica::document::problem::Problem;
+use synthetica::document::text::parse;
 use synthetica::math::random::Random;
 use synthetica::motion::trajectory::{Status, Warning};
 use synthetica::solve::close::{Reach, Shortest, add_rates};
@@ -113,4 +114,30 @@ fn no_runaway_where_a_finite_pose_is_joined() {
 #[ignore = "a minute in release: cargo test --release --test runaway -- --ignored --nocapture"]
 fn no_runaway_where_a_finite_pose_is_joined_in_any() {
     check(1);
+}
+
+/// A goal that is far away by the mechanism's own size is a far goal and no runaway; and a length that is rounding beside
+/// the motion, such as a conversion of units leaves, is not the size.
+#[test]
+fn a_far_goal_is_no_runaway() {
+    for a in [1e-3, 1e-15] {
+        let text = format!(
+            r#"{{"version": 1, "chains": [{{"joints": [
+                {{"type": "P", "rows": [{{"a": {a}}}]}}, {{"type": "P", "rows": [{{"alpha": 90, "theta": 90}}]}},
+                {{"type": "P", "rows": [{{"alpha": 90}}]}}], "start": [0, 0, 0]}}],
+              "motion": {{"frames": 5, "key_frames": [{{}}, {{"x": 1.1, "y": 0.4, "z": -0.3}}]}}}}"#
+        );
+        let problem = Problem::new(&parse(&text).expect("a document")).expect("a problem");
+        let t = problem.plan();
+        assert!(
+            t.status.iter().all(|s| s.is_certified()),
+            "{a:e}: {:?}",
+            t.warnings
+        );
+        assert!(
+            t.translation_gap.iter().all(|gap| *gap <= 1e-9),
+            "{a:e}: {:?}",
+            t.translation_gap
+        );
+    }
 }

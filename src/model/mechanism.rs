@@ -51,8 +51,8 @@ impl Mechanism {
         6 - constraints.cast_signed()
     }
 
-    /// A length typical of the mechanism: the longest chain, or the span of the bases if that is more; none for a
-    /// mechanism without lengths, such as a spherical one.
+    /// A length typical of the mechanism: the longest chain, or the largest distance of a base from the first chain's if
+    /// that is more; none for a mechanism without lengths, such as a spherical one.
     pub fn size(&self) -> Option<f64> {
         /// Below it, 1/size and its square are no longer safe from overflow.
         const NONE: f64 = 1e-100;
@@ -63,9 +63,17 @@ impl Mechanism {
         (size > NONE).then_some(size)
     }
 
-    /// The size, or `extent` where there is none, or 1 where that is no length either.
+    /// The size, unless it is rounding beside the extent of the mechanism's motion: 1e-15 that a conversion of units left
+    /// in a row does not make a spherical linkage one of that size.
+    pub fn size_beside(&self, extent: f64) -> Option<f64> {
+        /// Share of the extent.
+        const ROUNDING: f64 = 1e-12;
+        self.size().filter(|size| *size > ROUNDING * extent)
+    }
+
+    /// The size, or `extent` where there is none beside it, or 1 where that is no length either.
     pub fn size_or(&self, extent: f64) -> f64 {
-        self.size()
+        self.size_beside(extent)
             .unwrap_or(if extent.is_normal() && extent > 0.0 {
                 extent
             } else {

@@ -161,7 +161,7 @@ impl Scaled {
     pub fn largest_motion(from: &[f64], to: &[f64]) -> (f64, usize) {
         let moves = from.iter().zip(to).map(|(a, b)| (a - b).abs()).enumerate();
         moves.fold((0.0, 0), |most, (joint, moved)| {
-            if moved <= most.0 {
+            if moved <= most.0 || most.0.is_nan() {
                 most
             } else {
                 (moved, joint)

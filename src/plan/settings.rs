@@ -108,7 +108,7 @@ pub const GRADIENT_ITERATIONS: usize = 30_000;
 /// weighs as much as the way that it carries the workpiece at the end of the longest chain; else the extent of the
 /// motion; else 1.
 pub fn characteristic_length(mechanism: &Mechanism, extent: f64) -> (f64, LengthSource) {
-    let source = match mechanism.size() {
+    let source = match mechanism.size_beside(extent) {
         Some(_) => LengthSource::Mechanism,
         None if extent > 0.0 => LengthSource::Motion,
         None => LengthSource::None,

@@ -5,9 +5,10 @@
 
 use crate::math::linalg::{self, dot};
 use crate::model::joint::Stop;
-use crate::model::scaled::{SOLVED, Scaled};
+use crate::model::scaled::{SOLVED, Scaled, larger};
 use crate::solve::dependent::Dependence;
 use crate::solve::free::Free;
+use crate::solve::limits::Holding;
 use crate::solve::singular_values::SingularValues;
 use crate::solve::tangent::Tangent;
 
@@ -184,8 +185,12 @@ impl Closer {
         if !self.dependence.is_rounded() {
             return (open, 0.0);
         }
-        let free = vec![Stop::None; theta.len()];
-        self.tangent.factor(&free, self.dependence).closure()
+        // The stop of an idle joint may contradict the others as well.
+        let mut holding = Holding::new(scaled.limits());
+        holding.hold_all_at(theta);
+        self.tangent
+            .factor(holding.stops(), self.dependence)
+            .closure()
     }
 
     /// The smallest singular value of a position, not counting so many that are 0 because of surplus constraints; see
@@ -240,6 +245,5 @@ pub fn add_rates(free: &Free<'_>, coefficients: &[f64], scale: f64, sum: &mut [f
 
 /// The largest entry; NaN if there is one.
 pub fn longest(step: &[f64]) -> f64 {
-    step.iter()
-        .fold(0.0, |m: f64, s| if s.abs() <= m { m } else { s.abs() })
+    step.iter().fold(0.0, |most, s| larger(most, s.abs()))
 }

@@ -85,6 +85,7 @@ pub fn close_start(
         theta.copy_from_slice(&given);
         holding.clear();
         let path = descend(closer, scaled, holding, hold, theta);
+        let met_none = holding.is_free();
         holding.clear();
         let begins_near = path.begins_near;
         if path.closed && !path.leaps {
@@ -114,6 +115,10 @@ pub fn close_start(
                 error: path.error,
                 leap,
             };
+        }
+        // The second try would be the same.
+        if met_none {
+            break;
         }
     }
     theta.copy_from_slice(&given);
@@ -199,7 +204,7 @@ fn rounded(
     closed: bool,
 ) -> Option<Vec<f64>> {
     // A start that is closed as it is given has dimensions that agree.
-    if !(tolerance > 0.0) || error <= CLOSED {
+    if !(tolerance > 0.0) || error <= SOLVED {
         return None;
     }
     let independent = tolerance.min(INDEPENDENT * error);
@@ -221,21 +226,17 @@ fn rounded(
     let most = reach(open);
     for _ in 0..STEPS {
         let open = closer.tangent().evaluate(scaled.chains(), &at);
-        let count = closer.tangent().surplus_within(free.stops(), blur(open));
-        let mut factored = closer
-            .tangent()
-            .factor(held.stops(), Dependence::Rounded(count));
+        let within = blur(open);
+        let surplus = closer.tangent().surplus_within(free.stops(), within);
+        let rounded = Dependence::Rounded { surplus, within };
+        let mut factored = closer.tangent().factor(held.stops(), rounded);
         let (open, misfit) = factored.closure();
         if open <= SOLVED {
             let moves = misfit <= tolerance && {
-                closer.set_dependence(Dependence::Rounded(count));
+                closer.set_dependence(rounded);
                 moves_within(closer, scaled, &free, tolerance, &at)
             };
-            closer.set_dependence(if moves {
-                Dependence::Rounded(count)
-            } else {
-                before
-            });
+            closer.set_dependence(if moves { rounded } else { before });
             return moves.then_some(at);
         }
         factored.close(&mut correction, &mut step);

@@ -6,7 +6,7 @@
 //! the whole misfit on it. Then the constraints are met in the sense of least squares: of all constraints those r
 //! orthonormal combinations are kept that are most independent, the left singular vectors of the largest singular values.
 
-use crate::math::linalg::{PivotedQr, dot, svd};
+use crate::math::linalg::{PivotedQr, SvdFactors, dot, svd};
 
 /// Distance from dependence below which a constraint of a closed linkage counts as implied by the others: the closure
 /// error of 1e-11 amplified a hundredfold.
@@ -19,8 +19,14 @@ pub enum Dependence {
     Within(f64),
     /// The same by [`Dependence::FOUND`], and so many in any case: they are implied by the others.
     Implied(usize),
-    /// So many combinations of constraints contradict the others by the misfit of rounded dimensions.
-    Rounded(usize),
+    /// Combinations of constraints contradict the others by the misfit of rounded dimensions.
+    Rounded {
+        /// So many of the linkage without held joints.
+        surplus: usize,
+        /// Where joints are held all those closer than this to the span of the others: the stop of an idle joint is one
+        /// more surplus constraint.
+        within: f64,
+    },
 }
 
 impl Dependence {
@@ -31,20 +37,20 @@ impl Dependence {
     pub fn known(self) -> usize {
         match self {
             Self::Within(_) => 0,
-            Self::Implied(count) | Self::Rounded(count) => count,
+            Self::Implied(count) | Self::Rounded { surplus: count, .. } => count,
         }
     }
 
     /// Whether the surplus constraints contradict the others.
     pub fn is_rounded(self) -> bool {
-        matches!(self, Self::Rounded(_))
+        matches!(self, Self::Rounded { .. })
     }
 
     /// The distance from dependence of constraints that are dropped.
     pub(super) fn threshold(self) -> f64 {
         match self {
             Self::Within(distance) => distance,
-            Self::Implied(_) | Self::Rounded(_) => IMPLIED,
+            Self::Implied(_) | Self::Rounded { .. } => IMPLIED,
         }
     }
 }
@@ -65,15 +71,25 @@ pub(super) struct Combination {
 
 impl Combination {
     /// Combines the constraints, given as forms of `unknowns` entries one after the other, of which the first `own` are
-    /// the first chain's; leaves out `surplus` combinations. Returns the kept forms, one after the other.
-    pub fn new(forms: &[f64], unknowns: usize, own: usize, surplus: usize) -> (Self, Vec<f64>) {
+    /// the first chain's; leaves out `surplus` combinations, and those within the distance `within` of dependence. Returns
+    /// the kept forms, one after the other.
+    pub fn new(
+        forms: &[f64],
+        unknowns: usize,
+        own: usize,
+        surplus: usize,
+        within: f64,
+    ) -> (Self, Vec<f64>) {
         let (first, others) = forms.split_at(own * unknowns);
         let free = others_free(forms, unknowns, own);
         let count = free.len();
+        let SvdFactors { sigma, v, .. } = svd(free);
+        let independent = sigma.iter().filter(|&&sigma| sigma > within).count();
         let kept = count
             .saturating_sub(surplus)
-            .min(unknowns.saturating_sub(own));
-        let mut columns = svd(free).v;
+            .min(unknowns.saturating_sub(own))
+            .min(independent);
+        let mut columns = v;
         let dropped = columns.split_off(kept);
         let dropped = dropped
             .iter()

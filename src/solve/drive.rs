@@ -32,8 +32,8 @@ const LEVEL: f64 = 1e-9;
 const KICKS: [f64; 2] = [1e-2, 1e-3];
 /// Least progress of the driven joint that a kick must bring: above the error of a dead point.
 const PROGRESS: f64 = 1e-9;
-/// How far a slider without limits may move, in units of the size: where the driven value has an
-/// asymptote, it would move on for ever.
+/// How far out a slider may move on a side on which it has no limit, in units of the size: where the driven value has
+/// an asymptote, it would move on for ever.
 const FARTHEST: f64 = 20.0;
 /// Steps of one drive: 30 turns of one joint alone.
 const STEPS: usize = 2000;

@@ -11,6 +11,7 @@ use crate::math::pose::{self, DualQuaternion};
 use crate::model::chain::Chain;
 use crate::model::mechanism::Mechanism;
 use crate::model::scaled::Scaled;
+use crate::solve::close::longest;
 use crate::solve::paper_matrix::{Linearised, linearise};
 
 /// Length |a| of the projected gradient (Eq. 31) at which the iteration stops. The distance f is then
@@ -167,8 +168,7 @@ fn close(chains: &[Chain], r: &mut [f64], rank: usize, way: &mut Arrival) -> Opt
     let mut last = f64::INFINITY;
     for _ in 0..CORRECTIONS {
         let linearised = linearise_at(chains, r);
-        let entries = linearised.residual.iter();
-        let open = entries.fold(0.0, |m: f64, e| if e.abs() <= m { m } else { e.abs() });
+        let open = longest(&linearised.residual);
         if last == f64::INFINITY {
             way.residual = open;
         }

@@ -11,8 +11,8 @@ use crate::solve::solver::{End, Iterate, Observer, Solved, Solver, minimum};
 /// Largest rotation of a guarded step, rad, and its first radius: 0.3 still resembles the quadratic
 /// model.
 const STEP: f64 = 0.3;
-/// How far a joint variable may move in one frame, sizes or rad. Without limits the objective can keep falling, ever
-/// more slowly, while a slider moves away; there is then no minimum.
+/// How far a joint variable may move in one frame, rad, or lengths in sizes or in ways to the goal, whichever is longer.
+/// Without limits the objective can keep falling, ever more slowly, while a slider moves away; there is then no minimum.
 const FARTHEST: f64 = 100.0;
 /// Trust radius at which the guarded way gives up.
 const SMALLEST_STEP: f64 = 1e-11;
@@ -48,6 +48,9 @@ impl Solver {
             };
         }
         self.origin.copy_from_slice(theta);
+        let away = target.goal.translation.vector + target.about
+            - self.closer.tangent().pose().translation.vector;
+        let farthest = FARTHEST * away.norm().max(1.0);
         loop {
             let dependence = self.closer.dependence_anywhere();
             let factored = self
@@ -103,7 +106,7 @@ impl Solver {
                 .zip(&self.origin)
                 .map(|(t, o)| (t - o).abs())
                 .fold(0.0, f64::max);
-            if run > FARTHEST {
+            if run > farthest {
                 theta.copy_from_slice(&self.origin);
                 self.holding.clear();
                 return Solved {

@@ -197,11 +197,15 @@ impl Holding {
         }
     }
 
-    /// Gives a joint variable limits of ±`most`, where its own are wider.
+    /// Gives a joint variable limits of ±`most` on the sides on which it has none.
     pub fn bound(&mut self, joint: usize, most: f64) {
         let l = &mut self.limits[joint];
-        l.min = l.min.max(-most);
-        l.max = l.max.min(most);
+        if l.min == f64::NEG_INFINITY {
+            l.min = -most;
+        }
+        if l.max == f64::INFINITY {
+            l.max = most;
+        }
     }
 }
 

@@ -103,8 +103,9 @@ impl Tangent {
     pub fn factor(&mut self, stops: &[Stop], dependence: Dependence) -> Factored<'_> {
         self.stack(stops);
         let mut most = self.constraints.saturating_sub(dependence.known());
-        if let Dependence::Rounded(surplus) = dependence {
-            most = self.combine(surplus);
+        if let Dependence::Rounded { surplus, within } = dependence {
+            let held = stops.iter().any(|stop| *stop != Stop::None);
+            most = self.combine(surplus, if held { within } else { 0.0 });
         }
         self.stacked.factor(dependence.threshold(), most);
         Factored(self)
@@ -152,9 +153,10 @@ impl Tangent {
     }
 
     /// Puts the kept combinations of a rounded linkage's constraints in their place; their number.
-    fn combine(&mut self, surplus: usize) -> usize {
+    fn combine(&mut self, surplus: usize, within: f64) -> usize {
         let own = self.chains[0].constraints();
-        let (combination, kept) = Combination::new(&self.forms(), self.unknowns, own, surplus);
+        let (combination, kept) =
+            Combination::new(&self.forms(), self.unknowns, own, surplus, within);
         self.stacked.clear(self.unknowns);
         for form in kept.chunks_exact(self.unknowns) {
             self.stacked.push(form);
@@ -243,22 +245,13 @@ impl Factored<'_> {
         let Some(combination) = &self.0.combination else {
             return Vec::new();
         };
-        let wrenches = |multipliers: &Vec<f64>| {
-            let mut rest = &multipliers[..];
-            let mut all = Vec::new();
-            for chain in &self.0.chains {
-                let (own, others) = rest.split_at(chain.constraints());
-                rest = others;
-                all.push(chain.combine(own));
-            }
-            let misfit = all
-                .iter()
-                .zip(&self.0.chains)
-                .map(|(w, chain)| w.dot(&chain.open))
-                .sum();
-            (all, misfit)
+        let contradiction = |multipliers: &Vec<f64>| {
+            let wrenches = self.wrenches(multipliers);
+            let pairs = wrenches.iter().zip(&self.0.chains);
+            let misfit = pairs.map(|(w, chain)| w.dot(&chain.open)).sum();
+            (wrenches, misfit)
         };
-        combination.dropped().iter().map(wrenches).collect()
+        combination.dropped().iter().map(contradiction).collect()
     }
 
     /// A basis of the wrench systems that the chains can exert on each other without any pull: one for each surplus
@@ -266,6 +259,7 @@ impl Factored<'_> {
     pub fn internal_wrenches(&self) -> Vec<Vec<Vector6<f64>>> {
         let stacked = &self.0.stacked;
         let (rank, order) = (stacked.rank(), stacked.order());
+        let dropped = self.0.combination.iter().flat_map(Combination::dropped);
         (rank..order.len())
             .map(|dependent| {
                 // B z = 0 with z = 1 for the dependent constraint and −R11⁻¹ R12 for the others.
@@ -278,14 +272,23 @@ impl Factored<'_> {
                     multipliers[c] = z;
                 }
                 multipliers[order[dependent]] = 1.0;
-                let mut rest = &multipliers[..];
-                let wrench = |chain: &ChainTangent| {
-                    let (own, others) = rest.split_at(chain.constraints());
-                    rest = others;
-                    chain.combine(own)
-                };
-                self.0.chains.iter().map(wrench).collect()
+                match &self.0.combination {
+                    Some(combination) => self.wrenches(&combination.spread(&multipliers)),
+                    None => self.wrenches(&multipliers),
+                }
             })
+            .chain(dropped.map(|multipliers| self.wrenches(multipliers)))
             .collect()
+    }
+
+    /// One wrench a chain, from multipliers of all constraints.
+    fn wrenches(&self, multipliers: &[f64]) -> Vec<Vector6<f64>> {
+        let mut rest = multipliers;
+        let wrench = |chain: &ChainTangent| {
+            let (own, others) = rest.split_at(chain.constraints());
+            rest = others;
+            chain.combine(own)
+        };
+        self.0.chains.iter().map(wrench).collect()
     }
 }

@@ -122,9 +122,9 @@ impl TrustRegion {
             0.0
         };
         if self.shifted(shift) > radius {
-            // |s(shift)| falls; at the upper end it is below the radius.
+            // |s(shift)| falls; at the upper end, where all curvatures are above slope / radius, it is below the radius.
             let slope = self.slopes.iter().map(|x| x * x).sum::<f64>().sqrt();
-            let (mut low, mut high) = (shift, shift + slope / radius);
+            let (mut low, mut high) = (shift, shift + self.flat + slope / radius);
             for _ in 0..60 {
                 let middle = 0.5 * (low + high);
                 if self.shifted(middle) > radius {
