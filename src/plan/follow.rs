@@ -275,7 +275,7 @@ impl Planning {
             // The present stops are those of the last frame; those of this one are not known any more.
             let holding = self.solver.holding().clone();
             self.solver.clear_holding();
-            if leaps::middle_fits(&mut self.solver, &self.t, first, &from, &to) {
+            if leaps::goes_as_its_ends(&mut self.solver, &self.t, first, &from, &to) {
                 self.solver.set_holding(holding);
                 continue;
             }

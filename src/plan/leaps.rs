@@ -9,7 +9,7 @@
 
 use crate::math::metric::nearer;
 use crate::math::pose::Pose;
-use crate::model::scaled::Scaled;
+use crate::model::scaled::{Scaled, larger};
 use crate::motion::goal::Goal;
 use crate::motion::trajectory::{Trajectory, Warning};
 use crate::solve::solver::{Solved, Solver};
@@ -21,8 +21,12 @@ pub const LEAP: f64 = 0.02;
 const FINE: f64 = 0.5 * LEAP;
 /// First step inside an interval, where points before it are known and where none are, as shares of it.
 const FIRST: [f64; 2] = [0.25, 0.02];
-/// Joint motion, rad or sizes, up to which the middle of an interval is looked at first.
-const NEAR: f64 = 0.15;
+/// How often an interval is halved to see whether its parts go as their ends say.
+const HALVINGS: usize = 3;
+/// How far from its prediction the middle may be for that, rad or sizes.
+const FAR: f64 = 0.3;
+/// Part of an interval after which the goal's motion is told from its place: rates are known to about as much.
+const MOMENT: f64 = 1e-4;
 /// Points that an extrapolation goes through: with four it errs by the fourth power of a step.
 const POINTS: usize = 4;
 /// Shortest step, as a share of the interval.
@@ -130,24 +134,93 @@ pub fn is_suspicious(t: &Trajectory, scaled: &Scaled, first: usize) -> bool {
     })
 }
 
-/// Whether the middle of a short interval is where its ends say, so that nothing leaps inside: a cheap answer for most of
-/// the intervals that are suspicious, and false where it takes more to know.
-pub fn middle_fits(
+/// Whether an interval goes as the joint rates at its ends say, or its halves do and theirs, so that nothing leaps inside: a
+/// cheap answer for most of the intervals that are suspicious, and false where it takes more to know.
+pub fn goes_as_its_ends(
     solver: &mut Solver,
     t: &Trajectory,
     first: usize,
     from: &Goal,
     to: &Goal,
 ) -> bool {
-    let (at, end) = (t.joints_at(first), t.joints_at(first + 1));
-    if !(Leap::between(solver.scaled(), at, end).moved_scaled <= NEAR) {
+    let mut end = |part: f64, frame: usize| Point::new(solver, from, to, part, t.joints_at(frame));
+    let (Some(start), Some(stop)) = (end(0.0, first), end(1.0, first + 1)) else {
+        return false;
+    };
+    go_as_their_ends(solver, from, to, [&start, &stop], HALVINGS)
+}
+
+/// A minimum at a part of an interval, with the joint rates per interval, as the solver has them.
+struct Point {
+    part: f64,
+    theta: Vec<f64>,
+    rates: Vec<f64>,
+}
+
+impl Point {
+    fn new(solver: &mut Solver, from: &Goal, to: &Goal, part: f64, joints: &[f64]) -> Option<Self> {
+        let mut rates = vec![0.0; joints.len()];
+        let ahead = if part + MOMENT <= 1.0 {
+            MOMENT
+        } else {
+            -MOMENT
+        };
+        let [goal, next] = [part, part + ahead].map(|part| between(from, to, part));
+        let known = solver.rates(&goal, &next, ahead, joints, &mut rates);
+        known.then(|| Self {
+            part,
+            theta: solver.scaled().entered(joints),
+            rates,
+        })
+    }
+}
+
+/// With the rates r, per step, the way of a step is (r₀ + r₁)/2 and its middle is (θ₀ + θ₁)/2 + (r₀ − r₁)/8, with errors of
+/// its third and of its fourth power. A leap is in the way and in none of the rates.
+fn go_as_their_ends(
+    solver: &mut Solver,
+    from: &Goal,
+    to: &Goal,
+    ends: [&Point; 2],
+    halvings: usize,
+) -> bool {
+    let [a, b] = ends;
+    let long = b.part - a.part;
+    let joints = || {
+        let places = a.theta.iter().zip(&b.theta);
+        let rates = a.rates.iter().zip(&b.rates);
+        places
+            .zip(rates)
+            .map(|((x, y), (r, s))| (x, y, long * r, long * s))
+    };
+    let way = joints().map(|(x, y, r, s)| (y - x - 0.5 * (r + s)).abs());
+    if way.fold(0.0, larger) <= FINE {
+        return true;
+    }
+    let middle: Vec<f64> = joints()
+        .map(|(x, y, r, s)| 0.5 * (x + y) + 0.125 * (r - s))
+        .collect();
+    let predicted = solver.scaled().left(&middle);
+    let mut found = solver.scaled().left(&a.theta);
+    let part = 0.5 * (a.part + b.part);
+    let solved = solver.solve(&between(from, to, part), &mut found, &predicted);
+    if !solved.end.is_minimum() {
         return false;
     }
-    let mean: Vec<f64> = at.iter().zip(end).map(|(a, b)| 0.5 * (a + b)).collect();
-    let mut middle = at.to_vec();
-    let solved = solver.solve(&between(from, to, 0.5), &mut middle, &mean);
-    let off = Leap::between(solver.scaled(), &mean, &middle).moved_scaled;
-    solved.end.is_minimum() && off <= 0.5 * FINE
+    let off = Leap::between(solver.scaled(), &predicted, &found).moved_scaled;
+    if off <= 0.5 * FINE {
+        return true;
+    }
+    // Further off the rates at the ends say nothing of what is between them.
+    if halvings == 0 || !(off <= FAR) {
+        return false;
+    }
+    let Some(middle) = Point::new(solver, from, to, part, &found) else {
+        return false;
+    };
+    [[a, &middle], [&middle, b]]
+        .into_iter()
+        .all(|half| go_as_their_ends(solver, from, to, half, halvings - 1))
 }
 
 /// How an interval was passed in short steps.

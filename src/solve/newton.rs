@@ -7,8 +7,10 @@
 //! *guarded* way: a trust-region method whose iterates are all closed and whose objective only
 //! falls, from the last answer, so that the branch is followed without a leap.
 
+use crate::math::linalg;
 use crate::math::pose::Pose;
 use crate::motion::trajectory::Suspect;
+use crate::solve::close::add_rates;
 use crate::solve::close_start::{Start, close_start};
 use crate::solve::objective::objective;
 use crate::solve::solver::{End, Observer, Solved, Solver};
@@ -96,6 +98,41 @@ impl Solver {
             projected_gradient,
             iterations: 0,
         }
+    }
+
+    /// The joint rates, as the solver has them, of the minimum `joints` when its goal begins to move: per unit of `part`,
+    /// where `ahead` is the goal after that part of a unit. Joints at a limit stay there. False where the minimum is flat:
+    /// H x = −Tᵀ ∂²f/∂ξ∂s for the rates along the free directions T.
+    pub fn rates(
+        &mut self,
+        goal: &Pose,
+        ahead: &Pose,
+        part: f64,
+        joints: &[f64],
+        rates: &mut [f64],
+    ) -> bool {
+        let mut theta = std::mem::take(&mut self.theta);
+        self.scaled.enter(joints, &mut theta);
+        let (now, then) = (self.target(goal, &theta), self.target(ahead, &theta));
+        self.holding.hold_all_at(&theta);
+        let dependence = self.closer.dependence();
+        let tangent = self.closer.tangent();
+        tangent.evaluate(self.scaled.chains(), &theta);
+        self.theta = theta;
+        let free = tangent.factor(self.holding.stops(), dependence).free();
+        let (now, then) = (objective(free.pose(), &now), objective(free.pose(), &then));
+        free.project(&((now.gradient - then.gradient) / part), &mut self.slope);
+        let held = free.hold(&now.gradient);
+        held.reduced_hessian(&now.hessian, None, &mut self.curvature, &mut self.mixed);
+        let n = self.slope.len();
+        if !linalg::cholesky(&mut self.curvature, n, n, self.tolerances.flat) {
+            return false;
+        }
+        linalg::solve_lower(&self.curvature, n, n, &mut self.slope);
+        linalg::solve_lower_transposed(&self.curvature, n, n, &mut self.slope);
+        rates.fill(0.0);
+        add_rates(held.free(), &self.slope, 1.0, rates);
+        true
     }
 
     /// The number that explains the misfit of rounded dimensions best; see [`suspect`].
