@@ -53,7 +53,7 @@ export interface Motion {
 
 /** How far a plan is. */
 export interface Progress {
-  /** Frames planned so far. */
+  /** Frames planned so far; falls where frames are planned again because of a leap. */
   done: number;
   /** Frames in all. */
   frames: number;
@@ -190,7 +190,7 @@ export interface Insight {
 }
 
 /** The iterates of one method at one frame: those of the first 60 iterations, later ones ever further apart, the last. */
-export interface Course {
+export interface History {
   /** Number of each iterate that is kept; 0 is where the method starts. */
   iteration: Uint32Array;
   /** Columns as in Motion, one group an iterate. */
@@ -226,8 +226,8 @@ export interface Trace {
   goal: Float64Array;
   /** f at the certified minimum; undefined if there is none. */
   minimum?: number;
-  gradient: Course;
-  newton: Course;
+  gradient: History;
+  newton: History;
 }
 
 /** [A] of Eq. 21 at one position: lengths in units of the metric's, about the point about which the metric measures. */

@@ -9,7 +9,7 @@ import { installed } from './installed.mjs';
 
 const sample = (name) => readFileSync(new URL(`samples/${name}.json`, dist), 'utf8');
 const readme = readFileSync(new URL('README.md', dist), 'utf8');
-const { open, plan, check, normalise, findStart, pull, drive, explain, trace, matrix, exportMotion, schema, enumeration, chainByIndex, assemblyByIndex, assemble, at, DocumentFault } = await import(
+const { open, plan, check, normalise, findStart, pull, drive, explain, trace, matrix, compareMetrics, exportMotion, schema, enumeration, chainByIndex, assemblyByIndex, assemble, at, DocumentFault } = await import(
   new URL('index.node.js', dist)
 );
 
@@ -56,6 +56,7 @@ test('every question has its answer', async () => {
   assert.equal((await explain(text, joints, goal)).freedoms.length, 3);
   assert.ok((await trace(text, 0)).newton.converged);
   assert.equal((await matrix(text, joints)).freedoms.length, 3);
+  assert.deepEqual((await compareMetrics(text)).map(({ metric }) => metric), ['pose', 'dual-quaternion']);
   assert.equal((await normalise(text)).planner.method, 'newton');
   assert.equal((await findStart(text)).chains[0].start.length, 5);
   assert.deepEqual((await exportMotion(text, 'csv')).trim().split('\n').length, 130);

@@ -24,6 +24,9 @@ export function createExport(app) {
     menuButton('Export', () => {
       const nothing = !store.result.motion;
       const unseen = nothing || !scene;
+      // The planner writes these three from the whole motion.
+      const part = store.result.motion?.partial;
+      const whole = (/** @type {string} */ hint) => (part ? 'The motion is planned only in part: plan the rest first' : hint);
       return [
         { label: 'Picture (PNG) …', hint: 'The view, in any size', disabled: unseen, act: attempt(async () => (await import('./png.js')).exportPng(app)) },
         { label: 'Drawing (SVG)', hint: 'The view as shapes, for print and to edit', disabled: unseen, act: attempt(async () => (await import('./svg.js')).exportSvg(app)) },
@@ -35,9 +38,9 @@ export function createExport(app) {
         },
         { label: 'Playing page (HTML)', hint: 'One file that plays this motion, without a network', disabled: nothing, act: attempt(async () => (await import('./html.js')).exportHtml(app)) },
         'line',
-        { label: 'Table (CSV)', hint: 'Joints, poses, gaps at every frame; degrees', disabled: nothing, act: motion('csv') },
-        { label: 'Data (JSON)', hint: 'The same with the document', disabled: nothing, act: motion('json') },
-        { label: 'MuJoCo model (MJCF)', hint: 'Every joint, loops closed by welds, a key frame a frame', disabled: nothing, act: motion('mjcf') },
+        { label: 'Table (CSV)', hint: whole('Joints, poses, gaps at every frame; degrees'), disabled: nothing || part, act: motion('csv') },
+        { label: 'Data (JSON)', hint: whole('The same with the document'), disabled: nothing || part, act: motion('json') },
+        { label: 'MuJoCo model (MJCF)', hint: whole('Every joint, loops closed by welds, a key frame a frame'), disabled: nothing || part, act: motion('mjcf') },
       ];
     }),
   );

@@ -1,6 +1,7 @@
 /**
  * The motion as text: a table, data, a MuJoCo model; the planner writes them.
  */
+import { textOf } from '../document-text.js';
 import { fileName, saveFile } from '../files/save.js';
 
 const FILES = {
@@ -12,7 +13,7 @@ const FILES = {
 /** @param {import('../workbench.js').App} app @param {keyof typeof FILES} format */
 export async function exportMotion({ store, planner, say }, format) {
   const { document } = store.result;
-  const text = await planner.exportMotion(JSON.stringify(document), format);
+  const text = await planner.exportMotion(textOf(document), format);
   const { ending, type } = FILES[format];
   const name = fileName(document, ending);
   saveFile(name, new Blob([text], { type }));

@@ -6,6 +6,7 @@
  * @typedef {import('../types.js').Posture} Posture
  * @typedef {import('./algorithm-words.js').Method} Method
  */
+import { textOf } from '../document-text.js';
 import { element, setText } from '../dom.js';
 import { scientific } from '../format.js';
 import { wear } from '../look.js';
@@ -103,7 +104,7 @@ export function createAlgorithm({ root, store, planner, player, signal }, panel)
     const width = motion.joints.length / motion.frames;
     const before = frame > 0 ? motion.joints.slice((frame - 1) * width, frame * width) : new Float64Array();
     try {
-      const answer = await planner.trace(JSON.stringify(document), frame, before);
+      const answer = await planner.trace(textOf(document), frame, before);
       if (made.document !== document || made.frame !== frame) return;
       trace = answer;
     } catch (error) {
@@ -141,7 +142,7 @@ export function createAlgorithm({ root, store, planner, player, signal }, panel)
     mine = postureOf(trace, method, at, motion.report.bounds);
     store.setView({ posture: mine });
     player.invalidate();
-    planner.matrix(JSON.stringify(document), mine.joints.slice()).then(
+    planner.matrix(textOf(document), mine.joints.slice()).then(
       (answer) => {
         matrix.show(answer);
         sayStep(answer.columns - answer.rank);

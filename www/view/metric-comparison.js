@@ -49,11 +49,16 @@ export function createMetricComparison(store, ask) {
   function follow() {
     const { motion, document, fault, trouble } = store.result;
     for (const { name, mark } of parts) setText(mark, name === motion?.report.metric.kind ? 'in use' : '');
-    if (!seen || document === shown) return;
+    if (!seen) return;
+    if (document === shown) {
+      root.classList.remove('waiting');
+      setText(note, '');
+      return;
+    }
     const planned = motion && document === store.document && !fault && !trouble;
     leave();
     root.classList.add('waiting');
-    setText(note, planned && motion.partial ? 'Planned only in part; the metrics are not compared.' : '');
+    setText(note, planned && motion.partial ? 'Planned only in part; the metrics are not compared.' : shown ? 'The numbers are of the document before.' : '');
     if (planned && !motion.partial) resting = setTimeout(() => compare(document), REST);
   }
 
@@ -67,6 +72,7 @@ export function createMetricComparison(store, ask) {
       if (signal.aborted) return;
       shown = document;
       root.classList.remove('waiting');
+      setText(note, '');
       for (const { name, gaps } of parts) {
         const own = both.find(({ metric }) => metric === name);
         setText(gaps, own ? gapsInWords(own, document.length_unit) : '–');

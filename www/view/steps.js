@@ -71,14 +71,14 @@ export function createSteps({ choose, chooseMethod }) {
       slider,
     ),
     stop,
-    /** @param {Method} method @param {number} index @param {import('../types.js').Course} course */
-    show(method, index, course) {
+    /** @param {Method} method @param {number} index @param {import('../types.js').History} history */
+    show(method, index, history) {
       at = index;
-      last = kept(course) - 1;
+      last = kept(history) - 1;
       for (const one of choice) one.box.checked = one.method === method;
       slider.max = String(last);
       slider.value = String(at);
-      slider.setAttribute('aria-valuetext', `iterate ${course.iteration[at]} of ${course.last}`);
+      slider.setAttribute('aria-valuetext', `iterate ${history.iteration[at]} of ${history.last}`);
       first.disabled = back.disabled = at === 0;
       on.disabled = end.disabled = at === last;
     },
