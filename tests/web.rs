@@ -46,6 +46,7 @@ fn all_of(motion: &JsValue) -> String {
         "translation_gap",
         "rotation_gap",
         "closure",
+        "misfit",
         "sigma_min",
         "projected_gradient",
     ];
