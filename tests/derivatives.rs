@@ -292,7 +292,7 @@ fn second_order_agrees(
         .factor(&vec![Stop::None; theta.len()], Dependence::FOUND)
         .free();
     let pull = gradient(&free);
-    let held = free.hold(&pull);
+    let held = free.balance(&pull);
     let n = held.free().count();
     let (mut reduced, mut mixed) = (Vec::new(), Vec::new());
     held.reduced_hessian(hessian, None, &mut reduced, &mut mixed);

@@ -167,7 +167,7 @@ fn multipliers_agree_with_finite_differences() {
     let free = tangent.factor(&stops, Dependence::FOUND).free();
     let target = Metric::PAPER.target(&goal[0].pose, &free.pose().rotation);
     let gradient = objective(free.pose(), &target).gradient;
-    let held = free.hold(&gradient);
+    let held = free.balance(&gradient);
     let torque = held.torque(joint);
     assert!(
         (torque - difference).abs() < 1e-6 * (1.0 + torque.abs()),

@@ -111,9 +111,9 @@ impl Limits {
 pub enum Stop {
     /// Free to move.
     None,
-    /// Held at its smallest value.
+    /// Balanced at its smallest value.
     Min,
-    /// Held at its largest value.
+    /// Balanced at its largest value.
     Max,
 }
 

@@ -17,6 +17,8 @@ pub const CLOSED: f64 = 1e-10;
 pub const SOLVED: f64 = 0.1 * CLOSED;
 /// How far beyond a limit a joint may stand by rounding of the closing corrections, rad or shares of the size.
 pub const LIMIT: f64 = 1e-10;
+/// A few units of the last place of 1.
+pub const ROUNDING: f64 = 1e-15;
 
 /// When a pose counts as a minimum of the distance to the goal; all of it in units of f, twists and joint motions with
 /// lengths as shares of the size.
@@ -29,6 +31,8 @@ pub struct Tolerances {
     pub flat: f64,
     /// f up to which the goal counts as reached: what a stationary gradient leaves, and room.
     pub reached: f64,
+    /// What f is known to within near its minimum.
+    pub rounding: f64,
 }
 
 impl Tolerances {
@@ -46,6 +50,7 @@ impl Tolerances {
             stationary: STATIONARY * scale,
             flat: FLAT * scale,
             reached: 0.5 * REACHED * REACHED * curvature.max(1.0),
+            rounding: ROUNDING * curvature.max(1.0),
         }
     }
 }

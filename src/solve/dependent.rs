@@ -64,9 +64,12 @@ pub(super) struct Combination {
     own: usize,
     /// Of the others: one column a kept combination, `others` entries each.
     columns: Vec<Vec<f64>>,
-    /// The combinations that are left out, as multipliers of all constraints.
+    /// The combinations that are left out, in the same way.
     dropped: Vec<Vec<f64>>,
     others: usize,
+    /// All constraints, with `unknowns` entries each.
+    forms: Vec<f64>,
+    unknowns: usize,
 }
 
 impl Combination {
@@ -74,14 +77,14 @@ impl Combination {
     /// the first chain's; leaves out `surplus` combinations, and those within the distance `within` of dependence. Returns
     /// the kept forms, one after the other.
     pub fn new(
-        forms: &[f64],
+        forms: Vec<f64>,
         unknowns: usize,
         own: usize,
         surplus: usize,
         within: f64,
     ) -> (Self, Vec<f64>) {
         let (first, others) = forms.split_at(own * unknowns);
-        let free = others_free(forms, unknowns, own);
+        let free = others_free(&forms, unknowns, own);
         let count = free.len();
         let SvdFactors { sigma, v, .. } = svd(free);
         let independent = sigma.iter().filter(|&&sigma| sigma > within).count();
@@ -91,10 +94,6 @@ impl Combination {
             .min(independent);
         let mut columns = v;
         let dropped = columns.split_off(kept);
-        let dropped = dropped
-            .iter()
-            .map(|column| contradiction(first, others, unknowns, column))
-            .collect();
         let mut combined = first.to_vec();
         for column in &columns {
             let mut sum = vec![0.0; unknowns];
@@ -108,6 +107,8 @@ impl Combination {
             columns,
             dropped,
             others: count,
+            forms,
+            unknowns,
         };
         (combination, combined)
     }
@@ -122,8 +123,10 @@ impl Combination {
     }
 
     /// The combinations that are left out, as multipliers of all constraints.
-    pub fn dropped(&self) -> &[Vec<f64>] {
-        &self.dropped
+    pub fn dropped(&self) -> impl Iterator<Item = Vec<f64>> {
+        let (first, others) = self.forms.split_at(self.own * self.unknowns);
+        let columns = self.dropped.iter();
+        columns.map(move |column| contradiction(first, others, self.unknowns, column))
     }
 
     /// Multipliers of the constraints from those of the kept combinations: the transpose of [`Combination::kept`].

@@ -14,6 +14,8 @@ const DIRECT_STEPS: usize = 8;
 const DIRECT_STEP: f64 = 0.15;
 /// A step that is not below this fraction of the last one is not Newton's convergence.
 const CONTRACTION: f64 = 0.5;
+/// A step of this size may be followed by another as long: f's curvature times it is at rounding level.
+const ROUNDING_STEP: f64 = 1e-7;
 
 impl Solver {
     /// Newton steps that close and descend at once; `None` as soon as a step is out of the ordinary.
@@ -30,6 +32,7 @@ impl Solver {
             stationary,
             flat,
             reached,
+            rounding: _,
         } = self.tolerances;
         for _ in 0..DIRECT_STEPS {
             let tangent = self.closer.tangent();
@@ -47,7 +50,7 @@ impl Solver {
                 closure_error: open,
                 guarded: false,
             });
-            let held = free.hold(&model.gradient);
+            let held = free.balance(&model.gradient);
             let closing = Some((&self.correction[..], &self.step[..]));
             held.reduced_hessian(
                 &model.hessian,
@@ -88,8 +91,7 @@ impl Solver {
             if !(length <= last) || self.holding.share(theta, &self.step, 0.0, None).0 < 1.0 {
                 return None;
             }
-            // A step of rounding size may be followed by another.
-            last = (CONTRACTION * length).max(1e-7);
+            last = (CONTRACTION * length).max(ROUNDING_STEP);
             for (t, s) in theta.iter_mut().zip(&self.step) {
                 *t += s;
             }

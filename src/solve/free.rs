@@ -86,7 +86,7 @@ impl<'a> Free<'a> {
     /// Distributes a pull over the chains: wrenches λ_i with Σ λ_i = `gradient` as far as the constraints can hold it.
     /// Where there are surplus constraints, one of the many splits is taken.
     #[inline]
-    pub fn hold(self, gradient: &Vector6<f64>) -> Held<'a> {
+    pub fn balance(self, gradient: &Vector6<f64>) -> Balanced<'a> {
         let tangent = self.0;
         let rank = tangent.stacked.rank();
         tangent.scratch.clear();
@@ -126,15 +126,15 @@ impl<'a> Free<'a> {
                 chain.wrench = chain.combine(&own[..constraints]);
             }
         }
-        Held(Free(tangent))
+        Balanced(Free(tangent))
     }
 }
 
 /// The linkage as its constraints hold it against a pull.
 #[derive(Debug)]
-pub struct Held<'a>(Free<'a>);
+pub struct Balanced<'a>(Free<'a>);
 
-impl<'a> Held<'a> {
+impl<'a> Balanced<'a> {
     /// The free directions.
     pub fn free(&self) -> &Free<'a> {
         &self.0

@@ -3,7 +3,7 @@
 
 use crate::math::metric::Target;
 use crate::model::joint::Stop;
-use crate::model::scaled::SOLVED;
+use crate::model::scaled::{ROUNDING, SOLVED};
 use crate::solve::close::{Reach, Shortest};
 use crate::solve::objective::{Objective, objective};
 use crate::solve::solver::{End, Iterate, Observer, Solved, Solver, minimum};
@@ -14,6 +14,13 @@ const STEP: f64 = 0.3;
 /// How far a joint variable may move in one frame, rad, or lengths in sizes or in ways to the goal, whichever is longer.
 /// Without limits the objective can keep falling, ever more slowly, while a slider moves away; there is then no minimum.
 const FARTHEST: f64 = 100.0;
+/// Shares of the predicted gain from which the radius grows, below which it shrinks, and below which the step is not taken;
+/// usual ones (Nocedal and Wright, Numerical Optimization, algorithm 4.1).
+const GOOD: f64 = 0.7;
+const POOR: f64 = 0.25;
+const LEAST: f64 = 1e-4;
+/// Share of the radius from which a step counts as being as long as allowed.
+const WHOLE: f64 = 0.9;
 /// Trust radius at which the guarded way gives up.
 const SMALLEST_STEP: f64 = 1e-11;
 /// Corrections after a step: each no longer than a step may be.
@@ -76,7 +83,7 @@ impl Solver {
                 guarded: true,
             });
             let stationary = gradient <= self.tolerances.stationary;
-            let held = free.hold(&model.gradient);
+            let held = free.balance(&model.gradient);
             if stationary
                 && let Some(joint) = self
                     .holding
@@ -161,18 +168,18 @@ impl Solver {
             ) && self.holding.contains(&trial)
                 && {
                     let gain = model.value - target.value(self.closer.tangent().pose());
-                    // f is known to within rounding of its scale, and the pull's work on the closure error.
-                    let scale = self.tolerances.stationary / 1e-9;
-                    let noise =
-                        1e-15 * (scale.max(1.0) + model.value) + SOLVED * model.gradient.norm();
-                    // At rounding level the gain says nothing; the model is trusted there.
-                    let trusted = predicted <= 10.0 * noise || gain >= 0.7 * predicted;
-                    if trusted && self.region.length() >= 0.9 * *radius {
+                    // f is known to within its rounding, and the pull's work on the closure error.
+                    let noise = self.tolerances.rounding
+                        + ROUNDING * model.value
+                        + SOLVED * model.gradient.norm();
+                    // At that level the gain says nothing; the model is trusted there.
+                    let trusted = predicted <= 10.0 * noise || gain >= GOOD * predicted;
+                    if trusted && self.region.length() >= WHOLE * *radius {
                         *radius = (2.0 * *radius).min(FARTHEST);
-                    } else if gain < 0.25 * share * predicted - noise {
+                    } else if gain < POOR * share * predicted - noise {
                         *radius *= 0.5;
                     }
-                    gain >= 1e-4 * share * predicted - noise
+                    gain >= LEAST * share * predicted - noise
                 };
             if taken {
                 theta.copy_from_slice(&trial);

@@ -83,7 +83,7 @@ impl Solver {
         let free = tangent.factor(self.holding.stops(), dependence).free();
         let model = objective(free.pose(), &target);
         let projected_gradient = free.project(&model.gradient, &mut self.slope);
-        let held = free.hold(&model.gradient);
+        let held = free.balance(&model.gradient);
         held.reduced_hessian(&model.hessian, None, &mut self.curvature, &mut self.mixed);
         self.region
             .prepare(held.free(), &self.curvature, &self.slope);
@@ -122,7 +122,7 @@ impl Solver {
         let free = tangent.factor(self.holding.stops(), dependence).free();
         let (now, then) = (objective(free.pose(), &now), objective(free.pose(), &then));
         free.project(&((now.gradient - then.gradient) / part), &mut self.slope);
-        let held = free.hold(&now.gradient);
+        let held = free.balance(&now.gradient);
         held.reduced_hessian(&now.hessian, None, &mut self.curvature, &mut self.mixed);
         let n = self.slope.len();
         if !linalg::cholesky(&mut self.curvature, n, n, self.tolerances.flat) {

@@ -156,7 +156,7 @@ impl Tangent {
     fn combine(&mut self, surplus: usize, within: f64) -> usize {
         let own = self.chains[0].constraints();
         let (combination, kept) =
-            Combination::new(&self.forms(), self.unknowns, own, surplus, within);
+            Combination::new(self.forms(), self.unknowns, own, surplus, within);
         self.stacked.clear(self.unknowns);
         for form in kept.chunks_exact(self.unknowns) {
             self.stacked.push(form);
@@ -245,17 +245,17 @@ impl Factored<'_> {
         let Some(combination) = &self.0.combination else {
             return Vec::new();
         };
-        let contradiction = |multipliers: &Vec<f64>| {
-            let wrenches = self.wrenches(multipliers);
+        let contradiction = |multipliers: Vec<f64>| {
+            let wrenches = self.wrenches(&multipliers);
             let pairs = wrenches.iter().zip(&self.0.chains);
             let misfit = pairs.map(|(w, chain)| w.dot(&chain.open)).sum();
             (wrenches, misfit)
         };
-        combination.dropped().iter().map(contradiction).collect()
+        combination.dropped().map(contradiction).collect()
     }
 
     /// A basis of the wrench systems that the chains can exert on each other without any pull: one for each surplus
-    /// constraint, one wrench a chain, Σ λ_i = 0. The split of [`Free::hold`](super::free::Free::hold) is unique up to these.
+    /// constraint, one wrench a chain, Σ λ_i = 0. The split of [`Free::balance`](super::free::Free::balance) is unique up to these.
     pub fn internal_wrenches(&self) -> Vec<Vec<Vector6<f64>>> {
         let stacked = &self.0.stacked;
         let (rank, order) = (stacked.rank(), stacked.order());
@@ -277,7 +277,7 @@ impl Factored<'_> {
                     None => self.wrenches(&multipliers),
                 }
             })
-            .chain(dropped.map(|multipliers| self.wrenches(multipliers)))
+            .chain(dropped.map(|multipliers| self.wrenches(&multipliers)))
             .collect()
     }
 

@@ -7,7 +7,7 @@ use crate::math::screw::{self, Screw};
 use crate::math::sort::sort_few;
 use crate::model::joint::Stop;
 use crate::model::scaled::Scaled;
-use crate::solve::free::{Free, Held};
+use crate::solve::free::{Balanced, Free};
 use crate::solve::limits::Holding;
 use crate::solve::objective::objective;
 use crate::solve::solver::Solver;
@@ -88,7 +88,7 @@ pub fn explain(solver: &mut Solver, joints: &[f64], goal: &Pose) -> Insight {
         let held = tangent
             .factor(holding.stops(), dependence)
             .free()
-            .hold(&model.gradient);
+            .balance(&model.gradient);
         match holding.releasable(tolerances.stationary, |joint| held.torque(joint)) {
             Some(joint) => {
                 holding.set(joint, Stop::None);
@@ -97,7 +97,7 @@ pub fn explain(solver: &mut Solver, joints: &[f64], goal: &Pose) -> Insight {
                 break tangent
                     .factor(holding.stops(), dependence)
                     .free()
-                    .hold(&model.gradient);
+                    .balance(&model.gradient);
             }
         }
     };
@@ -167,7 +167,7 @@ fn nearest_free(free: &Free<'_>, metric: &Matrix6<f64>, gradient: &Vector6<f64>)
 }
 
 /// The balanced wrenches, the least of their splits, with their shares. `length` is the metric's as a share of the size.
-fn holds(held: Held<'_>, scaled: &Scaled, length: f64, reached: bool) -> Vec<Hold> {
+fn holds(held: Balanced<'_>, scaled: &Scaled, length: f64, reached: bool) -> Vec<Hold> {
     let chains = scaled.chains().len();
     // Forces per unit of the size, against moments: in the metric a force counts by its length.
     let weigh = |wrench: &Vector6<f64>| {
