@@ -3,28 +3,16 @@
 #[path = "common/fixtures.rs"]
 mod fixtures;
 
-use fixtures::{document, lines, problem, sample};
+use fixtures::{SAMPLES, document, lines, problem, sample, scaled};
 use nalgebra::{Translation3, Unit, UnitQuaternion, Vector3};
 use std::collections::BTreeSet;
 use synthetica::document::problem::Problem;
 use synthetica::document::report::Report;
-use synthetica::document::schema::{Document, FrameEntry};
+use synthetica::document::schema::Document;
 use synthetica::math::pose::{FrameCoordinates, Pose};
 use synthetica::math::random::Random;
-use synthetica::model::joint::JointKind;
 use synthetica::motion::trajectory::Trajectory;
 use synthetica::study::why::explain;
-
-const SAMPLES: [&str; 8] = [
-    include_str!("../www/mechanisms/2tpr.json"),
-    include_str!("../www/mechanisms/3rps.json"),
-    include_str!("../www/mechanisms/bennett.json"),
-    include_str!("../www/mechanisms/cartesian.json"),
-    include_str!("../www/mechanisms/five-link.json"),
-    include_str!("../www/mechanisms/four-bar.json"),
-    include_str!("../www/mechanisms/scara.json"),
-    include_str!("../www/mechanisms/spacecraft.json"),
-];
 
 /// Samples, and every `step`th random assembly.
 fn documents(step: usize) -> Vec<(String, Document)> {
@@ -37,66 +25,6 @@ fn documents(step: usize) -> Vec<(String, Document)> {
         .iter()
         .map(|line| (line["case"].to_string(), document(line)));
     samples.chain(random).collect()
-}
-
-fn slides(kind: JointKind, freedom: usize) -> bool {
-    match kind {
-        JointKind::R | JointKind::T | JointKind::S => false,
-        JointKind::P => true,
-        JointKind::C => freedom == 1,
-        JointKind::E => freedom < 2,
-    }
-}
-
-/// All lengths of a document times `s`.
-fn scaled(document: &Document, s: f64) -> Document {
-    let mut document = document.clone();
-    let frame = |f: &mut FrameEntry| {
-        [&mut f.x, &mut f.y, &mut f.z]
-            .into_iter()
-            .for_each(|x| *x *= s);
-    };
-    for chain in &mut document.chains {
-        frame(&mut chain.base);
-        frame(&mut chain.gripper);
-        let mut variable = 0;
-        for joint in &mut chain.joints {
-            for row in &mut joint.rows {
-                row.a *= s;
-                row.d *= s;
-            }
-            for freedom in 0..joint.kind.freedoms() {
-                if slides(joint.kind, freedom) {
-                    if let Some(Some(limits)) =
-                        joint.limits.as_mut().map(|limits| limits[freedom].as_mut())
-                    {
-                        limits.min = limits.min.map(|x| x * s);
-                        limits.max = limits.max.map(|x| x * s);
-                    }
-                    if let Some(start) = &mut chain.start {
-                        start[variable] *= s;
-                    }
-                }
-                variable += 1;
-            }
-        }
-    }
-    for key in &mut document.motion.key_frames {
-        [&mut key.x, &mut key.y, &mut key.z]
-            .into_iter()
-            .for_each(|x| *x *= s);
-    }
-    let motion = &mut document.motion;
-    motion.radius = motion.radius.map(|x| x * s);
-    motion.reference.iter_mut().flatten().for_each(|x| *x *= s);
-    let planner = &mut document.planner;
-    planner.metric_length = planner.metric_length.map(|x| x * s);
-    planner
-        .metric_origin
-        .iter_mut()
-        .flatten()
-        .for_each(|x| *x *= s);
-    document
 }
 
 fn codes(problem: &Problem, t: &Trajectory) -> BTreeSet<&'static str> {

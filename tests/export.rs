@@ -1,6 +1,10 @@
 //! What other programs are given: the table, the JSON and the MuJoCo model of a motion. (That MuJoCo
 //! finds the loops closed is tested by tests/mujoco.)
 
+#[path = "common/fixtures.rs"]
+mod fixtures;
+
+use fixtures::{SAMPLES, scaled};
 use serde_json::Value;
 use synthetica::document::fault::FaultCode;
 use synthetica::document::problem::Problem;
@@ -138,6 +142,31 @@ fn the_model_has_a_joint_a_variable_and_a_weld_a_loop() {
 }
 
 /// A C is a hinge and a slide in one body; a single chain needs no weld.
+/// What is only looked at has rounded numbers, by its own size: that of a linkage of a micrometre is there too.
+#[test]
+fn a_small_linkage_is_drawn() {
+    for text in SAMPLES {
+        let large = exported(&read(text), Format::Mjcf).0;
+        let small = exported(&scaled(&read(text), 1e-6), Format::Mjcf).0;
+        for name in ["size", "fromto", "pos"] {
+            let (large, small) = (
+                attributes(&large, "geom", name),
+                attributes(&small, "geom", name),
+            );
+            assert_eq!(large.len(), small.len());
+            for (large, small) in large.iter().zip(small) {
+                for (a, b) in large.split(' ').zip(small.split(' ')) {
+                    let [a, b] = [a, b].map(|x| x.parse::<f64>().expect("a number"));
+                    assert!(
+                        (a * 1e-6 - b).abs() <= 1e-6 * a.abs().max(1e-3) * 1e-3,
+                        "{name}: {a}, {b}"
+                    );
+                }
+            }
+        }
+    }
+}
+
 #[test]
 fn a_cylindric_joint_is_a_hinge_and_a_slide() {
     let (xml, _) = exported(&read(SCARA), Format::Mjcf);

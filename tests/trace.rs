@@ -1,21 +1,14 @@
 //! The iterations shown are the planner's own.
 
+#[path = "common/fixtures.rs"]
+mod fixtures;
+
+use fixtures::SAMPLES;
 use synthetica::document::problem::Problem;
 use synthetica::document::text;
 use synthetica::math::metric::MetricKind;
 use synthetica::plan::follow::plan;
 use synthetica::plan::settings::{Method, Settings};
-
-const SAMPLES: [&str; 8] = [
-    include_str!("../www/mechanisms/2tpr.json"),
-    include_str!("../www/mechanisms/3rps.json"),
-    include_str!("../www/mechanisms/bennett.json"),
-    include_str!("../www/mechanisms/cartesian.json"),
-    include_str!("../www/mechanisms/five-link.json"),
-    include_str!("../www/mechanisms/four-bar.json"),
-    include_str!("../www/mechanisms/scara.json"),
-    include_str!("../www/mechanisms/spacecraft.json"),
-];
 
 /// A sample with few frames, so that the gradient planner stays quick.
 fn problem(text: &str, method: Method) -> Problem {

@@ -302,11 +302,14 @@ fn vector(v: &Vector3<f64>) -> String {
     numbers([v.x, v.y, v.z])
 }
 
-/// What is only looked at needs six decimals. (Reading a number back from text would cost 12 kB of
-/// tables.)
+/// What is only looked at needs six decimals of the largest of these.
 fn rounded(values: &[f64]) -> String {
-    const SCALE: f64 = 1e6;
-    numbers(values.iter().map(|x| (x * SCALE).round() / SCALE))
+    let largest = values.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+    let mut per_unit = 1e6;
+    while largest > 0.0 && largest * per_unit < 1e6 {
+        per_unit *= 10.0;
+    }
+    numbers(values.iter().map(|x| (x * per_unit).round() / per_unit))
 }
 
 /// A text within an attribute; characters that XML cannot hold are dropped.
