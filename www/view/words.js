@@ -66,7 +66,7 @@ export const LENGTH_SOURCES = {
 
 /** How distances from the goal are measured. @param {Motion['report']['metric']} metric @param {string | undefined} unit */
 export function metricSentence({ kind, length: of, length_source, origin }, unit) {
-  const about = origin ? ` about (${origin.map((x) => short(x, 3)).join(', ')})` : '';
+  const about = origin ? ` about (${origin.map((x) => short(x, 3)).join(', ')})${unit ? ` ${unit}` : ''}` : '';
   return `Metric: ${METRICS[kind]}${about}; a shift by ${length(of, unit)} (${LENGTH_SOURCES[length_source]}) weighs as much as a turn by 1 rad.`;
 }
 

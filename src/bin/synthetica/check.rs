@@ -208,12 +208,14 @@ fn metric(report: &Report, unit: &str) -> String {
         "motion" => "the extent of the motion",
         _ => "there is no other length",
     };
-    let about = used
-        .origin
-        .map_or_else(String::new, |[x, y, z]| format!(" about ({x}, {y}, {z})"));
+    let about = used.origin.map(|[x, y, z]| {
+        let [x, y, z] = [x, y, z].map(readable);
+        format!(" about ({x}, {y}, {z}) {unit}")
+    });
     format!(
-        "{}{about}, length {} {unit} ({source})",
+        "{}{}, length {} {unit} ({source})",
         used.kind,
+        about.unwrap_or_default(),
         readable(used.length)
     )
 }
