@@ -137,7 +137,7 @@ fn a_check_says_how_it_was_measured() {
     let text = printed(&["check", "3rps.json"]);
     assert!(
         text.contains(
-            "  metric    dual-quaternion about (0, 0, 0), length 1 m (as the document says)\n"
+            "  metric    dual-quaternion about (0, 0, 0) m, length 1 m (as the document says)\n"
         ),
         "{text}"
     );
