@@ -11,7 +11,8 @@ pub const MAX_LENGTH: f64 = 1e12;
 pub const MAX_ANGLE: f64 = 1e6;
 /// Largest time: 30 years in seconds.
 pub const MAX_TIME: f64 = 1e9;
-/// The metric's length lies between this and [`MAX_LENGTH`].
+/// The metric's length lies between this and [`MAX_LENGTH`], which it is the inverse of: a linkage of a nanometre in metres
+/// has room.
 pub const MIN_METRIC_LENGTH: f64 = 1e-12;
 /// Largest tolerance of dimensions: beyond, an ordinary linkage near a singular position would pass for one with rounded
 /// dimensions.

@@ -236,6 +236,9 @@ pub struct Way {
 
 /// Follows the linkage through the interval after frame `first` of a motion, in short steps; none where a step is not
 /// certified.
+///
+/// A step that misses its extrapolation by up to four times as much as it may is halved, another is cut to a fifth; one
+/// that misses by a tenth of that at most is followed by one twice as long, any other by one a fifth longer.
 pub fn trace(
     solver: &mut Solver,
     t: &Trajectory,

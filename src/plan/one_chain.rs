@@ -25,6 +25,10 @@ const LEAST: f64 = 1e-11;
 /// Corrections of a step, and how far the workpiece may stay away, rad and sizes.
 const CORRECTIONS: usize = 6;
 const STANDS_STILL: f64 = 1e-12;
+/// Share by which the sum of squares must fall, above its rounding; near the least one, where it cannot, the next step must
+/// be shorter than this share of the last.
+const FALL: f64 = 1e-12;
+const SHRINKS: f64 = 0.999;
 /// Share of a step at which the search ends.
 const SMALLEST_SHARE: f64 = 1e-3;
 
@@ -64,8 +68,8 @@ pub fn relax(chain: &Chain, own: &mut [f64]) {
         }
         let mut trial = values + step * share;
         let there = close(chain, &pose, &mut trial).filter(|there| {
-            let falls = trial.norm_squared() < values.norm_squared() * (1.0 - 1e-12);
-            falls || there.still(&trial).norm() < 0.999 * step.norm()
+            let falls = trial.norm_squared() < values.norm_squared() * (1.0 - FALL);
+            falls || there.still(&trial).norm() < SHRINKS * step.norm()
         });
         if let Some(there) = there {
             (values, here) = (trial, there);

@@ -10,7 +10,8 @@ use crate::solve::close::Closer;
 use crate::solve::gradient::{self, Arrival};
 use crate::solve::singular_values::SingularValues;
 
-/// Iterates that are kept one by one; of the later ones only those this much further on.
+/// Iterates that are kept one by one; of the later ones only those this much further on, so that 30,000 iterations leave
+/// about 270, as many as a chart has pixels for.
 const KEPT: usize = 60;
 const THINNED: f64 = 1.03;
 
