@@ -101,7 +101,7 @@ impl Solver {
     }
 
     /// The joint rates, as the solver has them, of the minimum `joints` when its goal begins to move: per unit of `part`,
-    /// where `ahead` is the goal after that part of a unit. Joints at a limit stay there. False where the minimum is flat:
+    /// where `ahead` is the goal after that part of a unit. Joints at a limit stay there. False where it is no minimum:
     /// H x = −Tᵀ ∂²f/∂ξ∂s for the rates along the free directions T.
     pub fn rates(
         &mut self,
@@ -125,7 +125,10 @@ impl Solver {
         let held = free.balance(&now.gradient);
         held.reduced_hessian(&now.hessian, None, &mut self.curvature, &mut self.mixed);
         let n = self.slope.len();
-        if !linalg::cholesky(&mut self.curvature, n, n, self.tolerances.flat) {
+        // Directions that do not matter at all stand still.
+        let diagonal = self.curvature.iter_mut().step_by(n + 1);
+        diagonal.for_each(|x| *x += self.tolerances.flat);
+        if !linalg::cholesky(&mut self.curvature, n, n, 0.0) {
             return false;
         }
         linalg::solve_lower(&self.curvature, n, n, &mut self.slope);
