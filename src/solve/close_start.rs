@@ -9,8 +9,9 @@
 use crate::math::linalg::dot;
 use crate::model::scaled::{CLOSED, SOLVED, Scaled};
 use crate::solve::close::{Closer, Reach, Shortest, longest};
-use crate::solve::dependent::{Dependence, IMPLIED};
+use crate::solve::dependent::Dependence;
 use crate::solve::limits::Holding;
+use crate::solve::tangent::Tangent;
 
 /// Gauss–Newton from a random start takes about a dozen steps.
 const STEPS: usize = 100;
@@ -23,6 +24,11 @@ const ROUNDED_BLUR: f64 = 3.0;
 /// A constraint that is independent by more than so many times the closure error of the start is no surplus one: those of
 /// rounded linkages are independent by about as much as their dimensions contradict each other.
 const INDEPENDENT: f64 = 10.0;
+/// The same at least, whatever the error of the start: with rounded dimensions it may be small by chance.
+const FOUND: f64 = 1e-7;
+/// Distance from dependence up to which a constraint of a linkage with exact dimensions is surplus: a double's precision,
+/// and a thousandfold for the products that a constraint is made of.
+const EXACT: f64 = 1e-13;
 /// Largest share of e that is taken into account: further off the position says nothing about dependence.
 const FAR: f64 = 0.1;
 /// Closure error below which a start counts as nearly closed: a table printed with two decimals.
@@ -203,11 +209,10 @@ fn rounded(
     tolerance: f64,
     closed: bool,
 ) -> Option<Vec<f64>> {
-    // A start that is closed as it is given has dimensions that agree.
-    if !(tolerance > 0.0) || error <= SOLVED {
+    if !(tolerance > 0.0) {
         return None;
     }
-    let independent = tolerance.min(INDEPENDENT * error);
+    let independent = tolerance.min((INDEPENDENT * error).max(FOUND));
     let free = Holding::new(scaled.limits());
     let mut held = free.clone();
     let before = closer.dependence();
@@ -217,7 +222,7 @@ fn rounded(
     // A linkage off singular positions, as most are, ends here.
     if closed
         && tangent.surplus_within(free.stops(), independent)
-            == tangent.surplus_within(free.stops(), IMPLIED)
+            == exactly_surplus(tangent, scaled, &free, theta)
     {
         return None;
     }
@@ -247,6 +252,25 @@ fn rounded(
         }
     }
     None
+}
+
+/// How many constraints are surplus at the closed position `theta` but for rounding: it is closed further first, as far
+/// as doubles go, since at a closure error of 1e-11 surplus constraints look independent by about as much.
+fn exactly_surplus(tangent: &mut Tangent, scaled: &Scaled, free: &Holding, theta: &[f64]) -> usize {
+    const CORRECTIONS: usize = 2;
+    let mut at = theta.to_vec();
+    let (mut correction, mut step) = (Vec::new(), vec![0.0; at.len()]);
+    for _ in 0..CORRECTIONS {
+        tangent.evaluate(scaled.chains(), &at);
+        tangent
+            .factor(free.stops(), Dependence::FOUND)
+            .close(&mut correction, &mut step);
+        at.iter_mut().zip(&step).for_each(|(t, s)| *t += s);
+    }
+    tangent.evaluate(scaled.chains(), &at);
+    let surplus = tangent.surplus_within(free.stops(), EXACT);
+    tangent.evaluate(scaled.chains(), theta);
+    surplus
 }
 
 /// Whether the linkage moves some way along each of its free directions, to both sides, while the misfit stays within the
