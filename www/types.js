@@ -8,7 +8,7 @@
  * @typedef {import('./pkg/synthetica.js').Posture} Posture
  * @typedef {import('./pkg/synthetica.js').Insight} Insight
  * @typedef {import('./pkg/synthetica.js').Trace} Trace
- * @typedef {import('./pkg/synthetica.js').Course} Course
+ * @typedef {import('./pkg/synthetica.js').History} History
  * @typedef {import('./pkg/synthetica.js').Matrix} Matrix
  * @typedef {import('./pkg/synthetica.js').MetricGaps} MetricGaps
  * @typedef {import('./pkg/synthetica.js').Enumeration} Enumeration
