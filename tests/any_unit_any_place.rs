@@ -3,13 +3,13 @@
 #[path = "common/fixtures.rs"]
 mod fixtures;
 
-use fixtures::{SAMPLES, document, lines, problem, sample, scaled};
+use fixtures::{SAMPLES, document, lines, moved, problem, sample, scaled};
 use nalgebra::{Translation3, Unit, UnitQuaternion, Vector3};
 use std::collections::BTreeSet;
 use synthetica::document::problem::Problem;
 use synthetica::document::report::Report;
 use synthetica::document::schema::Document;
-use synthetica::math::pose::{FrameCoordinates, Pose};
+use synthetica::math::pose::Pose;
 use synthetica::math::random::Random;
 use synthetica::motion::trajectory::Trajectory;
 use synthetica::study::why::explain;
@@ -167,50 +167,6 @@ fn any_unit_moves_the_same() {
 #[ignore = "minutes in release: cargo test --release --test any_unit_any_place -- --ignored"]
 fn any_unit_moves_the_same_in_all_assemblies() {
     any_unit(1);
-}
-
-/// Bases and key frames moved together.
-fn moved(document: &Document, motion: &Pose) -> Document {
-    let mut document = document.clone();
-    let pose = |x, y, z, longitude: f64, latitude: f64, roll: f64| {
-        let (longitude, latitude, roll) = (
-            longitude.to_radians(),
-            latitude.to_radians(),
-            roll.to_radians(),
-        );
-        FrameCoordinates::from_pose(
-            &(motion
-                * FrameCoordinates {
-                    x,
-                    y,
-                    z,
-                    longitude,
-                    latitude,
-                    roll,
-                }
-                .pose()),
-        )
-    };
-    for chain in &mut document.chains {
-        let b = &mut chain.base;
-        let at = pose(b.x, b.y, b.z, b.longitude, b.latitude, b.roll);
-        (b.x, b.y, b.z) = (at.x, at.y, at.z);
-        (b.longitude, b.latitude, b.roll) = (
-            at.longitude.to_degrees(),
-            at.latitude.to_degrees(),
-            at.roll.to_degrees(),
-        );
-    }
-    for k in &mut document.motion.key_frames {
-        let at = pose(k.x, k.y, k.z, k.longitude, k.latitude, k.roll);
-        (k.x, k.y, k.z) = (at.x, at.y, at.z);
-        (k.longitude, k.latitude, k.roll) = (
-            at.longitude.to_degrees(),
-            at.latitude.to_degrees(),
-            at.roll.to_degrees(),
-        );
-    }
-    document
 }
 
 fn any_place(step: usize) {

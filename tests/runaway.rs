@@ -120,7 +120,7 @@ fn no_runaway_where_a_finite_pose_is_joined_in_any() {
 /// the motion, such as a conversion of units leaves, is not the size.
 #[test]
 fn a_far_goal_is_no_runaway() {
-    for a in [1e-3, 1e-15] {
+    for a in [1e-3, 1e-6, 1e-8, 1e-11, 1e-15] {
         let text = format!(
             r#"{{"version": 1, "chains": [{{"joints": [
                 {{"type": "P", "rows": [{{"a": {a}}}]}}, {{"type": "P", "rows": [{{"alpha": 90, "theta": 90}}]}},

@@ -4,7 +4,7 @@ use crate::document::bounds::{
     MAX_NAME, MAX_TIME, bounded, check_text, length, not_finite, out_of_range, wrong_count,
 };
 use crate::document::fault::{Fault, FaultCode, Place};
-use crate::document::number::{readable, typed};
+use crate::document::number::{rounded_up, typed};
 use crate::document::parts::{each, frame, point};
 use crate::document::schema::{FrameEntry, KeyFrameEntry, MotionEntry};
 use crate::math::pose::gaps;
@@ -63,13 +63,6 @@ pub(crate) fn goal_of(motion: &MotionEntry) -> Result<(Vec<Goal>, Vec<Warning>),
     })?;
     let notes = notes(&motion.key_frames, &keys, &half_turns);
     Ok((goals, notes))
-}
-
-/// To four digits, so that what a message names is accepted.
-fn rounded_up(value: f64) -> String {
-    /// Half a unit of the fourth digit, at most.
-    const HALF: f64 = 5e-4;
-    readable(value * (1.0 + HALF))
 }
 
 fn key_frame(entry: &KeyFrameEntry, place: &Place<'_>) -> Result<KeyFrame, Fault> {

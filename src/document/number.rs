@@ -20,6 +20,13 @@ pub fn typed(x: f64) -> String {
     decimal(x, 15, -4..7)
 }
 
+/// Four digits that are not below `x`, as a person would type them: a bound that is named so is accepted.
+pub fn rounded_up(x: f64) -> String {
+    /// Half a unit of the fourth digit, at most.
+    const HALF: f64 = 5e-4;
+    decimal(x * (1.0 + HALF), 4, -4..7)
+}
+
 /// So many digits at most, written out where the power of ten is in `plain`.
 fn decimal(x: f64, digits: usize, plain: Range<i32>) -> String {
     if x == 0.0 {
@@ -45,7 +52,7 @@ fn decimal(x: f64, digits: usize, plain: Range<i32>) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{readable, typed, written};
+    use super::{readable, rounded_up, typed, written};
 
     #[test]
     fn numbers_of_every_size_can_be_read() {
@@ -87,5 +94,9 @@ mod tests {
             ("1e12".to_owned(), "-1e-12".to_owned())
         );
         assert_eq!(typed(f64::NAN), "NaN");
+        for x in [0.51612, 1.0004e-4, 9.9996, 2.5e-7, 123_456.7] {
+            let up: f64 = rounded_up(x).parse().expect("a number");
+            assert!(x <= up && up <= x * 1.0011, "{x} {up}");
+        }
     }
 }

@@ -358,7 +358,7 @@ pub fn start_values(mechanism: &Mechanism, joints: &[f64]) -> Vec<Vec<f64>> {
     mechanism.split(joints).map(in_degrees).collect()
 }
 
-/// Rounded to 10⁻¹², so that 45° is not typed 44.99999999999999°: for degrees, and for lengths near 1.
+/// Rounded to 10⁻¹², so that 45° is not written 44.99999999999999°: for degrees, and for lengths near 1.
 pub(crate) fn short(value: f64) -> f64 {
     const DIGITS: f64 = 1e12;
     let rounded = (value * DIGITS).round() / DIGITS;

@@ -67,7 +67,7 @@ impl Session {
         &self.problem
     }
 
-    /// The document's text with every default typed out.
+    /// The document's text with every default written out.
     pub fn text(&self) -> String {
         self.document.text()
     }
@@ -78,7 +78,7 @@ impl Session {
         self.start.get_or_init(|| self.problem.find_start())
     }
 
-    /// The document's text with the start typed into it.
+    /// The document's text with the start written into it.
     pub fn text_with_start(&self) -> String {
         let mut document = self.document.clone();
         document.set_start(&self.problem.mechanism, self.start());

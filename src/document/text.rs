@@ -1,7 +1,7 @@
 //! Text to document and back: reading that says what is wrong, writing that a person can read.
 
 use crate::document::fault::{Fault, FaultCode, Place};
-use crate::document::number::written;
+use crate::document::number::{typed, written};
 use crate::document::reader::Node;
 use crate::document::schema::{Document, VERSION};
 use serde::{Deserialize, Serialize};
@@ -73,7 +73,7 @@ fn check_version(node: &Node) -> Result<(), Fault> {
     if let Some(Node::Number(version)) = node.field("version")
         && (version - f64::from(VERSION)).abs() > 0.0
     {
-        let what = format!("this is version {version} of the format");
+        let what = format!("this is version {} of the format", typed(*version));
         return Err(Fault::new(
             FaultCode::UnknownVersion,
             &PLACE,

@@ -111,9 +111,9 @@ impl Limits {
 pub enum Stop {
     /// Free to move.
     None,
-    /// Balanced at its smallest value.
+    /// Held at its smallest value.
     Min,
-    /// Balanced at its largest value.
+    /// Held at its largest value.
     Max,
 }
 

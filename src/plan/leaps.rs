@@ -2,10 +2,12 @@
 //!
 //! A leap is a change of joints by more than 0.02 rad, or sizes, within 1e-6 of an interval. An interval is looked into
 //! where its joint motion is not the one that its neighbours' give by interpolation. Between two frames the goal is taken
-//! to go straight and to turn steadily, and the linkage is followed along that way: a step is taken where it ends within
-//! half a leap of the position that the points before it give by extrapolation, else it is made shorter; where it would
-//! become shorter than 1e-6 of the interval, it leaps. This distinguishes a motion that is fast but continuous from one
-//! that leaves its branch.
+//! to go straight and to turn steadily.
+//!
+//! Most of these intervals go as the joint rates at their ends say, or their halves do. Through the others the linkage is
+//! followed: a step is taken where it ends within half a leap of the position that the points before it give by
+//! extrapolation, else it is made shorter; where it would become shorter than 1e-6 of the interval, it leaps. This
+//! distinguishes a motion that is fast but continuous from one that leaves its branch.
 
 use crate::math::metric::nearer;
 use crate::math::pose::Pose;
@@ -160,13 +162,13 @@ struct Point {
 impl Point {
     fn new(solver: &mut Solver, from: &Goal, to: &Goal, part: f64, joints: &[f64]) -> Option<Self> {
         let mut rates = vec![0.0; joints.len()];
-        let ahead = if part + MOMENT <= 1.0 {
+        let moment = if part + MOMENT <= 1.0 {
             MOMENT
         } else {
             -MOMENT
         };
-        let [goal, next] = [part, part + ahead].map(|part| between(from, to, part));
-        let known = solver.rates(&goal, &next, ahead, joints, &mut rates);
+        let [goal, ahead] = [part, part + moment].map(|part| between(from, to, part));
+        let known = solver.rates(&goal, &ahead, moment, joints, &mut rates);
         known.then(|| Self {
             part,
             theta: solver.scaled().entered(joints),

@@ -11,7 +11,6 @@ use crate::model::scaled::{CLOSED, SOLVED, Scaled};
 use crate::solve::close::{Closer, Reach, Shortest, longest};
 use crate::solve::dependent::Dependence;
 use crate::solve::limits::Holding;
-use crate::solve::tangent::Tangent;
 
 /// Gauss–Newton from a random start takes about a dozen steps.
 const STEPS: usize = 100;
@@ -219,16 +218,14 @@ fn rounded(
     let open = closer.tangent().evaluate(scaled.chains(), theta);
     let blur = |open: f64| (ROUNDED_BLUR * open.min(FAR)).max(independent);
     let tangent = closer.tangent();
-    // A linkage off singular positions, as most are, ends here.
-    if closed
-        && tangent.surplus_within(free.stops(), independent)
-            == exactly_surplus(tangent, scaled, &free, theta)
-    {
+    // A linkage without surplus constraints, as most are, ends here.
+    if closed && tangent.surplus_within(free.stops(), independent) == 0 {
         return None;
     }
     let mut at = theta.to_vec();
     let (mut correction, mut step) = (Vec::new(), vec![0.0; at.len()]);
     let most = reach(open);
+    let mut last = f64::INFINITY;
     for _ in 0..STEPS {
         let open = closer.tangent().evaluate(scaled.chains(), &at);
         let within = blur(open);
@@ -236,14 +233,18 @@ fn rounded(
         let rounded = Dependence::Rounded { surplus, within };
         let mut factored = closer.tangent().factor(held.stops(), rounded);
         let (open, misfit) = factored.closure();
-        if open <= SOLVED {
-            let moves = misfit <= tolerance && {
+        // Closed as far as doubles go, since the misfit and what is surplus are known to no more than that.
+        if open <= EXACT || open <= SOLVED && !(open < last) {
+            let exact =
+                misfit <= EXACT && closer.tangent().surplus_within(free.stops(), EXACT) == surplus;
+            let moves = !(closed && exact) && misfit <= tolerance && {
                 closer.set_dependence(rounded);
                 moves_within(closer, scaled, &free, tolerance, &at)
             };
             closer.set_dependence(if moves { rounded } else { before });
             return moves.then_some(at);
         }
+        last = open;
         factored.close(&mut correction, &mut step);
         at.iter_mut().zip(&step).for_each(|(t, s)| *t += s);
         held.clamp(&mut at, true);
@@ -252,25 +253,6 @@ fn rounded(
         }
     }
     None
-}
-
-/// How many constraints are surplus at the closed position `theta` but for rounding: it is closed further first, as far
-/// as doubles go, since at a closure error of 1e-11 surplus constraints look independent by about as much.
-fn exactly_surplus(tangent: &mut Tangent, scaled: &Scaled, free: &Holding, theta: &[f64]) -> usize {
-    const CORRECTIONS: usize = 2;
-    let mut at = theta.to_vec();
-    let (mut correction, mut step) = (Vec::new(), vec![0.0; at.len()]);
-    for _ in 0..CORRECTIONS {
-        tangent.evaluate(scaled.chains(), &at);
-        tangent
-            .factor(free.stops(), Dependence::FOUND)
-            .close(&mut correction, &mut step);
-        at.iter_mut().zip(&step).for_each(|(t, s)| *t += s);
-    }
-    tangent.evaluate(scaled.chains(), &at);
-    let surplus = tangent.surplus_within(free.stops(), EXACT);
-    tangent.evaluate(scaled.chains(), theta);
-    surplus
 }
 
 /// Whether the linkage moves some way along each of its free directions, to both sides, while the misfit stays within the
@@ -313,8 +295,11 @@ fn moves_within(
             let all = LEAP * misfit.max(CLOSED).sqrt();
             let near = Reach { all, ..reach };
             closer.set_dependence(Dependence::FOUND);
-            exact |= closer.close(scaled, free.stops(), &near, &mut at, &mut 0);
+            let closes = closer.close(scaled, free.stops(), &near, &mut at, &mut 0);
             closer.set_dependence(dependence);
+            // What is left is too little for an ordinary linkage to have moved, and too much for exact dimensions.
+            let agrees_nearly = EXACT < misfit && misfit <= CLOSED;
+            exact |= closes && !agrees_nearly;
         }
         only_so |= !exact;
     }

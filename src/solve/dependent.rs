@@ -7,6 +7,7 @@
 //! orthonormal combinations are kept that are most independent, the left singular vectors of the largest singular values.
 
 use crate::math::linalg::{PivotedQr, SvdFactors, dot, svd};
+use std::ops::RangeInclusive;
 
 /// Distance from dependence below which a constraint of a closed linkage counts as implied by the others: the closure
 /// error of 1e-11 amplified a hundredfold.
@@ -23,8 +24,8 @@ pub enum Dependence {
     Rounded {
         /// So many of the linkage without held joints.
         surplus: usize,
-        /// Where joints are held all those closer than this to the span of the others: the stop of an idle joint is one
-        /// more surplus constraint.
+        /// Where joints are held, up to one more for each that are closer than this to the span of the others: the stop of
+        /// an idle joint is one more surplus constraint.
         within: f64,
     },
 }
@@ -74,24 +75,23 @@ pub(super) struct Combination {
 
 impl Combination {
     /// Combines the constraints, given as forms of `unknowns` entries one after the other, of which the first `own` are
-    /// the first chain's; leaves out `surplus` combinations, and those within the distance `within` of dependence. Returns
-    /// the kept forms, one after the other.
+    /// the first chain's; leaves out those combinations that are within the distance `within` of dependence, their number
+    /// kept in the range `surplus`. Returns the kept forms, one after the other.
     pub fn new(
         forms: Vec<f64>,
         unknowns: usize,
         own: usize,
-        surplus: usize,
+        surplus: RangeInclusive<usize>,
         within: f64,
     ) -> (Self, Vec<f64>) {
         let (first, others) = forms.split_at(own * unknowns);
         let free = others_free(&forms, unknowns, own);
         let count = free.len();
         let SvdFactors { sigma, v, .. } = svd(free);
-        let independent = sigma.iter().filter(|&&sigma| sigma > within).count();
+        let found = sigma.iter().filter(|&&sigma| sigma <= within).count();
         let kept = count
-            .saturating_sub(surplus)
-            .min(unknowns.saturating_sub(own))
-            .min(independent);
+            .saturating_sub(found.clamp(*surplus.start(), *surplus.end()))
+            .min(unknowns.saturating_sub(own));
         let mut columns = v;
         let dropped = columns.split_off(kept);
         let mut combined = first.to_vec();

@@ -11,8 +11,8 @@ use crate::solve::solver::{End, Iterate, Observer, Solved, Solver, minimum};
 /// Largest rotation of a guarded step, rad, and its first radius: 0.3 still resembles the quadratic
 /// model.
 const STEP: f64 = 0.3;
-/// How far a joint variable may move in one frame, rad, or lengths in sizes or in ways to the goal, whichever is longer.
-/// Without limits the objective can keep falling, ever more slowly, while a slider moves away; there is then no minimum.
+/// How far a joint variable may move in one frame, rad or sizes, and so many times as far where the goal is more than a
+/// size away. Without limits the objective can keep falling, ever more slowly, while a slider moves away; there is then no minimum.
 const FARTHEST: f64 = 100.0;
 /// Shares of the predicted gain from which the radius grows, below which it shrinks, and below which the step is not taken;
 /// usual ones (Nocedal and Wright, Numerical Optimization, algorithm 4.1).
@@ -107,7 +107,7 @@ impl Solver {
                 return solved(minimum(&self.holding), *iterations);
             }
             let ended = solved(End::Stalled, *iterations);
-            let stuck = !self.descend(target, theta, &model, &mut radius, iterations);
+            let stuck = !self.descend(target, theta, &model, &mut radius, farthest, iterations);
             let run = theta
                 .iter()
                 .zip(&self.origin)
@@ -132,13 +132,14 @@ impl Solver {
     }
 
     /// Shrinks the radius until a step from `theta` closes, keeps the limits and descends, and takes
-    /// it; false if none does.
+    /// it; false if none does. It grows up to `farthest`.
     fn descend(
         &mut self,
         target: &Target,
         theta: &mut [f64],
         model: &Objective,
         radius: &mut f64,
+        farthest: f64,
         iterations: &mut usize,
     ) -> bool {
         let mut trial = std::mem::take(&mut self.trial);
@@ -175,7 +176,7 @@ impl Solver {
                     // At that level the gain says nothing; the model is trusted there.
                     let trusted = predicted <= 10.0 * noise || gain >= GOOD * predicted;
                     if trusted && self.region.length() >= WHOLE * *radius {
-                        *radius = (2.0 * *radius).min(FARTHEST);
+                        *radius = (2.0 * *radius).min(farthest);
                     } else if gain < POOR * share * predicted - noise {
                         *radius *= 0.5;
                     }

@@ -21,6 +21,7 @@ use crate::model::scaled::{closure_error, larger};
 use crate::solve::chain_tangent::ChainTangent;
 use crate::solve::dependent::{self, Combination, Dependence};
 use nalgebra::Vector6;
+use std::ops::RangeInclusive;
 
 /// First-order model of all chains at one set of joint values; its buffers serve all evaluations.
 #[derive(Clone, Debug)]
@@ -104,8 +105,8 @@ impl Tangent {
         self.stack(stops);
         let mut most = self.constraints.saturating_sub(dependence.known());
         if let Dependence::Rounded { surplus, within } = dependence {
-            let held = stops.iter().any(|stop| *stop != Stop::None);
-            most = self.combine(surplus, if held { within } else { 0.0 });
+            let held = stops.iter().filter(|stop| **stop != Stop::None).count();
+            most = self.combine(surplus..=surplus + held, within);
         }
         self.stacked.factor(dependence.threshold(), most);
         Factored(self)
@@ -153,7 +154,7 @@ impl Tangent {
     }
 
     /// Puts the kept combinations of a rounded linkage's constraints in their place; their number.
-    fn combine(&mut self, surplus: usize, within: f64) -> usize {
+    fn combine(&mut self, surplus: RangeInclusive<usize>, within: f64) -> usize {
         let own = self.chains[0].constraints();
         let (combination, kept) =
             Combination::new(self.forms(), self.unknowns, own, surplus, within);

@@ -5,6 +5,7 @@ use serde_json::Value;
 use synthetica::document::problem::Problem;
 use synthetica::document::schema::{Document, FrameEntry};
 use synthetica::document::text::parse;
+use synthetica::math::pose::{FrameCoordinates, Pose};
 use synthetica::model::joint::JointKind;
 
 /// The documents of the page.
@@ -101,5 +102,49 @@ pub fn scaled(document: &Document, s: f64) -> Document {
         .iter_mut()
         .flatten()
         .for_each(|x| *x *= s);
+    document
+}
+
+/// Bases and key frames moved together.
+pub fn moved(document: &Document, motion: &Pose) -> Document {
+    let mut document = document.clone();
+    let pose = |x, y, z, longitude: f64, latitude: f64, roll: f64| {
+        let (longitude, latitude, roll) = (
+            longitude.to_radians(),
+            latitude.to_radians(),
+            roll.to_radians(),
+        );
+        FrameCoordinates::from_pose(
+            &(motion
+                * FrameCoordinates {
+                    x,
+                    y,
+                    z,
+                    longitude,
+                    latitude,
+                    roll,
+                }
+                .pose()),
+        )
+    };
+    for chain in &mut document.chains {
+        let b = &mut chain.base;
+        let at = pose(b.x, b.y, b.z, b.longitude, b.latitude, b.roll);
+        (b.x, b.y, b.z) = (at.x, at.y, at.z);
+        (b.longitude, b.latitude, b.roll) = (
+            at.longitude.to_degrees(),
+            at.latitude.to_degrees(),
+            at.roll.to_degrees(),
+        );
+    }
+    for k in &mut document.motion.key_frames {
+        let at = pose(k.x, k.y, k.z, k.longitude, k.latitude, k.roll);
+        (k.x, k.y, k.z) = (at.x, at.y, at.z);
+        (k.longitude, k.latitude, k.roll) = (
+            at.longitude.to_degrees(),
+            at.latitude.to_degrees(),
+            at.roll.to_degrees(),
+        );
+    }
     document
 }

@@ -1,5 +1,7 @@
 // The build leaves out the parts of shaders whose conditions never hold, and nothing else.
 import assert from 'node:assert/strict';
+import { readFileSync, readdirSync } from 'node:fs';
+import { join } from 'node:path';
 import { test } from 'node:test';
 import { withoutUnused } from '../../tools/tight.js';
 
@@ -28,4 +30,15 @@ test('all else stays as it is', () => {
 
 test('of conditions within others only those that never hold go', () => {
   becomes('#ifdef USE_COLOR\n#ifdef USE_FOG\na\n#endif\nb\n#else\nc\n#endif', '#ifdef USE_COLOR\nb\n#else\nc\n#endif');
+});
+
+test('the page has none of the lights, textures and effects whose shaders are left out', () => {
+  const www = new URL('../../www', import.meta.url).pathname;
+  const files = readdirSync(www, { recursive: true, encoding: 'utf8' }).filter((name) => name.endsWith('.js') && !/^(pkg|pkg-first|dist)\b/.test(name));
+  assert.ok(files.length > 100, `${files.length} files`);
+  const used = /\b(PointLight|SpotLight|RectAreaLight|LightProbe|Fog|FogExp2|\w*Texture|Sprite|Points|SkinnedMesh|BatchedMesh|clippingPlanes|morphTargets|logarithmicDepthBuffer|\w*Map:)\b/;
+  for (const name of files) {
+    const imported = readFileSync(join(www, name), 'utf8').replace(/^ *(\/\/|\*|\/\*\*).*$/gm, '');
+    assert.doesNotMatch(imported, used, name);
+  }
 });

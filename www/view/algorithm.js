@@ -128,17 +128,17 @@ export function createAlgorithm({ root, store, planner, player, signal }, panel)
   function show(index) {
     const { motion, document } = store.result;
     if (!trace || !motion || !document || !seen) return;
-    const course = trace[method];
-    const last = kept(course) - 1;
+    const history = trace[method];
+    const last = kept(history) - 1;
     at = Math.min(last, Math.max(0, index));
-    steps.show(method, at, course);
-    numbers.metric.textContent = scientific(course.metric[at]);
-    numbers.above.textContent = scientific(Math.abs(course.metric[at] - leastMetric(trace)));
-    numbers.slope.textContent = scientific(course.projected_gradient[at]);
-    numbers.closure.textContent = scientific(course.closure[at]);
-    numbers.sigma.textContent = scientific(course.sigma_min[at]);
+    steps.show(method, at, history);
+    numbers.metric.textContent = scientific(history.metric[at]);
+    numbers.above.textContent = scientific(Math.abs(history.metric[at] - leastMetric(trace)));
+    numbers.slope.textContent = scientific(history.projected_gradient[at]);
+    numbers.closure.textContent = scientific(history.closure[at]);
+    numbers.sigma.textContent = scientific(history.sigma_min[at]);
     sayStep();
-    convergence.point(method, course.iteration[at]);
+    convergence.point(method, history.iteration[at]);
     mine = postureOf(trace, method, at, motion.report.bounds);
     store.setView({ posture: mine });
     player.invalidate();

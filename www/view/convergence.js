@@ -34,16 +34,16 @@ export function createConvergence(choose, signal) {
     let shown = null;
     function fill() {
       if (!details.open || !shown) return;
-      const course = shown[method];
-      const rest = above(course, leastMetric(shown));
-      const every = Math.ceil(kept(course) / ROWS);
+      const history = shown[method];
+      const rest = above(history, leastMetric(shown));
+      const every = Math.ceil(kept(history) / ROWS);
       const rows = rest.map((_, at) => at).filter((at) => at % every === 0 || at === rest.length - 1);
       table.replaceChildren(
         element('thead', {}, element('tr', {}, ...['iteration', 'f − f*', 'projected gradient'].map((name) => element('th', { scope: 'col' }, name)))),
         element(
           'tbody',
           {},
-          ...rows.map((at) => element('tr', {}, element('th', { scope: 'row' }, String(course.iteration[at])), element('td', {}, scientific(rest[at])), element('td', {}, scientific(course.projected_gradient[at])))),
+          ...rows.map((at) => element('tr', {}, element('th', { scope: 'row' }, String(history.iteration[at])), element('td', {}, scientific(rest[at])), element('td', {}, scientific(history.projected_gradient[at])))),
         ),
       );
     }
@@ -53,9 +53,9 @@ export function createConvergence(choose, signal) {
       /** @param {Trace} trace */
       show(trace) {
         shown = trace;
-        const course = trace[method];
-        plot.setData(Array.from(course.iteration), [above(course, leastMetric(trace)), course.projected_gradient]);
-        host.setAttribute('aria-label', `${METHODS[method]}: ${course.last} iterations, logarithmic; the projected gradient falls from ${scientific(course.projected_gradient[0])} to ${scientific(course.projected_gradient.at(-1) ?? NaN)}. Values are in the table.`);
+        const history = trace[method];
+        plot.setData(Array.from(history.iteration), [above(history, leastMetric(trace)), history.projected_gradient]);
+        host.setAttribute('aria-label', `${METHODS[method]}: ${history.last} iterations, logarithmic; the projected gradient falls from ${scientific(history.projected_gradient[0])} to ${scientific(history.projected_gradient.at(-1) ?? NaN)}. Values are in the table.`);
         fill();
       },
       /** @param {number | null} iteration */
