@@ -374,6 +374,8 @@ fn fields_that_are_wrong_are_refused() {
     #[rustfmt::skip]
     let cases: Vec<Case> = vec![
         (with("/\u{e4}", json!("red")), UnknownField, "\u{e4}", "\u{e4}: there is no field", "planner"),
+        (with("/planner/metric_length", json!("1")), WrongType, "planner.metric_length", "the text \u{201c}1\u{201d}", "a number, or null"),
+        (with("/motion/reference", json!([0, 0, "a"])), WrongType, "motion.reference[2]", "Motion, reference, entry 3", "a number"),
         (with("/colour", json!("red")), UnknownField, "colour", "there is no field", "chains"),
         (with("/chains/1/color", json!(1)), UnknownField, "chains[1].color", "Chain 2, color", "gripper"),
         (with("/chains/0/base/X", json!(1)), UnknownField, "chains[0].base.X", "base frame", "longitude"),

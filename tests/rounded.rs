@@ -6,6 +6,7 @@ mod fixtures;
 use fixtures::{SAMPLES, document, lines, moved, problem};
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::PI;
+use synthetica::document::report::Report;
 use synthetica::document::schema::{Document, FrameEntry};
 use synthetica::document::text::parse;
 use synthetica::math::pose::Pose;
@@ -246,6 +247,30 @@ fn a_misfit_below_the_published_bound_is_one_too() {
             t.warnings
         );
     }
+}
+
+/// Dimensions that agree within the tolerance at the start and not on the way: the warning says which frames are lost to it.
+#[test]
+fn a_misfit_beyond_the_tolerance_is_told() {
+    let mut document = parse(include_str!("../www/mechanisms/bennett.json")).expect("a sample");
+    document.chains[0].joints[1].rows[0].alpha += 0.02;
+    let problem = problem(&document);
+    let t = problem.plan();
+    let tolerance = problem.settings.dimension_tolerance;
+    assert!(misfit(&t) > tolerance, "{:e}", misfit(&t));
+    for (status, misfit) in t.status.iter().zip(&t.misfit) {
+        assert_eq!(status.is_certified(), *misfit <= tolerance, "{misfit:e}");
+    }
+    let report = Report::new(&problem.mechanism, &problem.length_unit, &t);
+    let told = report
+        .warnings
+        .iter()
+        .find(|w| w.code == "rounded-dimensions");
+    let told = &told.expect("a warning").message;
+    assert!(
+        told.contains("The tolerance of dimensions is 3e−4: "),
+        "{told}"
+    );
 }
 
 /// A slider that cannot move, at right angles to the plane of a rounded four-bar, is held at its limit and in nobody's way.

@@ -172,7 +172,9 @@ impl<'a> Place<'a> {
                     _ => format!("{list}, entry {number}"),
                 };
                 // It is clear that key frames belong to the motion.
-                words.retain(|word| word != "motion");
+                if list == "key frames" {
+                    words.retain(|word| word != "motion");
+                }
                 let called = if name == word { "" } else { name };
                 words.push(match called {
                     "" => word,

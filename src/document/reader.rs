@@ -143,7 +143,7 @@ impl<'de> Deserializer<'de> for &'de Node {
         if matches!(self, Node::Null) {
             visitor.visit_none()
         } else {
-            visitor.visit_some(self)
+            visitor.visit_some(self).map_err(Refusal::or_null)
         }
     }
 

@@ -45,6 +45,16 @@ impl Refusal {
         self
     }
 
+    /// For a value that may be null: what is refused is the value itself.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn or_null(mut self) -> Self {
+        if self.way.is_empty() {
+            self.accepted += ", or null";
+        }
+        self
+    }
+
     /// The fault, in a value at `place`.
     pub(crate) fn fault(mut self, place: &Place<'_>) -> Fault {
         match self.way.pop() {

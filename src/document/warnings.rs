@@ -1,7 +1,7 @@
 //! What deserves a look in a motion, as sentences for a person.
 
 use crate::document::fault::excerpt;
-use crate::document::number::readable;
+use crate::document::number::{readable, typed};
 use crate::document::wording::Wording;
 use crate::motion::trajectory::{Neighbours, Suspect, Warning};
 use serde::Serialize;
@@ -53,7 +53,7 @@ pub fn warning(warning: &Warning, wording: &Wording<'_>) -> WarningReport {
         Warning::StartOpen { error } => say(
             "start-open",
             format!(
-                "The loops cannot be closed from this start: they are open by {} of the mechanism's size, or rad. Give other start values or dimensions.",
+                "The loops cannot be closed from this start: they are open by {} of the mechanism's size, or rad. Give other start values, wider limits or other dimensions.",
                 readable(error)
             ),
             None,
@@ -63,9 +63,9 @@ pub fn warning(warning: &Warning, wording: &Wording<'_>) -> WarningReport {
             start_rigid(error, leap),
             None,
         ),
-        Warning::RoundedDimensions { misfit, suspect } => say(
+        Warning::RoundedDimensions { misfit, tolerance, suspect } => say(
             "rounded-dimensions",
-            rounded_dimensions(misfit, suspect.as_ref(), wording),
+            rounded_dimensions(misfit, tolerance, suspect.as_ref(), wording),
             None,
         ),
         Warning::RoundedUnknown => say(
@@ -101,20 +101,23 @@ pub fn warning(warning: &Warning, wording: &Wording<'_>) -> WarningReport {
             first,
             last,
             smallest,
+            bound,
         } => say(
             "near-singular",
             format!(
-                "Near a singular position in frames {} to {}: the smallest singular value falls to {}.",
-                first + 1,
-                last + 1,
-                readable(smallest)
+                "{} the linkage is near a singular position: the smallest singular value falls to {}, below {}.",
+                in_frames(first, last),
+                readable(smallest),
+                readable(bound)
             ),
             Some((first, last)),
         ),
         Warning::MobilityDiffers { count, rank } => say(
             "mobility-differs",
             format!(
-                "Counting joints gives {count} degrees of freedom, the rank of the loop equations {rank}: some constraints repeat each other, or the start is a singular position."
+                "Counting joints gives {} degree{} of freedom, the rank of the loop equations {rank}: some constraints repeat each other, or the start is a singular position.",
+                count.to_string().replace('-', "−"),
+                if count == 1 { "" } else { "s" }
             ),
             None,
         ),
@@ -149,11 +152,7 @@ pub fn warning(warning: &Warning, wording: &Wording<'_>) -> WarningReport {
             "runaway",
             format!(
                 "{} the distance keeps falling while a slider runs away: no closest pose was found on this branch. {}Limits for the sliders would help.",
-                if first == last {
-                    format!("At frame {}", first + 1)
-                } else {
-                    format!("In frames {} to {}", first + 1, last + 1)
-                },
+                in_frames(first, last),
                 if elsewhere { "Another assembly, to which no motion was found, comes closer. " } else { "" }
             ),
             Some((first, last)),
@@ -175,13 +174,24 @@ fn start_rigid(error: f64, leap: Option<f64>) -> String {
     )
 }
 
-fn rounded_dimensions(misfit: f64, suspect: Option<&Suspect>, wording: &Wording<'_>) -> String {
+fn rounded_dimensions(
+    misfit: f64,
+    tolerance: f64,
+    suspect: Option<&Suspect>,
+    wording: &Wording<'_>,
+) -> String {
     let size = wording.mechanism.size_or(1.0);
     let mut text = format!(
         "The loops of this linkage have more conditions than it needs, and its dimensions agree only to {} ({} of its size, or rad): they look rounded. The loops are closed as well as they can be, in the sense of least squares, and frames are certified for that.",
         wording.length(misfit * size),
         readable(misfit)
     );
+    if misfit > tolerance {
+        text += &format!(
+            " The tolerance of dimensions is {}: where they disagree by more, frames count as open.",
+            readable(tolerance)
+        );
+    }
     if let Some(suspect) = suspect {
         text += &format!(
             " The smallest change that explains most of it: {}.",
@@ -238,7 +248,21 @@ fn from_to(neighbours: &Neighbours) -> String {
     format!("{} to {}", called(key, before), called(key + 1, own))
 }
 
-/// Radians in degrees, rounded to a thousandth.
-fn degrees(angle: f64) -> f64 {
-    (angle.to_degrees() * 1e3).round() / 1e3
+/// Frames count from 1 for a reader.
+fn in_frames(first: usize, last: usize) -> String {
+    if first == last {
+        format!("At frame {}", first + 1)
+    } else {
+        format!("In frames {} to {}", first + 1, last + 1)
+    }
+}
+
+/// Radians in degrees, to a thousandth, or to four digits where that is 0.
+fn degrees(angle: f64) -> String {
+    let thousandths = (angle.to_degrees() * 1e3).round();
+    if thousandths.abs() > 0.0 {
+        typed(thousandths / 1e3)
+    } else {
+        readable(angle.to_degrees())
+    }
 }

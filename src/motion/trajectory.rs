@@ -72,9 +72,11 @@ pub enum Warning {
     /// The start is nearly closed, open by `error`, and no closed position is near; the nearest that was found is a joint
     /// motion of `leap` (rad or sizes) away. With these dimensions the linkage is rigid, or does not fit together.
     StartRigid { error: f64, leap: Option<f64> },
-    /// The dimensions of an overconstrained linkage contradict each other by up to `misfit` (rad or shares of the size).
+    /// The dimensions of an overconstrained linkage contradict each other by up to `misfit` (rad or shares of the size);
+    /// where it is more than `tolerance`, frames are not certified.
     RoundedDimensions {
         misfit: f64,
+        tolerance: f64,
         suspect: Option<Suspect>,
     },
     /// The gradient planner takes rounded dimensions as they are, and finds no closed position.
@@ -93,6 +95,8 @@ pub enum Warning {
         first: usize,
         last: usize,
         smallest: f64,
+        /// Below which a position is called close to a singular one.
+        bound: f64,
     },
     /// In frames `first` to `last` the distance to the goal keeps falling while a slider without limits runs away.
     /// `elsewhere`: at one of them another assembly, to which no motion was found, comes closer at a finite place.

@@ -324,9 +324,11 @@ impl Planning {
             let frames = (0..self.t.frames()).step_by(step);
             let positions: Vec<&[f64]> = frames.map(|frame| self.t.joints_at(frame)).collect();
             let suspect = self.solver.suspect(&positions);
-            self.t
-                .warnings
-                .push(Warning::RoundedDimensions { misfit, suspect });
+            self.t.warnings.push(Warning::RoundedDimensions {
+                misfit,
+                tolerance: self.t.bounds.misfit,
+                suspect,
+            });
         }
         let leaps = self.leaps.iter().map(Leap::warning);
         self.t.warnings.extend(leaps);

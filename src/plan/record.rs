@@ -157,6 +157,7 @@ pub fn measure_singular(t: &mut Trajectory, solver: &mut Solver) {
                 first,
                 last,
                 smallest,
+                bound: NEAR_SINGULAR,
             });
         }
         frame += run + 1;

@@ -165,8 +165,14 @@ fn words(verdict: &Verdict, planned: &Planned) -> String {
             readable(turn)
         ),
         format!(
-            "  loops     closed to {:.1e}, at most {:.1e}",
-            verdict.closure, report.bounds.closure
+            "  loops     {} {:.1e}, at most {:.1e}",
+            if verdict.closure <= report.bounds.closure {
+                "closed to"
+            } else {
+                "open by"
+            },
+            verdict.closure,
+            report.bounds.closure
         ),
     ];
     if verdict.misfit > report.bounds.closure {
