@@ -148,11 +148,16 @@ pub fn warning(warning: &Warning, wording: &Wording<'_>) -> WarningReport {
             typed,
             turn,
         } => say("short-way", short_way(neighbours, angle, typed, turn), None),
-        Warning::Runaway { first, last, elsewhere } => say(
+        Warning::Runaway { first, last, searched, elsewhere } => say(
             "runaway",
             format!(
-                "{} the distance keeps falling while a slider runs away: no closest pose was found on this branch. {}Limits for the sliders would help.",
+                "{} the distance keeps falling while a slider runs away: no closest pose was found on this branch. {}{}Limits for the sliders would help.",
                 in_frames(first, last),
+                match searched {
+                    0 => "Other positions were not tried, since each search takes long. ".to_owned(),
+                    all if all == last + 1 - first => String::new(),
+                    some => format!("Other positions were tried at {some} of them, since each search takes long. "),
+                },
                 if elsewhere { "Another assembly, to which no motion was found, comes closer. " } else { "" }
             ),
             Some((first, last)),

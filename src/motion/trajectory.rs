@@ -99,10 +99,12 @@ pub enum Warning {
         bound: f64,
     },
     /// In frames `first` to `last` the distance to the goal keeps falling while a slider without limits runs away.
+    /// At `searched` of them other positions, which closed walks join to this one, were tried.
     /// `elsewhere`: at one of them another assembly, to which no motion was found, comes closer at a finite place.
     Runaway {
         first: usize,
         last: usize,
+        searched: usize,
         elsewhere: bool,
     },
     /// The gradient planner does not keep joint limits; frames beyond one are not certified.

@@ -16,20 +16,23 @@ use crate::solve::solver::{Solved, Solver};
 pub struct Runaway {
     first: usize,
     last: usize,
+    searched: usize,
     elsewhere: bool,
 }
 
 impl Runaway {
     /// Adds a frame to the frames before it, or as the first of others.
-    pub fn add(runaways: &mut Vec<Self>, frame: usize, elsewhere: bool) {
+    pub fn add(runaways: &mut Vec<Self>, frame: usize, searched: bool, elsewhere: bool) {
         match runaways.last_mut() {
             Some(before) if before.last + 1 == frame => {
                 before.last = frame;
+                before.searched += usize::from(searched);
                 before.elsewhere |= elsewhere;
             }
             _ => runaways.push(Self {
                 first: frame,
                 last: frame,
+                searched: usize::from(searched),
                 elsewhere,
             }),
         }
@@ -39,6 +42,8 @@ impl Runaway {
     pub fn keep_to(runaways: &mut Vec<Self>, frame: usize) {
         runaways.retain_mut(|runaway| {
             runaway.last = runaway.last.min(frame);
+            let count = (runaway.last + 1).saturating_sub(runaway.first);
+            runaway.searched = runaway.searched.min(count);
             runaway.first <= frame
         });
     }
@@ -48,11 +53,13 @@ impl Runaway {
         let Self {
             first,
             last,
+            searched,
             elsewhere,
         } = *self;
         Warning::Runaway {
             first,
             last,
+            searched,
             elsewhere,
         }
     }
@@ -171,17 +178,18 @@ mod tests {
     fn frames_in_a_row_are_one_runaway() {
         let mut runaways = Vec::new();
         for (frame, elsewhere) in [(3, false), (4, true), (5, false), (8, false), (9, false)] {
-            Runaway::add(&mut runaways, frame, elsewhere);
+            Runaway::add(&mut runaways, frame, frame != 5, elsewhere);
         }
-        let of = |first, last, elsewhere| Runaway {
+        let of = |first, last, searched, elsewhere| Runaway {
             first,
             last,
+            searched,
             elsewhere,
         };
-        assert_eq!(runaways, [of(3, 5, true), of(8, 9, false)]);
+        assert_eq!(runaways, [of(3, 5, 2, true), of(8, 9, 2, false)]);
         Runaway::keep_to(&mut runaways, 8);
-        assert_eq!(runaways, [of(3, 5, true), of(8, 8, false)]);
+        assert_eq!(runaways, [of(3, 5, 2, true), of(8, 8, 1, false)]);
         Runaway::keep_to(&mut runaways, 4);
-        assert_eq!(runaways, [of(3, 4, true)]);
+        assert_eq!(runaways, [of(3, 4, 2, true)]);
     }
 }

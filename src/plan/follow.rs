@@ -223,35 +223,35 @@ impl Planning {
     fn search(&mut self, frame: usize, runaway: Solved) -> Solved {
         /// Searches of one motion: each takes as long as a few hundred frames.
         const MOST: usize = 8;
-        let mut elsewhere = false;
-        if frame >= self.search_from && self.searches < MOST {
+        let goal = self.goals[frame].pose;
+        let searched = frame >= self.search_from && self.searches < MOST;
+        let joined = searched.then(|| {
             self.searches += 1;
             self.search_from = frame + (1 << self.searches);
-            let goal = self.goals[frame].pose;
-            let before = self.joints.clone();
-            if let Some((joints, solved)) = elsewhere::joined(&mut self.solver, &self.joints, &goal)
-            {
-                let leap = Leap::between(self.solver.scaled(), &before, &joints);
-                if frame > 0 {
-                    let time = self.goals[frame].time;
-                    self.leaps.push(Leap {
-                        first: frame - 1,
-                        time,
-                        ..leap
-                    });
-                }
-                self.joints = joints;
-                return solved;
+            elsewhere::joined(&mut self.solver, &self.joints, &goal)
+        });
+        if let Some((joints, solved)) = joined.flatten() {
+            let leap = Leap::between(self.solver.scaled(), &self.joints, &joints);
+            if frame > 0 {
+                let time = self.goals[frame].time;
+                self.leaps.push(Leap {
+                    first: frame - 1,
+                    time,
+                    ..leap
+                });
             }
-            elsewhere = elsewhere::another_assembly(
+            self.joints = joints;
+            return solved;
+        }
+        let elsewhere = searched
+            && elsewhere::another_assembly(
                 &self.mechanism,
                 &goal,
                 &self.settings,
                 extent(&self.goals),
                 runaway.value,
             );
-        }
-        Runaway::add(&mut self.runaways, frame, elsewhere);
+        Runaway::add(&mut self.runaways, frame, searched, elsewhere);
         runaway
     }
 
