@@ -156,7 +156,7 @@ pub fn warning(warning: &Warning, wording: &Wording<'_>) -> WarningReport {
                 match searched {
                     0 => "Other positions were not tried, since each search takes long. ".to_owned(),
                     all if all == last + 1 - first => String::new(),
-                    some => format!("Other positions were tried at {some} of them, since each search takes long. "),
+                    some => format!("Other positions were tried at {some} of them only, since each search takes long. "),
                 },
                 if elsewhere { "Another assembly, to which no motion was found, comes closer. " } else { "" }
             ),
