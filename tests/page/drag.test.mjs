@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { Vector3 } from 'three';
+import { keyFrameTarget } from '../../www/drag/key-frame.js';
 import { movePoint, movePose } from '../../www/drag/screws.js';
 import { lengthDigits, lengthStep, rounded } from '../../www/drag/steps.js';
 
@@ -36,4 +37,13 @@ test('a small step follows the twist', () => {
   const velocity = w.cross(arm).add(v).toArray();
   const after = movePoint({ twist, origin: pose }, s, point.clone()).sub(point).divideScalar(s);
   near(after.toArray(), velocity, 1e-5);
+});
+
+test('a key frame with a text that is no number cannot be moved: a move would write 0 in its place', () => {
+  const key_frames = [{ x: 1, z: 'abc' }, { x: 1, z: 2 }];
+  const app = { store: { document: { motion: { key_frames } } }, player: {} };
+  const [faulty, whole, none] = [0, 1, 2].map((index) => keyFrameTarget(app, index, () => 1));
+  assert.equal(faulty.pose(), null);
+  near(whole.pose(), [1, 0, 2, 0, 0, 0, 1]);
+  assert.equal(none.pose(), null);
 });

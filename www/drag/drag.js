@@ -58,7 +58,8 @@ function connect(app, scene) {
   function targetOf(place) {
     if (place === 'workpiece') return workpiece;
     const key = store.readonly ? null : KEY_FRAME.exec(place);
-    return key && Number(key[1]) < store.document.motion.key_frames.length ? keyFrameTarget(app, Number(key[1]), size) : null;
+    const target = key && keyFrameTarget(app, Number(key[1]), size);
+    return target?.pose() ? target : null;
   }
 
   /** @param {Partial<How>} change */

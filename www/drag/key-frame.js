@@ -3,7 +3,7 @@
  *
  * @typedef {object} Target what a hand moves
  * @property {string} name
- * @property {() => ArrayLike<number> | null} pose where it is now: x y z, quaternion x y z w
+ * @property {() => ArrayLike<number> | null} pose where it is now: x y z, quaternion x y z w; null while that is not known
  * @property {(kind: 'drag' | 'nudge') => void} begin
  * @property {(pose: ArrayLike<number>, turned: boolean) => void} to turned, or else shifted
  * @property {() => void} cancel back to where it was
@@ -17,6 +17,9 @@ import { ANGLE_DIGITS, lengthDigits, rounded } from './steps.js';
 
 const LENGTHS = /** @type {const} */ (['x', 'y', 'z']);
 const ANGLES = /** @type {const} */ (['longitude', 'latitude', 'roll']);
+
+/** Whether all coordinates are numbers: text that is none would count as 0, and be lost with the next move. @param {import('../types.js').Frame} frame */
+const isPose = (frame) => [...LENGTHS, ...ANGLES].every((name) => typeof (frame[name] ?? 0) === 'number');
 
 let drags = 0;
 
@@ -50,7 +53,7 @@ export function keyFrameTarget({ store, player }, index, size) {
       return key()?.name || `key ${index + 1}`;
     },
     pose() {
-      if (!key()) return null;
+      if (!key() || !isPose(key())) return null;
       const [at, turn] = [new Vector3(), new Quaternion()];
       frameMatrix(key()).decompose(at, turn, new Vector3());
       return [...at.toArray(), ...turn.toArray()];

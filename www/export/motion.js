@@ -13,6 +13,7 @@ const FILES = {
 /** @param {import('../workbench.js').App} app @param {keyof typeof FILES} format */
 export async function exportMotion({ store, planner, say }, format) {
   const { document } = store.result;
+  if (!document) return;
   const text = await planner.exportMotion(textOf(document), format);
   const { ending, type } = FILES[format];
   const name = fileName(document, ending);
