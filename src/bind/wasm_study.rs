@@ -195,6 +195,7 @@ fn history(problem: &Problem, history: &History) -> Result<Object, JsValue> {
     Ok(object)
 }
 
+/// Lists of many numbers, as objects without a way through text.
 fn to_js(value: &impl Serialize) -> Result<JsValue, JsValue> {
     let serializer = serde_wasm_bindgen::Serializer::json_compatible();
     value.serialize(&serializer).map_err(JsValue::from)
