@@ -11,9 +11,11 @@ use crate::solve::solver::{End, Iterate, Observer, Solved, Solver, minimum};
 /// Largest rotation of a guarded step, rad, and its first radius: 0.3 still resembles the quadratic
 /// model.
 const STEP: f64 = 0.3;
-/// How far a joint variable may move in one frame, rad or sizes, and so many times as far where the goal is more than a
-/// size away. Without limits the objective can keep falling, ever more slowly, while a slider moves away; there is then no minimum.
+/// How far a joint variable may move in one frame, rad or sizes; or so many times the way to a goal that is far. Without
+/// limits the objective can keep falling, ever more slowly, while a slider moves away; there is then no minimum.
 const FARTHEST: f64 = 100.0;
+/// Sliders that are oblique to the way go farther than it is.
+const OBLIQUE: f64 = 10.0;
 /// Shares of the predicted gain from which the radius grows, below which it shrinks, and below which the step is not taken;
 /// usual ones (Nocedal and Wright, Numerical Optimization, algorithm 4.1).
 const GOOD: f64 = 0.7;
@@ -57,7 +59,7 @@ impl Solver {
         self.origin.copy_from_slice(theta);
         let away = target.goal.translation.vector + target.about
             - self.closer.tangent().pose().translation.vector;
-        let farthest = FARTHEST * away.norm().max(1.0);
+        let farthest = FARTHEST.max(OBLIQUE * away.norm());
         loop {
             let dependence = self.closer.dependence_anywhere();
             let factored = self
