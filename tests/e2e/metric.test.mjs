@@ -30,7 +30,7 @@ test('the metric is chosen, both gaps are shown, and the motion is that of the c
   for (const shown of both) assert.match(shown, /^\d[\d.]* m, \d[\d.]*°$/);
   assert.notEqual(both[0], both[1]);
   assert.match(await inUse(page), /^dual quaternion/);
-  assert.match(await text(page, 'motion-metric'), /^Metric: dual quaternion about \(0, 0, 0\); a shift by 1 m \(as the document says\)/);
+  assert.match(await text(page, 'motion-metric'), /^Metric: dual quaternion about \(0, 0, 0\) m; a shift by 1 m \(as the document says\)/);
   assert.ok(await cell(page, 'planner.metric_origin[0]').isVisible());
   const largest = async () => (await page.locator('#motion-summary button').textContent()).split(', ')[0];
 
