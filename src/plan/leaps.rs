@@ -177,8 +177,9 @@ impl Point {
     }
 }
 
-/// With the rates r, per step, the way of a step is (r₀ + r₁)/2 and its middle is (θ₀ + θ₁)/2 + (r₀ − r₁)/8, with errors of
-/// its third and of its fourth power. A leap is in the way and in none of the rates.
+/// With the rates r at the ends of a step, per step, the way of the step is (r₀ + r₁)/2; or else, by the cubic polynomial
+/// through the ends, its middle is (θ₀ + θ₁)/2 + (r₀ − r₁)/8 and the rate there (θ₁ − θ₀)·3/2 − (r₀ + r₁)/4. A leap
+/// changes the way and the place of the middle, and no rate.
 fn go_as_their_ends(
     solver: &mut Solver,
     from: &Goal,
@@ -210,16 +211,22 @@ fn go_as_their_ends(
         return false;
     }
     let off = Leap::between(solver.scaled(), &predicted, &found).moved_scaled;
-    if off <= 0.5 * FINE {
-        return true;
-    }
     // Further off the rates at the ends say nothing of what is between them.
-    if halvings == 0 || !(off <= FAR) {
+    if !(off <= FAR) {
         return false;
     }
     let Some(middle) = Point::new(solver, from, to, part, &found) else {
         return false;
     };
+    let expected = joints().map(|(x, y, r, s)| 1.5 * (y - x) - 0.25 * (r + s));
+    let rates = expected.zip(&middle.rates);
+    let rates = rates.map(|(rate, found)| (rate - long * found).abs());
+    if off <= 0.5 * FINE && rates.fold(0.0, larger) <= 2.0 * FINE {
+        return true;
+    }
+    if halvings == 0 {
+        return false;
+    }
     [[a, &middle], [&middle, b]]
         .into_iter()
         .all(|half| go_as_their_ends(solver, from, to, half, halvings - 1))
