@@ -34,7 +34,7 @@ export const NEVER_DEFINED = [
   'USE_TANGENT USE_THICKNESSMAP USE_TRANSMISSION USE_TRANSMISSIONMAP DITHERING',
 ].join(' ').split(' ');
 
-/** Counts that are always 0, in the same sense. */
+/** Counts that are always 0, in the same sense: tests/page/shaders.test.mjs sees that the page names no such light. */
 const ALWAYS_ZERO = 'NUM_CLIPPING_PLANES NUM_LIGHT_PROBE_GRIDS NUM_POINT_LIGHTS NUM_RECT_AREA_LIGHTS NUM_SPOT_LIGHTS NUM_SPOT_LIGHT_COORDS NUM_SPOT_LIGHT_MAPS NUM_SUN_LIGHTS'.split(' ');
 
 /** Whether a condition of a shader never holds: one that is known never to, all of several, or one of those that must. */

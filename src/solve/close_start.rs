@@ -24,7 +24,7 @@ const ROUNDED_BLUR: f64 = 3.0;
 /// rounded linkages are independent by about as much as their dimensions contradict each other.
 const INDEPENDENT: f64 = 10.0;
 /// The same at least, whatever the error of the start: with rounded dimensions it may be small by chance.
-const FOUND: f64 = 1e-7;
+const NEARLY_SURPLUS: f64 = 1e-7;
 /// Distance from dependence up to which a constraint of a linkage with exact dimensions is surplus: a double's precision,
 /// and a thousandfold for the products that a constraint is made of.
 const EXACT: f64 = 1e-13;
@@ -211,7 +211,7 @@ fn rounded(
     if !(tolerance > 0.0) {
         return None;
     }
-    let independent = tolerance.min((INDEPENDENT * error).max(FOUND));
+    let independent = tolerance.min((INDEPENDENT * error).max(NEARLY_SURPLUS));
     let free = Holding::new(scaled.limits());
     let mut held = free.clone();
     let before = closer.dependence();

@@ -10,32 +10,32 @@
  * @returns {import('../types.js').Posture & {note: string}}
  */
 export function postureOf(trace, method, at, { reached }) {
-  const course = trace[method];
-  const count = course.iteration.length;
+  const history = trace[method];
+  const count = history.iteration.length;
   const group = (/** @type {Float64Array} */ column) => {
     const width = column.length / count;
     return column.subarray(at * width, (at + 1) * width);
   };
-  const pose = group(course.pose);
+  const pose = group(history.pose);
   const { goal } = trace;
   const turn = Math.abs(pose[3] * goal[3] + pose[4] * goal[4] + pose[5] * goal[5] + pose[6] * goal[6]);
-  const arrived = at === count - 1 && course.converged;
-  const metric = course.metric[at];
+  const arrived = at === count - 1 && history.converged;
+  const metric = history.metric[at];
   return {
-    note: at === 0 ? 'Start of the iterations.' : `Iterate ${course.iteration[at]} of ${course.last}, ${method}.`,
-    joints: group(course.joints),
+    note: at === 0 ? 'Start of the iterations.' : `Iterate ${history.iteration[at]} of ${history.last}, ${method}.`,
+    joints: group(history.joints),
     pose,
-    rows: group(course.rows),
+    rows: group(history.rows),
     goal,
     // Only the last iterate is an answer.
     status: !arrived ? 'stalled' : metric <= reached ? 'reached' : 'closest',
     metric,
     translation_gap: Math.hypot(pose[0] - goal[0], pose[1] - goal[1], pose[2] - goal[2]),
     rotation_gap: 2 * Math.acos(Math.min(1, turn)),
-    closure: course.closure[at],
-    misfit: course.misfit[at],
-    projected_gradient: course.projected_gradient[at],
-    iterations: course.iteration[at],
-    sigma_min: course.sigma_min[at],
+    closure: history.closure[at],
+    misfit: history.misfit[at],
+    projected_gradient: history.projected_gradient[at],
+    iterations: history.iteration[at],
+    sigma_min: history.sigma_min[at],
   };
 }
