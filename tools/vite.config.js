@@ -19,9 +19,9 @@ const filesIn = (folder) =>
     .sort();
 
 /** What other pages name in a script tag keeps its name: NAME.js is that file of www/ with what it imports. */
-const LASTING = { element: 'element/embed.js', frame: 'frame/host.js' };
+const LASTING = { element: 'element/embed.js', frame: 'embed/host.js' };
 /** The element as one script that loads nothing, for frames and for files that hold everything. */
-const INLINE = 'frame/inline.js';
+const INLINE = 'embed/inline.js';
 
 /** The lasting scripts: inline.js in the build, all of them in dev. */
 const lastingScripts = () => ({
@@ -84,7 +84,7 @@ const bundle = () => ({
 });
 
 const linkage = importedAtOnce(at('../www/element/define.js'));
-const panels = importedAtOnce(at('../www/panels.js'));
+const panels = importedAtOnce(at('../www/element/panels.js'));
 
 export default defineConfig({
   root: at('../www'),

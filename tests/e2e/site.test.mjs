@@ -154,7 +154,7 @@ test('the reference has every field of a document, and the whole document in it 
 test('the reference has every function of the package', async () => {
   const { page } = await open('reference.html');
   const named = (await page.locator('main td:first-child code').allTextContents()).map((text) => text.replace(/\(.*/, ''));
-  const functions = [...read('www/api.js').matchAll(/^export (?:async )?function (\w+)/gm)].map(([, name]) => name);
+  const functions = [...read('www/planner/api.js').matchAll(/^export (?:async )?function (\w+)/gm)].map(([, name]) => name);
   assert.ok(functions.includes('plan'));
   for (const name of functions) assert.ok(named.includes(name), name);
 });
@@ -167,8 +167,8 @@ test('the reference has every attribute, property, part and event of the element
     return [...observedAttributes, ...own.filter((name) => name !== 'constructor' && !name.endsWith('Callback'))];
   });
   assert.ok(names.includes('src') && names.includes('currentTime'));
-  const parts = [...read('www/stage.html').matchAll(/part="(\w+)"/g)].map(([, part]) => part);
-  const events = [...read('www/element/announce.js').matchAll(/tell\('(\w+)'/g)].map(([, name]) => name);
+  const parts = [...read('www/element/canvas-area.html').matchAll(/part="(\w+)"/g)].map(([, part]) => part);
+  const events = [...read('www/element/events.js').matchAll(/tell\('(\w+)'/g)].map(([, name]) => name);
   assert.ok(parts.length && events.length);
   await page.goto(`${address}reference.html`);
   const said = new Set((await page.locator('main code').allTextContents()).flatMap((code) => code.match(/[\w-]+/g) ?? []));
@@ -180,8 +180,8 @@ test('the reference has every attribute, property, part and event of the element
 test('the reference of frames names all that they say and obey, and its script does what it says', async () => {
   const { page } = await open('reference.html');
   const said = new Set((await page.locator('main code').allTextContents()).flatMap((code) => code.match(/[\w-]+/g) ?? []));
-  const protocol = read('www/frame/protocol.js');
-  const lists = [/CHANGEABLE = .*?\[(.*?)\]/, /NAMES = \[(.*?)\]/].map((list) => (protocol + read('www/frame/address.js')).match(list)[1].match(/\w+/g));
+  const protocol = read('www/embed/protocol.js');
+  const lists = [/CHANGEABLE = .*?\[(.*?)\]/, /NAMES = \[(.*?)\]/].map((list) => (protocol + read('www/embed/address.js')).match(list)[1].match(/\w+/g));
   const told = [...protocol.matchAll(/(?:send|tell)\('(\w+)'/g)].map(([, name]) => name);
   assert.ok(told.includes('ready') && lists.every(({ length }) => length > 5));
   for (const name of [...told, ...lists.flat()]) assert.ok(said.has(name), name);

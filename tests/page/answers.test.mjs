@@ -2,9 +2,9 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { Desk } from '../../www/desk.js';
-import { Planner } from '../../www/planner.js';
-import { createAnswers } from '../../www/planner.calls.js';
+import { Desk } from '../../www/planner/queue.js';
+import { Planner } from '../../www/planner/planner.js';
+import { createAnswers } from '../../www/planner/calls.js';
 
 const at = (path) => new URL(`../../www/${path}`, import.meta.url);
 /** How many documents were freed. */

@@ -1,7 +1,7 @@
 // Blocks of cells, as spreadsheets write them.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { blockText, parseBlock } from '../../www/block.js';
+import { blockText, parseBlock } from '../../www/panels/tables/block-text.js';
 
 test('tabs part columns and lines part rows; the last line end counts for nothing', () => {
   assert.deepEqual(parseBlock('1\t2.5\r\n-3\tabc\r\n'), [['1', '2.5'], ['-3', 'abc']]);

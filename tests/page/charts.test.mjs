@@ -1,7 +1,7 @@
 // What the charts are made of.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { chartsOf, GROUPS, summary, tableFrames, withUnit } from '../../www/view/chart-list.js';
+import { chartsOf, GROUPS, summary, tableFrames, withUnit } from '../../www/panels/charts/chart-list.js';
 
 const variable = (label, unit) => ({ label, unit, joint: 0, row: 0 });
 const motion = {

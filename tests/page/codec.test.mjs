@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { DamagedLink, decode, encode } from '../../www/files/codec.js';
+import { DamagedLink, decode, encode } from '../../www/core/link-codec.js';
 
 const sample = readFileSync(new URL('../../www/mechanisms/3rps.json', import.meta.url), 'utf8');
 

@@ -1,8 +1,8 @@
 // Code for other pages, and what a frame's address means.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { elementCode, fileCode, frameCode } from '../../www/files/codes.js';
-import { attributesOf, parentOrigin } from '../../www/frame/address.js';
+import { elementCode, fileCode, frameCode } from '../../www/app/files/codes.js';
+import { attributesOf, parentOrigin } from '../../www/embed/address.js';
 
 const HOME = 'https://kinematics.example/tools/';
 const plain = { controls: true, autoplay: false, readonly: false, panels: [], height: 420 };

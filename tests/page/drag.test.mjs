@@ -2,9 +2,9 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { Vector3 } from 'three';
-import { keyFrameTarget } from '../../www/drag/key-frame.js';
-import { movePoint, movePose } from '../../www/drag/screws.js';
-import { lengthDigits, lengthStep, rounded } from '../../www/drag/steps.js';
+import { keyFrameTarget } from '../../www/view3d/hand/key-frame.js';
+import { movePoint, movePose } from '../../www/view3d/hand/screws.js';
+import { lengthDigits, lengthStep, rounded } from '../../www/view3d/hand/steps.js';
 
 const near = (a, b, tolerance = 1e-12) => Array.from(a).forEach((value, i) => assert.ok(Math.abs(value - b[i]) < tolerance, `${i}: ${value} is not ${b[i]}`));
 

@@ -1,7 +1,7 @@
 // Every user action as a function from document to document.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import * as edits from '../../www/edits.js';
+import * as edits from '../../www/core/edits.js';
 
 const revolute = () => ({ type: 'R', rows: [{ alpha: 0, a: 1, theta: 0, d: 0 }] });
 const mechanism = () => ({

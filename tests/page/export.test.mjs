@@ -1,9 +1,9 @@
 // Files that are exported: a film's duration, a packed motion, names.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { pack, unpack } from '../../www/alone/pack.js';
+import { pack, unpack } from '../../www/player-page/pack.js';
 import { withDuration } from '../../www/export/webm.js';
-import { fileName } from '../../www/files/save.js';
+import { fileName } from '../../www/export/save.js';
 
 const HEAD = [0x1a, 0x45, 0xdf, 0xa3, 0x80, 0x18, 0x53, 0x80, 0x67, 0x01, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff];
 const INFO = [0x15, 0x49, 0xa9, 0x66];

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { Quaternion, Vector3 } from 'three';
-import { frameMatrix, frameOf } from '../../www/scene/frame.js';
+import { frameMatrix, frameOf } from '../../www/core/poses.js';
 
 const read = (path) => JSON.parse(readFileSync(new URL(path, import.meta.url), 'utf8'));
 const golden = read('../golden/closest-motion.json');

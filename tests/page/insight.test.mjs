@@ -1,8 +1,8 @@
 // The insight belongs to what is shown now; an answer that comes too late is dropped.
 import assert from 'node:assert/strict';
 import { afterEach, beforeEach, mock, test } from 'node:test';
-import { createInsight } from '../../www/insight.js';
-import { createStore } from '../../www/store.js';
+import { createInsight } from '../../www/core/explain.js';
+import { createStore } from '../../www/core/store.js';
 
 beforeEach(() => mock.timers.enable({ apis: ['setTimeout'] }));
 afterEach(() => mock.timers.reset());

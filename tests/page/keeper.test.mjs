@@ -1,7 +1,7 @@
 // The work that is kept in the browser: comes back, fits, and never overwrites another page's.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { createKeeper } from '../../www/files/keeper.js';
+import { createKeeper } from '../../www/app/files/browser-storage.js';
 
 /** A storage with room for so many characters. */
 function storageOf(room = Infinity) {

@@ -5,7 +5,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { setTimeout as after } from 'node:timers/promises';
-import { createLease } from '../../www/scene/lease.js';
+import { createLease } from '../../www/view3d/scene/lease.js';
 
 /** A canvas and its context by the specification of WEBGL_lose_context; what it refuses is a fault. */
 function browser() {

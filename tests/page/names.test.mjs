@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { belongs, nameOf, thingsOf } from '../../www/scene/names.js';
+import { belongs, nameOf, thingsOf } from '../../www/core/things.js';
 
 const document = JSON.parse(readFileSync(new URL('../../www/mechanisms/3rps.json', import.meta.url), 'utf8'));
 const motion = { frames: 2, translation_gap: [0, 0.12], rotation_gap: [0, Math.PI / 4] };

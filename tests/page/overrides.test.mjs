@@ -1,7 +1,7 @@
 // Readable changes of a document in an address.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { applyOverrides, BadOverride, parseOverrides } from '../../www/files/overrides.js';
+import { applyOverrides, BadOverride, parseOverrides } from '../../www/core/overrides.js';
 
 const document = { name: 'x', chains: [{ joints: [{ type: 'R', rows: [{ a: 0 }, { a: 1 }] }] }], motion: { frames: 5 } };
 

@@ -1,7 +1,7 @@
 // Paths into documents.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { covers, parsePath, valueAt, withValueAt } from '../../www/path.js';
+import { covers, parsePath, valueAt, withValueAt } from '../../www/core/path.js';
 
 test('a path is read as a fault writes it', () => {
   assert.deepEqual(parsePath('chains[1].joints[0].rows[0].alpha'), ['chains', 1, 'joints', 0, 'rows', 0, 'alpha']);

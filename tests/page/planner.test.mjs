@@ -1,8 +1,8 @@
 // The promises in front of the worker, with a worker that answers on command.
 import assert from 'node:assert/strict';
 import { afterEach, beforeEach, mock, test } from 'node:test';
-import { Desk } from '../../www/desk.js';
-import { DocumentFault, Planner, PlannerFailure, Superseded } from '../../www/planner.js';
+import { Desk } from '../../www/planner/queue.js';
+import { DocumentFault, Planner, PlannerFailure, Superseded } from '../../www/planner/planner.js';
 
 /** `requests` are the questions, `messages` all that was posted. @type {{requests: {id: number, call: string, args: unknown[], document?: number, text?: string}[], messages: any[], ended: boolean, onmessage: Function, onerror: Function}[]} */
 let workers;

@@ -1,10 +1,10 @@
 // The playhead: what happens at the end, speed, frames at times, typed frames.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { Player } from '../../www/player.js';
-import { advance, allTimes, frameAt, keyFrameFrames } from '../../www/playhead.js';
-import { createStore } from '../../www/store.js';
-import { readFrame } from '../../www/view/frame-field.js';
+import { Player } from '../../www/core/player.js';
+import { advance, allTimes, frameAt, keyFrameFrames } from '../../www/core/playhead.js';
+import { createStore } from '../../www/core/store.js';
+import { readFrame } from '../../www/bar/frame-field.js';
 
 /** A page's clock that the test winds. */
 function clock() {

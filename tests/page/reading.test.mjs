@@ -1,7 +1,7 @@
 // Files that a person hands in.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { readText } from '../../www/files/reading.js';
+import { readText } from '../../www/app/files/reading.js';
 
 test('text is read, without its mark of order', async () => {
   assert.equal(await readText(new Blob(['\uFEFF{"name": "Größe"}'])), '{"name": "Größe"}');

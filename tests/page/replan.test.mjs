@@ -1,8 +1,8 @@
 // The result follows the document; a plan that takes long says how far it is.
 import assert from 'node:assert/strict';
 import { afterEach, beforeEach, mock, test } from 'node:test';
-import { createReplanning } from '../../www/replan.js';
-import { createStore } from '../../www/store.js';
+import { createReplanning } from '../../www/core/replan.js';
+import { createStore } from '../../www/core/store.js';
 
 const named = (name) => ({ version: 1, name, chains: [], motion: { key_frames: [] } });
 const settled = () => new Promise((done) => setImmediate(done));

@@ -3,11 +3,11 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { Mesh, MeshBasicMaterial } from 'three';
-import { createMaterials } from '../../www/scene/materials.js';
-import { gapClass, gapFrames, gapSteps } from '../../www/scene/gap-lines.js';
-import { ghostFrames } from '../../www/scene/ghosts.js';
-import { Linkage } from '../../www/scene/linkage.js';
-import { Tube } from '../../www/scene/tube.js';
+import { createMaterials } from '../../www/view3d/scene/materials.js';
+import { gapClass, gapFrames, gapSteps } from '../../www/view3d/scene/gap-lines.js';
+import { ghostFrames } from '../../www/view3d/scene/ghosts.js';
+import { Linkage } from '../../www/view3d/scene/linkage.js';
+import { Tube } from '../../www/view3d/scene/tube.js';
 
 const sample = JSON.parse(readFileSync(new URL('../../www/mechanisms/3rps.json', import.meta.url), 'utf8'));
 

@@ -1,7 +1,7 @@
 // Document, result and view: history and subscriptions.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { createStore } from '../../www/store.js';
+import { createStore } from '../../www/core/store.js';
 
 const named = (name) => ({ version: 1, name, chains: [], motion: { key_frames: [] } });
 const rename = (name) => (document) => ({ ...document, name });

@@ -1,7 +1,7 @@
 // The types of mechanisms in the words of Tables 2 and 3.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { assemblyName, grouped, typeSentence } from '../../www/types-of.js';
+import { assemblyName, grouped, typeSentence } from '../../www/panels/types/type-words.js';
 
 const chains = (...constraints) => constraints.map((count) => ({ type: 'X', constraints: count }));
 const tables = {

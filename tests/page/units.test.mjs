@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync, readdirSync } from 'node:fs';
 import { test } from 'node:test';
-import { convertLengths } from '../../www/units.js';
+import { convertLengths } from '../../www/core/units.js';
 
 const folder = new URL('../../www/mechanisms/', import.meta.url);
 const documents = readdirSync(folder).filter((name) => name.endsWith('.json') && name !== 'index.json');

@@ -1,9 +1,9 @@
 // Why not closer, and the iterations, in words.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { contraction, iterateInWords } from '../../www/view/algorithm-words.js';
-import { postureOf } from '../../www/view/posture-of.js';
-import { atLimits, certificate, direction, freedomInWords, mostHolding, percentages, twistInWords } from '../../www/view/why-words.js';
+import { contraction, iterateInWords } from '../../www/panels/algorithm/algorithm-words.js';
+import { postureOf } from '../../www/panels/algorithm/posture-of.js';
+import { atLimits, certificate, direction, freedomInWords, mostHolding, percentages, twistInWords } from '../../www/panels/info/why-words.js';
 
 test('shares are whole percent that sum to 100', () => {
   assert.deepEqual(percentages([1 / 3, 1 / 3, 1 / 3]), [34, 33, 33]);

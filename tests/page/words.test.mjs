@@ -1,9 +1,9 @@
 // Findings in words.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { degrees, length, scientific, short } from '../../www/format.js';
-import { parts } from '../../www/view/fault-note.js';
-import { mobilitySentence, partSentence, singularSentence, worstFrame } from '../../www/view/words.js';
+import { degrees, length, scientific, short } from '../../www/core/format.js';
+import { parts } from '../../www/panels/tables/fault-note.js';
+import { mobilitySentence, partSentence, singularSentence, worstFrame } from '../../www/core/status-words.js';
 
 test('numbers are short, with a true minus, and never say −0', () => {
   assert.deepEqual([short(1.5), short(-2), short(-0.00001), short(1 / 3), short(NaN)], ['1.5', '−2', '0', '0.3333', '–']);

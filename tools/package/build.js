@@ -23,7 +23,7 @@ const asWritten = (names) => ({
 });
 
 /** Files that are loaded together in any case are one; the planner's are apart, for who wants nothing else. */
-const together = [['planner', 'api.js'], ['linkage', 'element/define.js'], ['panels', 'panels.js']].map(([name, file]) => {
+const together = [['planner', 'planner/api.js'], ['linkage', 'element/define.js'], ['panels', 'element/panels.js']].map(([name, file]) => {
   const all = importedAtOnce(at(`www/${file}`));
   return { name, test: (id) => all.has(id) };
 });
@@ -60,9 +60,11 @@ const licences = (packages) => packages.map((name) => `${name}\n\n${readFileSync
 function types() {
   const made = mkdtempSync(join(tmpdir(), 'types-'));
   execFileSync(at('tools/node_modules/.bin/tsc'), ['-p', at('tools/package'), '--outDir', made], { stdio: 'inherit' });
-  copyFileSync(join(made, 'www/api.d.ts'), dist('index.d.ts'));
-  copyFileSync(join(made, 'www/faults.d.ts'), dist('faults.d.ts'));
-  copyFileSync(join(made, 'www/frame/host.d.ts'), dist('frame.d.ts'));
+  // In the package all lie in one folder.
+  const flat = (file) => readFileSync(join(made, file), 'utf8').replaceAll('../core/types.js', './types.js');
+  put('index.d.ts', flat('www/planner/api.d.ts'));
+  put('errors.d.ts', flat('www/planner/errors.d.ts'));
+  put('frame.d.ts', flat('www/embed/host.d.ts'));
   rmSync(made, { recursive: true });
   for (const name of ['element.d.ts', 'inline.d.ts', 'worker.d.ts']) copyFileSync(at(`tools/package/types/${name}`), dist(name));
   put('types.d.ts', `${readFileSync(at('src/bind/wasm.d.ts'), 'utf8')}\n${documentTypes(JSON.parse(readFileSync(at('src/document/schema.json'), 'utf8')))}`);
@@ -98,10 +100,10 @@ const manifest = {
 
 rmSync(at('dist'), { recursive: true, force: true });
 mkdirSync(dist('samples'), { recursive: true });
-const others = await modules({ index: 'api.js', element: 'element/embed.js', frame: 'frame/host.js', worker: 'planner.worker.js' }, { wasm: 'wasm.js', worker: 'start-worker.js', codeSplitting: { groups: together } });
-await modules({ 'index.node': 'api.js' }, { wasm: 'wasm.node.js', worker: 'start-worker.node.js', codeSplitting: false });
+const others = await modules({ index: 'planner/api.js', element: 'element/embed.js', frame: 'embed/host.js', worker: 'planner/worker.js' }, { wasm: 'wasm.js', worker: 'start-worker.js', codeSplitting: { groups: together } });
+await modules({ 'index.node': 'planner/api.js' }, { wasm: 'wasm.node.js', worker: 'start-worker.node.js', codeSplitting: false });
 put('LICENSE-OTHERS', licences(others));
-put('inline.js', await inlineScript('inline.js'));
+put('inline.js', await inlineScript('embed/everything.js'));
 types();
 for (const [from, to] of [
   ['www/pkg/synthetica_bg.wasm', 'synthetica.wasm'],

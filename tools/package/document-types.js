@@ -1,6 +1,6 @@
 // The TypeScript types of a document, from its JSON Schema.
 
-/** Names as the page has them (www/types.js). */
+/** Names as the page has them (www/core/types.js). */
 const name = (definition) => ({ KeyFrameEntry: 'KeyFrame', MotionEntry: 'MotionSpec', PlannerEntry: 'PlannerSpec', LimitsEntry: 'Limit' })[definition] ?? definition.replace(/Entry$/, '');
 
 function type(schema) {

@@ -44,6 +44,6 @@ const asModule = (value) => `export default ${JSON.stringify(value)};`;
 /** The script's text, which may stand in a page's script tag too. @param {string} entry a file in www/ @returns {Promise<string>} */
 export async function inlineScript(entry) {
   const wasm = gzipSync(readFileSync(at('../../www/pkg/synthetica_bg.wasm')), { level: 9 }).toString('base64');
-  const worker = await oneScript('planner.worker.js', { 'held:wasm': 'export default self.packed;', 'held:worker': asModule('') });
+  const worker = await oneScript('planner/worker.js', { 'held:wasm': 'export default self.packed;', 'held:worker': asModule('') });
   return inert(await oneScript(entry, { 'held:wasm': asModule(wasm), 'held:worker': asModule(worker) }));
 }

@@ -16,8 +16,8 @@ export const planner = ({ wasm, worker }) => ({
   name: 'planner',
   enforce: 'pre',
   resolveId(id, importer) {
-    if (id === './start-worker.js' && importer === at('port.js')) return this.resolve(worker, importer);
-    return id === './pkg-first/synthetica.js' ? at('pkg/synthetica.js') : null;
+    if (id === './start-worker.js' && importer === at('planner/channel.js')) return this.resolve(worker, importer);
+    return id === '../pkg-first/synthetica.js' ? at('pkg/synthetica.js') : null;
   },
   transform(code, id) {
     if (id !== at('pkg/synthetica.js')) return null;

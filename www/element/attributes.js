@@ -1,12 +1,12 @@
 /**
  * The attributes of <synthetica-linkage>: what may stand in each, and how it is written. No DOM.
  *
- * @typedef {import('../playhead.js').Loop} Loop
+ * @typedef {import('../core/playhead.js').Loop} Loop
  */
-import { Refusal } from '../refusal.js';
-import { STANDARD_VIEWS } from '../scene/standard-views.js';
+import { Refusal } from '../core/refusal.js';
+import { STANDARD_VIEWS } from '../core/standard-views.js';
 
-/** @type {import('../workbench.js').Panel[]} */
+/** @type {import('./workbench.js').Panel[]} */
 export const PANELS = ['mechanism', 'motion', 'teach', 'types', 'info', 'charts', 'algorithm'];
 
 /** @template {string} T @param {string} name @param {string} text @param {readonly T[]} accepted @returns {T} */
@@ -35,7 +35,7 @@ export const MEANINGS = {
   view: (text) => (text === null || text === '' ? '' : oneOf('view', text, /** @type {(keyof typeof STANDARD_VIEWS)[]} */ (Object.keys(STANDARD_VIEWS)))),
   /** @param {string | null} text @returns {'light' | 'dark' | 'auto' | ''} */
   theme: (text) => (text === null || text === '' ? '' : oneOf('theme', text, /** @type {const} */ (['light', 'dark', 'auto']))),
-  /** @param {string | null} text @returns {import('../workbench.js').Panel[]} */
+  /** @param {string | null} text @returns {import('./workbench.js').Panel[]} */
   panels: (text) => (text ?? '').split(/[\s,]+/).filter(Boolean).map((word) => oneOf('panels', word, PANELS)),
   /** @param {string | null} text @returns {'element' | 'page'} */
   keys: (text) => (text === null ? 'element' : oneOf('keys', text, /** @type {const} */ (['element', 'page']))),

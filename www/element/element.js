@@ -2,26 +2,26 @@
  * The element <synthetica-linkage>: a linkage with its motion, in the words of the media elements. What is seen of it is
  * made by workbench.js when it first comes into view.
  *
- * @typedef {import('../types.js').MechanismDocument} MechanismDocument
- * @typedef {import('../types.js').Motion} Motion
- * @typedef {import('../workbench.js').AppWithPanels} AppWithPanels
+ * @typedef {import('../core/types.js').MechanismDocument} MechanismDocument
+ * @typedef {import('../core/types.js').Motion} Motion
+ * @typedef {import('./workbench.js').AppWithPanels} AppWithPanels
  * @typedef {{message: string, where: string, code: string}} LinkageError `where` is the place in the document, such as
  *   `chains[1].joints[0]`; empty where the document is not at fault
  */
-import { textOf } from '../document-text.js';
-import { isEmpty } from '../linkage.js';
-import { wear } from '../look.js';
-import { reason } from '../opening.js';
-import { DocumentFault } from '../planner.js';
-import { Refusal } from '../refusal.js';
-import { findSample, sampleText } from '../samples.js';
-import markup from '../stage.html?raw';
+import { textOf } from '../core/document-text.js';
+import { isEmpty } from '../core/linkage.js';
+import { wear } from '../ui/style-sheets.js';
+import { reason } from '../core/open.js';
+import { DocumentFault } from '../planner/planner.js';
+import { Refusal } from '../core/refusal.js';
+import { findSample, sampleText } from '../core/samples.js';
+import markup from './canvas-area.html?raw';
 import look from '../style/linkage.css?inline';
-import { whileSeen } from '../view/lazy.js';
-import { createWorkbench } from '../workbench.js';
-import { announce } from './announce.js';
+import { whileSeen } from '../ui/lazy.js';
+import { createWorkbench } from './workbench.js';
+import { announce } from './events.js';
 import { MEANINGS } from './attributes.js';
-import { LinkageWords } from './words.js';
+import { LinkageWords } from './media-properties.js';
 
 /** How long an element may be without a document before it says so, in milliseconds: a script may be about to give it one. */
 const PATIENCE = 1000;

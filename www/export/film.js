@@ -1,14 +1,14 @@
 /**
  * A film of one pass of the motion, recorded while it plays, as WebM.
  *
- * @typedef {import('../workbench.js').App} App
+ * @typedef {import('../element/workbench.js').App} App
  */
 import '../style/export.css';
-import { element, setText } from '../dom.js';
-import { fileName, saveFile } from '../files/save.js';
-import { frameAt } from '../playhead.js';
-import { shown } from '../shown.js';
-import { openDialog } from '../view/dialog.js';
+import { element, setText } from '../ui/dom.js';
+import { fileName, saveFile } from './save.js';
+import { frameAt } from '../core/playhead.js';
+import { shown } from '../core/shown.js';
+import { openDialog } from '../ui/dialog.js';
 import { filmType } from './film-type.js';
 import { drawPicture } from './picture.js';
 import { withDuration } from './webm.js';

@@ -1,12 +1,12 @@
 /**
  * One HTML file that plays the solved motion by itself: the player, the scene and the numbers in it, nothing to load.
  */
-import { script, style } from '../alone/main.js?bundle';
-import { pack } from '../alone/pack.js';
-import { fileName, saveFile } from '../files/save.js';
+import { script, style } from '../player-page/main.js?bundle';
+import { pack } from '../player-page/pack.js';
+import { fileName, saveFile } from './save.js';
 import { inert } from './inert.js';
 
-/** @param {import('../workbench.js').App} app */
+/** @param {import('../element/workbench.js').App} app */
 export async function exportHtml({ store, say }) {
   const { motion, document } = store.result;
   if (!motion || !document) return;
@@ -15,7 +15,7 @@ export async function exportHtml({ store, say }) {
   say(`Saved ${name}: it plays in any browser, also without a network.`);
 }
 
-/** @param {import('../types.js').MechanismDocument} document @param {string} motion packed */
+/** @param {import('../core/types.js').MechanismDocument} document @param {string} motion packed */
 async function page(document, motion) {
   const code = inert(script);
   // The file may run this one script and use this one style sheet, by their hashes, and load nothing at all.

@@ -1,16 +1,16 @@
 /**
  * The view as a picture for programs.
  */
-import { describeScene } from '../view/words.js';
+import { describeScene } from '../core/status-words.js';
 import { drawPicture } from './picture.js';
 import { drawing } from './svg.js';
-import { Refusal } from '../refusal.js';
+import { Refusal } from '../core/refusal.js';
 
 /** What stands in for a view that has no size, in CSS pixels. */
 const SIZE = { width: 640, height: 480 };
 
 /**
- * @param {import('../workbench.js').App} app
+ * @param {import('../element/workbench.js').App} app
  * @param {{type?: 'png' | 'svg', width?: number, height?: number, scale?: number}} wish
  * @returns {Promise<Blob>}
  */

@@ -1,10 +1,10 @@
 /**
  * The Export menu. What makes the files is loaded when it is first asked for.
  *
- * @typedef {import('../workbench.js').App} App
+ * @typedef {import('../element/workbench.js').App} App
  */
-import { byId } from '../dom.js';
-import { menuButton } from '../view/menu.js';
+import { byId } from '../ui/dom.js';
+import { menuButton } from '../ui/menu.js';
 import { filmType } from './film-type.js';
 
 /** @param {App} app */

@@ -1,8 +1,8 @@
 /**
  * The motion as text: a table, data, a MuJoCo model; the planner writes them.
  */
-import { textOf } from '../document-text.js';
-import { fileName, saveFile } from '../files/save.js';
+import { textOf } from '../core/document-text.js';
+import { fileName, saveFile } from './save.js';
 
 const FILES = {
   csv: { ending: 'csv', type: 'text/csv' },
@@ -10,7 +10,7 @@ const FILES = {
   mjcf: { ending: 'mjcf.xml', type: 'application/xml' },
 };
 
-/** @param {import('../workbench.js').App} app @param {keyof typeof FILES} format */
+/** @param {import('../element/workbench.js').App} app @param {keyof typeof FILES} format */
 export async function exportMotion({ store, planner, say }, format) {
   const { document } = store.result;
   if (!document) return;

@@ -1,7 +1,7 @@
 /**
  * Pictures of the view in any size: a renderer of its own draws the same scene, so that the view stays as it is.
  *
- * @typedef {NonNullable<import('../workbench.js').App['scene']>} Scene
+ * @typedef {NonNullable<import('../element/workbench.js').App['scene']>} Scene
  * @typedef {object} Wish
  * @property {number} width in CSS pixels, as the names are sized
  * @property {number} height

@@ -2,12 +2,12 @@
  * The view as a PNG: the dialog that asks for size and background, and the file.
  */
 import '../style/export.css';
-import { element } from '../dom.js';
-import { fileName, saveFile } from '../files/save.js';
-import { openDialog } from '../view/dialog.js';
+import { element } from '../ui/dom.js';
+import { fileName, saveFile } from './save.js';
+import { openDialog } from '../ui/dialog.js';
 import { drawPicture } from './picture.js';
 
-/** @param {import('../workbench.js').App} app */
+/** @param {import('../element/workbench.js').App} app */
 export async function exportPng({ store, scene, say }) {
   if (!scene) return;
   const { clientWidth: width, clientHeight: height } = scene.canvas;

@@ -4,8 +4,8 @@
  * @typedef {import('./picture.js').Scene} Scene
  */
 import { DirectionalLight, LineSegments, Vector3 } from 'three';
-import { fileName, saveFile } from '../files/save.js';
-import { describeScene } from '../view/words.js';
+import { fileName, saveFile } from './save.js';
+import { describeScene } from '../core/status-words.js';
 import { hull } from './hull.js';
 import { NAME, pictureRenderer, placedNames, viewStyle, withoutTools } from './picture.js';
 import { cornersOf, eachBody, viewTriangles } from './triangles.js';
@@ -14,7 +14,7 @@ import { onlyVisible } from './visible.js';
 /** Steps in which the ground's lines fade. */
 const FADES = 8;
 
-/** @param {import('../workbench.js').App} app */
+/** @param {import('../element/workbench.js').App} app */
 export async function exportSvg({ store, scene, say }) {
   if (!scene) return;
   const { name } = store.result.document ?? {};

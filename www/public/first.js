@@ -6,7 +6,7 @@ if (/[?&]embed(?=[=&]|$)/.test(location.search)) {
   location.replace(`./embed.html${location.search}${origin}${location.hash}`);
 }
 
-// The chosen colour scheme; view/theme.js goes on from here.
+// The chosen colour scheme; app/theme.js goes on from here.
 try {
   const theme = localStorage.getItem('synthetica.theme');
   if (theme === 'light' || theme === 'dark') document.documentElement.dataset.theme = theme;

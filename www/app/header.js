@@ -1,0 +1,94 @@
+/**
+ * The header: what is done with documents, the document's name, its description in full, the colour scheme.
+ *
+ * @typedef {import('../element/workbench.js').App} App
+ */
+import { setValue } from '../core/edits.js';
+import { byId, setText } from '../ui/dom.js';
+import { menuButton } from '../ui/menu.js';
+import { createTheme } from './theme.js';
+
+/**
+ * @param {App} app
+ * @param {ReturnType<typeof import('./files/documents.js').createDocuments>} documents
+ * @param {{earlier: () => import('./files/browser-storage.js').Earlier[]}} keeper
+ */
+export function createHeader(app, documents, keeper) {
+  const { store, say } = app;
+  createTheme();
+  createAbout(store);
+
+  const examples = async () => (await import('./gallery.js')).openGallery(app);
+  const earlier = async () => (await import('./earlier.js')).openEarlier(app, keeper.earlier());
+  const lists = [examples, earlier].map((act) => () => act().catch(() => say('This part of the page could not be loaded. Reload the page to try again.')));
+
+  byId('examples').addEventListener('click', lists[0]);
+  byId('new').addEventListener('click', documents.fresh);
+  byId('open').addEventListener('click', documents.pick);
+  byId('save').addEventListener('click', () => documents.save());
+  byId('share').addEventListener('click', documents.share);
+
+  const file = menuButton('File', () => [
+    { label: 'Examples', act: lists[0] },
+    { label: 'New', act: documents.fresh },
+    { label: 'Open…', hint: 'Ctrl+O, or drop a file onto the page', act: documents.pick },
+    { label: 'Save', hint: 'Ctrl+S', act: () => documents.save() },
+    { label: 'Save as…', act: () => documents.save(true) },
+    'line',
+    { label: 'Share', hint: 'A link that holds the whole document', act: documents.share },
+    { label: 'Earlier documents', hint: 'Kept in this browser', disabled: keeper.earlier().length === 0, act: lists[1] },
+    'line',
+    { label: 'Colours', hint: byId('theme').getAttribute('aria-label')?.replace('Colours: ', 'Now '), act: () => byId('theme').click() },
+  ]);
+  file.classList.add('plain-button');
+  file.id = 'file-menu';
+  file.title = 'More: save as, earlier documents';
+  byId('save').after(file);
+
+  document.addEventListener('keydown', (event) => {
+    if (!(event.ctrlKey || event.metaKey) || event.altKey || event.shiftKey) return;
+    const act = { s: () => documents.save(), o: documents.pick }[event.key.toLowerCase()];
+    if (!act) return;
+    event.preventDefault();
+    act();
+  });
+}
+
+/** The name in the header, and what opens below it: name and description to read and to edit. @param {App['store']} store */
+function createAbout(store) {
+  const button = byId('about-button');
+  const panel = byId('about-panel');
+  const fields = /** @type {const} */ ([
+    ['name', /** @type {HTMLInputElement} */ (byId('about-name'))],
+    ['about', /** @type {HTMLTextAreaElement} */ (/** @type {unknown} */ (byId('about-text')))],
+  ]);
+  let visits = 0;
+  for (const [path, field] of fields) {
+    let visit = '';
+    field.addEventListener('focus', () => {
+      visit = `about ${++visits}`;
+    });
+    field.addEventListener('input', () => store.edit((document) => setValue(document, path, field.value), visit));
+  }
+
+  // The button opens it by its attribute; what is left to do is to place it below the button.
+  panel.addEventListener('beforetoggle', () => {
+    const { left, bottom } = button.getBoundingClientRect();
+    panel.style.top = `${bottom + 4}px`;
+    panel.style.left = `max(4px, min(${left}px, 100vw - var(--width) - 4px))`;
+  });
+
+  function show() {
+    const { document: shown, origin, unsaved } = store;
+    setText(byId('document-name'), shown.name || 'Linkage');
+    // The first sentence; the panel has the whole.
+    setText(byId('about'), (shown.about ?? '').split(/(?<=[.!?])\s/)[0]);
+    for (const [path, field] of fields) if (field.value !== (shown[path] ?? '')) field.value = shown[path] ?? '';
+    byId('unsaved').hidden = !unsaved;
+    setText(byId('about-file'), origin.title ? `${unsaved ? 'Changed since it was opened or saved as' : 'As in'} ${origin.title}.` : unsaved ? 'In no file yet.' : '');
+    document.title = `${unsaved ? '● ' : ''}${shown.name || 'Linkage'} – Synthetica`;
+  }
+  store.subscribe('document', show);
+  store.subscribe('origin', show);
+  show();
+}

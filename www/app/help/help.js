@@ -1,0 +1,43 @@
+/**
+ * The Help menu: the first minute, the keys, what the numbers mean, the lessons, the pages beside the applet.
+ */
+import { byId, targetOf } from '../../ui/dom.js';
+import { menuButton } from '../../ui/menu.js';
+import { askedLesson, lessons, openLesson } from './lessons.js';
+import { startTour, wasSeen } from './tour.js';
+
+/** @param {import('../../element/workbench.js').AppWithPanels} app */
+export function createHelp(app) {
+  const reference = () => import('./reference.js');
+  const showKeys = () => reference().then(({ showKeys: show }) => show());
+  const showNumbers = () => reference().then(({ showNumbers: show }) => show());
+
+  /** A page of the site, beside the applet. @param {string} address */
+  const page = (address) => () => window.open(address, '_blank', 'noopener');
+
+  byId('menus').append(
+    menuButton('Help', () => [
+      { label: 'First minute', hint: 'A short tour of the page', act: () => startTour(app, { focus: true }) },
+      { label: 'Keys', hint: 'Everything from the keyboard: ?', act: showKeys },
+      { label: 'What the numbers mean', hint: 'Each with its equation', act: showNumbers },
+      'line',
+      ...lessons.map(({ id, title, line }) => ({ label: `Lesson: ${title}`, hint: line, act: () => openLesson(app, id) })),
+      'line',
+      { label: 'Gallery', hint: 'The examples, described', act: page('./gallery.html') },
+      { label: 'Course', hint: 'A lecture with live linkages', act: page('./course.html') },
+      { label: 'Method', hint: 'The derivation, and the paper’s misprints', act: page('./method.html') },
+      { label: 'Reference', hint: 'Documents and programs', act: page('./reference.html') },
+    ]),
+  );
+  document.addEventListener('keydown', (event) => {
+    const typing = targetOf(event)?.closest('input:not([type=range]), select, textarea');
+    if (event.key !== '?' || event.ctrlKey || event.metaKey || typing || document.querySelector('dialog[open]')) return;
+    event.preventDefault();
+    showKeys();
+  });
+
+  // The lesson of the address, or the first minute of a first visit.
+  const lesson = askedLesson();
+  if (lesson !== null) openLesson(app, lesson);
+  else if (!wasSeen()) startTour(app, { focus: false });
+}

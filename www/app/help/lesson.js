@@ -1,0 +1,120 @@
+/**
+ * A lesson beside the linkage: its text, its buttons that act on the page, and numbers that follow the motion.
+ *
+ * @typedef {import('../../element/workbench.js').AppWithPanels} App
+ * @typedef {{id: string, title: string, text: string, document: string}} Lesson
+ */
+import { element, setText } from '../../ui/dom.js';
+import { setValue } from '../../core/edits.js';
+import { angle, length } from '../../core/format.js';
+import { parsePath, valueAt } from '../../core/path.js';
+import { sampleOf, sampleText } from '../../core/samples.js';
+import { convertLengths } from '../../core/units.js';
+import { statusName, statusWords, worstFrame } from '../../core/status-words.js';
+
+/** @param {App} app @param {Lesson} lesson */
+export function showLesson(app, lesson) {
+  const { store, player, tabs, say, find } = app;
+  const panel = find('lesson');
+  const body = element('article', { class: 'lesson' });
+  // Our own text, from a file beside this one.
+  body.innerHTML = lesson.text;
+  panel.replaceChildren(
+    element('h2', {}, lesson.title),
+    element(
+      'p',
+      { class: 'lesson-tools' },
+      element('button', { click: () => print() }, 'Print'),
+      element('button', { click: copyLink }, 'Copy link'),
+      element('button', { click: close }, 'Close the lesson'),
+    ),
+    body,
+  );
+  find('tab-lesson').hidden = false;
+  tabs.choosePanel(panel);
+
+  async function copyLink() {
+    const address = new URL(`?lesson=${lesson.id}`, location.href);
+    address.hash = '';
+    const copied = await navigator.clipboard?.writeText(address.href).then(() => true, () => false);
+    say(copied ? 'A link to this lesson is copied.' : address.href);
+  }
+
+  function close() {
+    leave.forEach((end) => end());
+    find('tab-lesson').hidden = true;
+    panel.replaceChildren();
+    tabs.choosePanel(find('mechanism'));
+    find('tab-mechanism').focus();
+  }
+
+  /** What a button does, by its attributes. @type {Record<string, (data: DOMStringMap) => void | Promise<unknown>>} */
+  const acts = {
+    restart: () => app.open(lesson.document),
+    sample: async ({ sample }) => app.open(await sampleText(sampleOf(sample ?? ''))),
+    play: () => player.play(),
+    worst: () => {
+      player.pause();
+      if (store.result.motion) player.frame = worstFrame(store.result.motion.metric);
+    },
+    panel: ({ panel: id }) => {
+      const target = find(id ?? '');
+      // The lesson gives way only where the other panel cannot stand beside it.
+      if (!target.offsetParent) tabs.choosePanel(target);
+      target.scrollIntoView({ block: 'nearest' });
+      target.classList.add('look-here');
+      setTimeout(() => target.classList.remove('look-here'), 1500);
+    },
+    set: ({ set, to }) => change(set ?? '', (document) => setValue(document, set ?? '', JSON.parse(to ?? 'null'))),
+    remove: ({ remove }) => {
+      const [list, index] = parsePath(remove ?? '');
+      change(String(list), (document) => {
+        const kept = /** @type {unknown[]} */ (valueAt(document, String(list))).filter((_, i) => i !== index);
+        return setValue(document, String(list), kept);
+      }, remove);
+    },
+    unit: ({ unit, times }) => {
+      if (store.document.length_unit !== unit) store.edit((document) => convertLengths(document, Number(times), unit ?? ''));
+    },
+  };
+
+  /**
+   * Edits the lesson's linkage; where another one is open it says so.
+   * @param {string} parent
+   * @param {(document: import('../../core/types.js').MechanismDocument) => import('../../core/types.js').MechanismDocument} edit
+   * @param {string} [needed] place that must exist
+   */
+  function change(parent, edit, needed = parent) {
+    if (valueAt(store.document, needed) === undefined) say('The lesson’s linkage is not open.', { label: 'Open it', act: () => app.open(lesson.document) });
+    else store.edit(edit);
+  }
+
+  body.addEventListener('click', (event) => {
+    const button = /** @type {Element} */ (event.target).closest('button');
+    if (!button) return;
+    for (const [name, act] of Object.entries(acts)) if (name in button.dataset) act(button.dataset);
+  });
+
+  function show() {
+    const { motion, document, fault } = store.result;
+    if (!motion || !document) return;
+    const { frame } = store.view;
+    const worst = worstFrame(motion.metric);
+    const gap = (/** @type {number} */ at) => `${length(motion.translation_gap[at], document.length_unit)} and ${angle(motion.rotation_gap[at])}`;
+    /** @type {Record<string, string>} */
+    const values = {
+      count: String(motion.report.mobility_count).replace('-', '−'),
+      rank: String(motion.report.mobility_rank),
+      warnings: fault ? fault.message : (motion.report.warnings.find(({ code }) => code === 'start-open')?.message ?? ''),
+      frame: String(frame + 1),
+      shift: length(motion.translation_gap[frame], document.length_unit),
+      turn: angle(motion.rotation_gap[frame]),
+      status: statusWords(statusName(motion, frame)).word.toLowerCase(),
+      worst: gap(worst),
+    };
+    for (const output of body.querySelectorAll('output')) setText(output, values[output.dataset.value ?? ''] ?? '');
+  }
+  const leave = [store.subscribe('result', show), store.subscribe('view', show)];
+  show();
+  return { close };
+}

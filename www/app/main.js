@@ -1,0 +1,40 @@
+/**
+ * Composition of the applet: a linkage element with all its panels, and around it what is done with documents.
+ */
+import '../element/define.js';
+import { byId } from '../ui/dom.js';
+import { createExport } from '../export/menu.js';
+import { createAutosave } from './files/autosave.js';
+import { createDocuments } from './files/documents.js';
+import { createKeeper } from './files/browser-storage.js';
+import { start } from './files/start.js';
+import { createHelp } from './help/help.js';
+import { workOffline } from './offline.js';
+// Asked for by the element; named here so that it comes with the page and not after it.
+import '../element/panels.js';
+import { PlannerFailure } from '../planner/planner.js';
+import { createDrop } from './drop.js';
+import { createHeader } from './header.js';
+import { createHistory } from './history.js';
+
+/** @type {import('../element/element.js').SyntheticaLinkage} */
+const element = byId('linkage');
+const { linkage } = element;
+const keeper = createKeeper(() => localStorage, Math.random().toString(36).slice(2));
+
+try {
+  // Both need the planner, and neither the other.
+  const [app] = await Promise.all([element.workbench, start(linkage, keeper)]);
+  createHistory(linkage.store);
+  const documents = createDocuments(app);
+  createHeader(app, documents, keeper);
+  createDrop(documents, linkage.open);
+  createExport(app);
+  createHelp(app);
+  createAutosave(linkage, keeper);
+  if (!matchMedia('(prefers-reduced-motion: reduce)').matches) linkage.player.play();
+  workOffline();
+} catch (error) {
+  if (!(error instanceof PlannerFailure)) throw error;
+  linkage.store.setResult({ trouble: `The planner could not be started (${error.message}). Reload the page to try again.` });
+}

@@ -1,0 +1,58 @@
+/**
+ * The strip of the animation bar: the gap of every frame as a curve and its status as a band; of a motion that was stopped
+ * the frames that are not planned are left open.
+ *
+ * @typedef {import('../core/types.js').Motion} Motion
+ */
+import { statusName } from '../core/status-words.js';
+
+const SVG = 'http://www.w3.org/2000/svg';
+const HEIGHT = 24;
+const BAND = 4;
+const LINE = 1.4;
+
+/** Ends that need a look stand higher, so that they are told apart without colour. @type {Record<string, number>} */
+const HIGHER = { at_limit: 7, stalled: 11, closure_lost: HEIGHT };
+
+/** @param {SVGSVGElement} svg @param {Motion} motion */
+export function drawStrip(svg, motion) {
+  const last = Math.max(1, motion.goal_frames - 1);
+  svg.setAttribute('viewBox', `0 0 ${last} ${HEIGHT}`);
+  svg.replaceChildren();
+
+  // Square root: ½|q − g|² is quadratic in the gap, and a small gap should still be seen.
+  let highest = 0;
+  for (const value of motion.metric) highest = Math.max(highest, Math.sqrt(value));
+  const top = HEIGHT - BAND - 2;
+  let path = `M0 ${top}`;
+  for (let frame = 0; frame < motion.frames; frame++) {
+    const share = highest > 1e-6 ? Math.sqrt(motion.metric[frame]) / highest : 0;
+    path += `L${frame} ${(top - share * (top - 1)).toFixed(2)}`;
+  }
+  add(svg, 'path', { d: `${path}L${motion.frames - 1} ${top}Z`, class: 'gap' });
+  if (motion.partial) add(svg, 'path', { d: `M${motion.frames - 0.5} ${HEIGHT - BAND / 2}H${last}`, class: 'unplanned' });
+
+  // One rectangle a run of equal status, half a frame to either side of its frames.
+  for (let first = 0; first < motion.frames; ) {
+    const name = statusName(motion, first);
+    let end = first;
+    while (end + 1 < motion.frames && motion.status[end + 1] === motion.status[first]) end++;
+    const from = Math.max(0, first - 0.5);
+    const to = Math.min(last, end + 0.5);
+    const height = HIGHER[name] ?? BAND;
+    const band = { x: from, width: to - from, class: `band ${name}` };
+    if (name === 'closest') {
+      // A double line: not reached.
+      add(svg, 'rect', { ...band, y: HEIGHT - height, height: LINE });
+      add(svg, 'rect', { ...band, y: HEIGHT - LINE, height: LINE });
+    } else add(svg, 'rect', { ...band, y: HEIGHT - height, height });
+    first = end + 1;
+  }
+}
+
+/** @param {SVGSVGElement} svg @param {string} tag @param {Record<string, string | number>} attributes */
+function add(svg, tag, attributes) {
+  const made = document.createElementNS(SVG, tag);
+  for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, String(value));
+  svg.append(made);
+}

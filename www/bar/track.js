@@ -1,0 +1,149 @@
+/**
+ * The track of the animation bar: strip, key frames, playhead and slider as one control, by pointer, touch and keyboard.
+ * The slider itself is not drawn; it has the focus, the keys and the words.
+ */
+import { angle, length, short } from '../core/format.js';
+import { element, setText } from '../ui/dom.js';
+import { allTimes, keyFrameFrames } from '../core/playhead.js';
+import { drawStrip } from './strip.js';
+import { countStatuses, frameSentence, partSentence, statusName, statusWords } from '../core/status-words.js';
+
+const PAGE = 10;
+/** Least share of the track beside a key frame in which its name is written. */
+const ROOM = 0.12;
+
+/** @param {Pick<import('../element/workbench.js').App, 'find' | 'store'>} app @param {(frame: number) => void} goTo */
+export function createTrack({ find, store }, goTo) {
+  const track = find('track');
+  const lane = find('lane');
+  const ticks = find('ticks');
+  const playhead = find('strip-playhead');
+  const tip = find('strip-tip');
+  /** @type {HTMLInputElement} */
+  const scrub = find('scrub');
+  /** @type {SVGSVGElement} */
+  const strip = find('strip');
+  /** Of each key frame. @type {number[]} */
+  let keys = [];
+
+  /** The last frame of the goal motion: so far goes the track. */
+  const last = () => Math.max(1, (store.result.motion?.goal_frames ?? 1) - 1);
+  const share = (/** @type {number} */ frame) => `${(100 * frame) / last()}%`;
+
+  /** @param {PointerEvent} event */
+  function frameUnder(event) {
+    const tick = /** @type {HTMLElement | null} */ (/** @type {Element} */ (event.target).closest('.tick'));
+    if (tick && event.type === 'pointerdown') return Number(tick.dataset.frame);
+    const { left, width } = lane.getBoundingClientRect();
+    return Math.round(Math.min(1, Math.max(0, (event.clientX - left) / width)) * last());
+  }
+
+  /** @param {number} frame */
+  function tell(frame) {
+    const { motion, document } = store.result;
+    if (!motion || frame >= motion.frames) return;
+    const { sign, word } = statusWords(statusName(motion, frame));
+    const gap = `${length(motion.translation_gap[frame], document?.length_unit)}, ${angle(motion.rotation_gap[frame])}`;
+    setText(tip, `frame ${frame + 1}: ${sign} ${word.toLowerCase()}, gap ${gap}`);
+    tip.hidden = false;
+    const at = (frame / last()) * lane.clientWidth + lane.offsetLeft;
+    tip.style.left = `${Math.min(track.clientWidth - tip.offsetWidth, Math.max(0, at - tip.offsetWidth / 2))}px`;
+  }
+
+  track.addEventListener('pointerdown', (event) => {
+    if (event.button !== 0) return;
+    event.preventDefault();
+    track.setPointerCapture(event.pointerId);
+    scrub.focus({ preventScroll: true });
+    const frame = frameUnder(event);
+    goTo(frame);
+    tell(frame);
+  });
+  track.addEventListener('pointermove', (event) => {
+    const frame = frameUnder(event);
+    const held = track.hasPointerCapture(event.pointerId);
+    if (held) goTo(frame);
+    if (held || event.pointerType !== 'touch') tell(frame);
+  });
+  for (const end of ['pointerleave', 'pointercancel', 'lostpointercapture']) {
+    track.addEventListener(end, () => {
+      tip.hidden = true;
+    });
+  }
+
+  scrub.addEventListener('input', () => goTo(Number(scrub.value)));
+  scrub.addEventListener('keydown', (event) => {
+    const { frame } = store.view;
+    const next = keyed(event, frame);
+    if (next === undefined) return;
+    event.preventDefault();
+    goTo(next);
+  });
+  /** @param {KeyboardEvent} event @param {number} frame */
+  function keyed(event, frame) {
+    if (event.ctrlKey && event.key === 'ArrowLeft') return keys.filter((key) => key < frame).at(-1) ?? 0;
+    if (event.ctrlKey && event.key === 'ArrowRight') return keys.find((key) => key > frame) ?? last();
+    return { PageUp: frame + PAGE, PageDown: frame - PAGE }[event.key];
+  }
+
+  function showTicks() {
+    const { motion, document } = store.result;
+    if (!motion || !document) return;
+    keys = keyFrameFrames(document, allTimes(motion));
+    const names = document.motion.key_frames.map(({ name }, i) => name || `key frame ${i + 1}`);
+    const signature = JSON.stringify([names, keys, motion.goal_frames]);
+    if (ticks.dataset.signature === signature) return;
+    ticks.dataset.signature = signature;
+    ticks.replaceChildren(
+      ...keys.map((frame, i) => {
+        const place = `motion.key_frames[${i}]`;
+        const room = Math.min(...[keys[i - 1], keys[i + 1]].filter((other) => other !== undefined).map((other) => Math.abs(other - frame))) / last();
+        const tick = element(
+          'button',
+          {
+            class: 'tick',
+            tabindex: -1,
+            title: `${names[i]}, frame ${frame + 1}`,
+            'aria-label': `To key frame ${names[i]}, frame ${frame + 1}`,
+            'data-frame': frame,
+            'data-place': place,
+            // By a screen reader; a pointer has gone there when it went down.
+            click: (/** @type {MouseEvent} */ event) => event.detail === 0 && goTo(frame),
+            pointerenter: () => store.setView({ hovered: place }),
+            pointerleave: () => store.view.hovered === place && store.setView({ hovered: '' }),
+          },
+          ...(room >= ROOM ? [element('span', {}, names[i])] : []),
+        );
+        tick.style.left = share(frame);
+        tick.style.setProperty('--room', String(room));
+        return tick;
+      }),
+    );
+  }
+
+  function show() {
+    const { motion } = store.result;
+    if (!motion) return;
+    const { frame, selected, hovered, posture } = store.view;
+    scrub.value = String(frame);
+    scrub.setAttribute('aria-valuetext', frameSentence(store));
+    playhead.style.left = share(frame);
+    track.classList.toggle('away', posture !== null);
+    for (const tick of /** @type {NodeListOf<HTMLElement>} */ (ticks.querySelectorAll('.tick'))) {
+      tick.classList.toggle('marked', tick.dataset.place === selected || tick.dataset.place === hovered);
+    }
+  }
+
+  store.subscribe('view', show);
+  function take() {
+    const { motion } = store.result;
+    if (!motion) return;
+    if (scrub.max !== String(motion.frames - 1)) scrub.max = String(motion.frames - 1);
+    drawStrip(strip, motion);
+    strip.setAttribute('aria-label', `Gap at every frame, at most ${short(Math.sqrt(2 * Math.max(...motion.metric)))}: ${countStatuses(motion)}. ${partSentence(motion)}`.trim());
+    showTicks();
+    show();
+  }
+  store.subscribe('result', take);
+  take();
+}

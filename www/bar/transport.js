@@ -1,0 +1,85 @@
+/**
+ * The animation bar: play and pause, step, what happens at the end, speed, frame number and time, and the track.
+ */
+import { setText, targetOf } from '../ui/dom.js';
+import { isTimed } from '../core/playhead.js';
+import { createFrameField } from './frame-field.js';
+import { createTrack } from './track.js';
+
+/** What takes keys itself. */
+const TAKES_KEYS = 'input:not([type=range]), select, button, summary, textarea, [role=tab]';
+const TAKES_TEXT = 'input:not([type=range], [type=checkbox]), select, textarea';
+
+/** @param {Pick<import('../element/workbench.js').App, 'find' | 'store' | 'player' | 'keys' | 'signal'>} app */
+export function createTransport(app) {
+  const { find, store, player, keys, signal } = app;
+  const play = find('play');
+  /** @type {HTMLSelectElement} */
+  const loop = find('loop');
+  /** @type {HTMLSelectElement} */
+  const speed = find('speed');
+
+  const toggle = () => (player.paused ? player.play() : player.pause());
+  /** @param {number} frame */
+  const goTo = (frame) => {
+    player.pause();
+    player.frame = frame;
+  };
+  const step = (/** @type {number} */ frames) => goTo(player.frame + frames);
+
+  createTrack(app, goTo);
+  createFrameField(app, goTo);
+  play.addEventListener('click', toggle);
+  find('step-back').addEventListener('click', () => step(-1));
+  find('step-forward').addEventListener('click', () => step(1));
+  find('to-start').addEventListener('click', () => step(-Infinity));
+  find('to-end').addEventListener('click', () => step(Infinity));
+  find('back-to-motion').addEventListener('click', () => {
+    step(0);
+    play.focus();
+  });
+  loop.addEventListener('change', () => {
+    player.loop = /** @type {import('../core/playhead.js').Loop} */ (loop.value);
+  });
+  speed.addEventListener('change', () => {
+    player.playbackRate = Number(speed.value);
+  });
+
+  const press = (/** @type {KeyboardEvent} */ event) => {
+    const target = targetOf(event);
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    if (event.key === ' ' && !target?.closest(TAKES_KEYS)) {
+      event.preventDefault();
+      toggle();
+    }
+    // Only beside the animation: single letters everywhere would be in the way of people who speak to their browser.
+    const steps = { ',': -1, '.': 1 }[event.key];
+    if (steps && target?.closest('.transport, #charts') && !target.closest(TAKES_TEXT)) step(steps);
+  };
+  keys.addEventListener('keydown', /** @type {EventListener} */ (press), { signal });
+
+  function show() {
+    const { motion, document } = store.result;
+    if (!motion) return;
+    const { frame, playing, posture } = store.view;
+    play.setAttribute('aria-label', playing ? 'Pause' : 'Play');
+    play.classList.toggle('playing', playing);
+    loop.value = store.view.loop;
+    showSpeed();
+    find('by-hand').hidden = posture === null;
+    setText(find('by-hand-text'), posture?.note ?? 'Moved by hand.');
+    const timed = isTimed(document);
+    setText(find('frame-number'), `${frame + 1} / ${motion.frames}`);
+    setText(find('frame-time'), `t = ${motion.time[frame].toFixed(timed ? 2 : 3)}${timed ? ' s' : ''}`);
+    find('frame-time').title = timed ? 'Time' : 'From 0 to 1: the key frames name no times';
+  }
+  /** A speed that is none of those offered is offered too. */
+  function showSpeed() {
+    const value = String(store.view.speed);
+    if (![...speed.options].some((option) => option.value === value)) speed.add(new Option(`${value}×`, value));
+    speed.value = value;
+  }
+  store.subscribe('view', show);
+  store.subscribe('result', show);
+  show();
+}

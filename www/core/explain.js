@@ -1,0 +1,45 @@
+/**
+ * Keeps the store's insight in step with what is shown: asks the planner why the workpiece rests there, at once when
+ * the view rests, a few times a second while it moves.
+ */
+import { textOf } from './document-text.js';
+import { DocumentFault, PlannerFailure, Superseded } from '../planner/planner.js';
+import { groupAt, shown } from './shown.js';
+
+/** Least pause between two questions, in milliseconds: as often as a person can read. */
+const PAUSE = 120;
+
+/** @param {Pick<import('./linkage.js').Parts, 'store' | 'planner'>} app */
+export function createInsight({ store, planner }) {
+  /** The columns and the index of the last question, to tell whether anything else is shown now. @type {unknown[]} */
+  let asked = [];
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let waiting;
+  let last = -Infinity;
+
+  async function ask() {
+    waiting = undefined;
+    const what = shown(store);
+    if (!what) return;
+    const question = [what.joints, what.goal, what.index];
+    if (question.every((part, i) => part === asked[i])) return;
+    asked = question;
+    last = performance.now();
+    try {
+      const insight = await planner.explain(textOf(what.document), groupAt(what.joints, what).slice(), groupAt(what.goal, what).slice());
+      if (asked === question) store.setInsight(insight);
+    } catch (error) {
+      if (error instanceof Superseded) return;
+      // Open loops hold nothing, and a planner that failed says so where the motion is planned.
+      if (!(error instanceof DocumentFault || error instanceof PlannerFailure)) throw error;
+      if (asked === question) store.setInsight(null);
+    }
+  }
+
+  function follow() {
+    waiting ??= setTimeout(ask, Math.max(0, last + PAUSE - performance.now()));
+  }
+  store.subscribe('result', follow);
+  store.subscribe('view', follow);
+  follow();
+}

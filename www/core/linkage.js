@@ -1,0 +1,38 @@
+/**
+ * A linkage that lives: its document, its planner, what was planned and the playhead. Draws nothing.
+ *
+ * @typedef {object} Parts
+ * @property {import('./store.js').Store} store
+ * @property {Planner} planner
+ * @property {Player} player
+ * @property {import('../ui/notice.js').Say} say speaks to the person
+ * @property {import('../ui/notice.js').Say} tell what `say` uses; who can show notices puts himself there
+ *
+ * @typedef {ReturnType<typeof createLinkage>} Linkage
+ */
+import { createOpening } from './open.js';
+import { Planner } from '../planner/planner.js';
+import { Player } from './player.js';
+import { createReplanning } from './replan.js';
+import { createStore } from './store.js';
+
+/** @type {import('./types.js').MechanismDocument} */
+const NOTHING = { version: 1, chains: [], motion: { key_frames: [] } };
+
+export function createLinkage() {
+  const planner = new Planner();
+  const store = createStore(NOTHING);
+  const player = new Player(store);
+  /** @type {Parts} */
+  const parts = {
+    store,
+    planner,
+    player,
+    tell: (text) => console.info(text),
+    say: (text, action) => parts.tell(text, action),
+  };
+  return Object.assign(parts, createReplanning(parts), createOpening(parts));
+}
+
+/** Whether a linkage has been given a document. @param {import('./store.js').Store} store */
+export const isEmpty = (store) => store.document === NOTHING;

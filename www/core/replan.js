@@ -1,0 +1,67 @@
+/**
+ * Keeps the result in step with the document: plans after every edit, and says what the planner says. A plan that takes
+ * long says how far it is, and can be stopped.
+ */
+import { textOf } from './document-text.js';
+import { takeStarts } from './edits.js';
+import { DocumentFault, PlannerFailure } from '../planner/planner.js';
+
+/** After how many milliseconds a plan takes long. */
+const LONG = 500;
+
+/** @param {Pick<import('./linkage.js').Parts, 'store' | 'planner'>} app */
+export function createReplanning({ store, planner }) {
+  /** What the page says when the planner fails or the document is at fault. @param {unknown} error @param {unknown} document */
+  function report(error, document) {
+    if (error instanceof DocumentFault && document === store.document) store.setResult({ fault: error.fault, trouble: '' });
+    if (error instanceof PlannerFailure) {
+      store.setResult({ trouble: `The planner failed on this document and was started afresh (${error.message}). Your document is safe: undo the last edit or change it.` });
+    }
+  }
+
+  /** Of the newest plan. @type {AbortController} */
+  let stop;
+
+  /** Plans the present document, on from where its plan was stopped; while it is at fault, the last good motion stays. */
+  async function replan() {
+    const { document } = store;
+    const began = performance.now();
+    const mine = new AbortController();
+    stop = mine;
+    store.setPlanning(null);
+    try {
+      const motion = await planner.plan(textOf(document), {
+        stop: mine.signal,
+        onProgress: (progress) => {
+          if (stop !== mine) return;
+          // What is planned is not at fault: what was wrong with an earlier text is mended.
+          if (store.result.fault) store.setResult({ fault: null });
+          if (performance.now() - began > LONG) store.setPlanning({ ...progress, stop: () => mine.abort() });
+        },
+      });
+      store.setResult({ motion, document, fault: null, trouble: '' });
+    } catch (error) {
+      report(error, document);
+    } finally {
+      if (stop === mine) store.setPlanning(null);
+    }
+  }
+
+  /** Writes start values that close the loops into the document. */
+  async function findStart() {
+    const { document } = store;
+    try {
+      const { chains } = JSON.parse(await planner.findStart(textOf(document)));
+      store.edit((present) => takeStarts(present, chains));
+    } catch (error) {
+      report(error, document);
+    }
+  }
+
+  store.subscribe('document', () => {
+    // A posture belongs to the document that it was moved in.
+    store.setView({ posture: null });
+    replan();
+  });
+  return { findStart, replan };
+}

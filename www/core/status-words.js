@@ -1,0 +1,123 @@
+/**
+ * The planner's findings in words.
+ *
+ * @typedef {import('./types.js').Motion} Motion
+ */
+import { angle, length, plural, short } from './format.js';
+import { groupAt, shown } from './shown.js';
+
+/**
+ * How a frame or a posture ended: a sign that is told apart without colour, a word, and what it means.
+ * @type {Record<string, {sign: string, word: string, meaning: string}>}
+ */
+const STATUS = {
+  reached: { sign: '●', word: 'Reached', meaning: 'The workpiece is at the goal.' },
+  closest: { sign: '◐', word: 'Closest', meaning: 'The goal is out of reach. No pose nearby comes closer.' },
+  at_limit: { sign: '◧', word: 'At a limit', meaning: 'A joint limit keeps the workpiece from coming closer.' },
+  stalled: { sign: '△', word: 'Stalled', meaning: 'The planner stopped before it could show that this is the closest pose.' },
+  iterate: { sign: '◇', word: 'On the way', meaning: 'A step of the planner: loops closed, the closest pose not reached yet.' },
+  driven: { sign: '◆', word: 'Driven', meaning: 'One joint is driven by hand; the others follow, and every loop stays closed.' },
+  closure_lost: { sign: '✕', word: 'Closure lost', meaning: 'The loops could not be closed here. Do not trust this frame.' },
+};
+
+/** What the same ends mean where a hand pulls at the workpiece. @type {Record<string, string>} */
+export const PULLED = {
+  reached: 'The workpiece is where the hand has it.',
+  closest: 'The hand asks for more than the linkage can reach. No pose nearby comes closer.',
+};
+
+/** @param {Motion} motion @param {number} frame */
+export const statusName = (motion, frame) => motion.report.statuses[motion.status[frame]] ?? '';
+
+/** @param {string} name */
+export const statusWords = (name) => STATUS[name] ?? { sign: '?', word: name, meaning: '' };
+
+/** How many frames ended in which way: "2 reached, 31 closest". @param {Motion} motion */
+export function countStatuses(motion) {
+  /** @type {Map<string, number>} */
+  const counts = new Map();
+  for (let frame = 0; frame < motion.frames; frame++) {
+    const name = statusName(motion, frame);
+    counts.set(name, (counts.get(name) ?? 0) + 1);
+  }
+  return [...counts].map(([name, count]) => `${count} ${statusWords(name).word.toLowerCase()}`).join(', ');
+}
+
+/** Of a motion that was stopped, how far it goes; else empty. @param {Motion | null} motion */
+export const partSentence = (motion) => (motion?.partial ? `Planned to frame ${motion.frames} of ${motion.goal_frames}: the rest is not planned.` : '');
+
+/** @param {ArrayLike<number>} column @returns {number} the frame of its largest value */
+export function worstFrame(column) {
+  let worst = 0;
+  for (let frame = 1; frame < column.length; frame++) if (column[frame] > column[worst]) worst = frame;
+  return worst;
+}
+
+/** What the metrics are called. @type {Record<string, string>} */
+export const METRICS = { pose: 'pose', 'dual-quaternion': 'dual quaternion' };
+
+/** Where a metric's length comes from. @type {Record<Motion['report']['metric']['length_source'], string>} */
+export const LENGTH_SOURCES = {
+  given: 'as the document says',
+  mechanism: 'the mechanism’s size',
+  motion: 'the extent of the motion',
+  none: 'mechanism and motion have no other length',
+};
+
+/** How distances from the goal are measured. @param {Motion['report']['metric']} metric @param {string | undefined} unit */
+export function metricSentence({ kind, length: of, length_source, origin }, unit) {
+  const about = origin ? ` about (${origin.map((x) => short(x, 3)).join(', ')})${unit ? ` ${unit}` : ''}` : '';
+  return `Metric: ${METRICS[kind]}${about}; a shift by ${length(of, unit)} (${LENGTH_SOURCES[length_source]}) weighs as much as a turn by 1 rad.`;
+}
+
+/** Mobility in a sentence. @param {number} count by Eq. 10 @param {number} rank n − rank [A] at the start */
+export function mobilitySentence(count, rank) {
+  const free = rank === 0 ? 'The workpiece cannot move' : `The workpiece moves with ${plural(rank, 'freedom')}`;
+  if (count === rank) return `${free}, as the count says.`;
+  const counted = `counting gives ${short(count)}`;
+  if (rank < count) return `${free}, though ${counted}: some of the counted freedoms do not move it.`;
+  if (rank === 0) return `${free}: ${counted}, more constraints than it takes to hold it.`;
+  return `${free}, though ${counted}: some of the chains’ constraints repeat each other (parallel or meeting axes, or a singular position).`;
+}
+
+/**
+ * What the rank at the shown posture says beside that at the start; empty if it says the same.
+ * @param {number} here n − rank [A] there @param {number} start n − rank [A] at the start
+ */
+export function singularSentence(here, start) {
+  if (here === start) return '';
+  const word = here > start ? 'gains' : 'loses';
+  return `Here the rank gives ${here}, not ${start}: at a singular position the linkage ${word} freedoms for the instant.`;
+}
+
+/** The frame at the playhead in one sentence. @param {import('./store.js').Store} store */
+export function frameSentence(store) {
+  const { motion, document } = store.result;
+  if (!motion) return '';
+  const { frame, posture } = store.view;
+  if (posture) return postureSentence(posture, document?.length_unit);
+  const { word } = statusWords(statusName(motion, frame));
+  const gap = `${length(motion.translation_gap[frame], document?.length_unit)} and ${angle(motion.rotation_gap[frame])}`;
+  return `Frame ${frame + 1} of ${motion.frames}: ${word.toLowerCase()}, ${gap} from the goal.`;
+}
+
+/** Where the linkage was moved by hand, in one sentence. @param {import('./types.js').Posture} posture @param {string | undefined} unit */
+function postureSentence({ value, obstacle, status, translation_gap, rotation_gap }, unit) {
+  if (value !== undefined) return obstacle ?? 'A joint is driven by hand; the others follow.';
+  const { word } = statusWords(status);
+  return `Pulled by hand: ${word.toLowerCase()}, ${length(translation_gap, unit)} and ${angle(rotation_gap)} from the hand.`;
+}
+
+/** What the 3D view shows, as text. @param {import('./store.js').Store} store */
+export function describeScene(store) {
+  const { motion } = store.result;
+  const now = shown(store);
+  if (!motion || !now) return '';
+  const { document } = now;
+  const at = (/** @type {Float64Array} */ column) => Array.from(groupAt(column, now).subarray(0, 3), (value) => short(value, 3)).join(', ');
+  const types = motion.report.chains.map((chain) => chain.type).join(', ');
+  return (
+    `${document.name || 'A linkage'}: ${plural(motion.report.chains.length, 'chain')} (${types}) carry one workpiece. ` +
+    `${frameSentence(store)} Workpiece at ${at(now.pose)}; goal at ${at(now.goal)}.`
+  );
+}

@@ -1,0 +1,63 @@
+/**
+ * The page's types. What Rust returns is typed by the built package; what a person may have typed is here.
+ *
+ * @typedef {import('../pkg/synthetica.js').Motion} Motion
+ * @typedef {import('../pkg/synthetica.js').Progress} Progress
+ * @typedef {import('../pkg/synthetica.js').Report} Report
+ * @typedef {import('../pkg/synthetica.js').Fault} Fault
+ * @typedef {import('../pkg/synthetica.js').Posture} Posture
+ * @typedef {import('../pkg/synthetica.js').Insight} Insight
+ * @typedef {import('../pkg/synthetica.js').Trace} Trace
+ * @typedef {import('../pkg/synthetica.js').History} History
+ * @typedef {import('../pkg/synthetica.js').Matrix} Matrix
+ * @typedef {import('../pkg/synthetica.js').MetricGaps} MetricGaps
+ * @typedef {import('../pkg/synthetica.js').Enumeration} Enumeration
+ *
+ * A number as typed: text that is no number stays text, so that Rust can refuse it by name and
+ * the person can mend it.
+ * @typedef {number | string} Entry
+ *
+ * @typedef {'R' | 'P' | 'C' | 'T' | 'S' | 'E'} JointType
+ * @typedef {{alpha?: Entry, a?: Entry, theta?: Entry, d?: Entry}} Row  degrees, length
+ * @typedef {{min?: Entry | null, max?: Entry | null}} Limit
+ * @typedef {{type: JointType, rows?: Row[], limits?: (Limit | null)[] | null}} Joint
+ * @typedef {{x?: Entry, y?: Entry, z?: Entry, longitude?: Entry, latitude?: Entry, roll?: Entry}} Frame
+ * @typedef {{name?: string, base?: Frame, joints: Joint[], gripper?: Frame, start?: Entry[] | null}} Chain
+ * @typedef {Frame & {name?: string, time?: Entry | null}} KeyFrame
+ * @typedef {{key_frames: KeyFrame[], interpolation?: string, frames?: Entry, reference?: Entry[] | null, radius?: Entry | null}} MotionSpec
+ * @typedef {{method?: string, metric?: string, metric_length?: Entry | null, metric_origin?: Entry[] | null,
+ *   dimension_tolerance?: Entry, max_iterations?: Entry | null}} PlannerSpec
+ * @typedef {{$schema?: string, version: number, name?: string, about?: string, length_unit?: string, chains: Chain[],
+ *   motion: MotionSpec, planner?: PlannerSpec}} MechanismDocument
+ *
+ * What Rust offers as a start for new things.
+ * @typedef {{document: string, joints: Record<JointType, Joint>, frame: Frame, key_frame: KeyFrame, chain: Chain,
+ *   motion: Partial<MotionSpec>, planner: PlannerSpec}} Defaults
+ *
+ * The last good motion with the document that it belongs to; the fault, if the present document has one;
+ * `trouble`, if the planner itself failed.
+ * @typedef {{motion: Motion | null, document: MechanismDocument | null, fault: Fault | null, trouble: string}} Result
+ *
+ * A plan that takes long: how far it is; `stop` ends it with what there is so far.
+ * @typedef {Progress & {stop: () => void}} Planning
+ *
+ * Where a document came from, shared by all its edits: what its file is called, the file itself where the browser
+ * gives access to it, and the document as it stands there; null where only this browser has it.
+ * @typedef {{title: string, handle: FileSystemFileHandle | null, saved: MechanismDocument | null}} Origin
+ *
+ * What is looked at. `posture` is shown in place of the frame while the linkage is moved by hand (pulled or taught) or
+ * by an algorithm, which then has a `note` that says so;
+ * playing, scrubbing or an edit ends it. `selected` and `hovered` are places of the document, such as `chains[1]`,
+ * `chains[1].joints[0]` or `motion.key_frames[2]`, or `workpiece`; empty for nothing. `charts` are groups of charts
+ * (panels/charts/chart-list.js); `speed` is a factor; `loop` is what the player does at the end; `side` is the standard
+ * view that is looked from, until it is turned by hand; `ghosts`
+ * are the frames at which the workpiece is drawn too: at the key frames, spread evenly, or these.
+ * @typedef {{frame: number, playing: boolean, posture: (Posture & {note?: string}) | null, selected: string, hovered: string,
+ *   speed: number, loop: 'once' | 'loop' | 'bounce',
+ *   side: keyof typeof import('./standard-views.js').STANDARD_VIEWS | '', charts: string[],
+ *   projection: 'perspective' | 'orthographic', show: Shown, ghosts: 'none' | 'keys' | 'spread' | number[]}} View
+ *
+ * What the 3D view draws beside the linkage.
+ * @typedef {{goal: boolean, closest: boolean, gaps: boolean, names: boolean, axes: boolean, ground: boolean}} Shown
+ */
+export {};

@@ -1,0 +1,64 @@
+/**
+ * The 3D view in the page: opens it where there is WebGL, keeps it in step with the store, says it in words.
+ */
+import { setText } from '../ui/dom.js';
+import { createScene } from '../view3d/scene/scene.js';
+import { shown } from '../core/shown.js';
+import { describeScene } from '../core/status-words.js';
+
+/** @param {Pick<import('./workbench.js').App, 'find' | 'store' | 'player' | 'signal'>} app */
+export function createStage({ find, store, player, signal }) {
+  /** What the view was last turned to: another document's motion is seen from the front. @type {unknown} */
+  let origin = null;
+  /** The motion in the view. @type {unknown} */
+  let drawn = null;
+
+  const note = find('view-note');
+  const tell = (/** @type {string} */ text) => {
+    note.hidden = text === '';
+    setText(note, text);
+  };
+  /** @type {HTMLCanvasElement} */
+  const canvas = find('canvas');
+  canvas.addEventListener('webglcontextlost', () => {
+    if (!scene?.givenBack) tell('The 3D view was interrupted by the browser. Tables and numbers go on.');
+  });
+  canvas.addEventListener('webglcontextrestored', () => {
+    tell('');
+    player.invalidate();
+  });
+  const scene = createScene({ canvas, labels: find('labels'), signal, turned: () => store.setView({ side: '' }) }, () => player.invalidate());
+  if (!scene) tell('This browser shows no 3D graphics (WebGL 2). Tables and numbers work without them.');
+
+  function show() {
+    const { motion, document } = store.result;
+    if (!motion || !document || motion === drawn) return;
+    drawn = motion;
+    const afresh = store.originOf(document) !== origin;
+    origin = store.originOf(document);
+    find('fallback').hidden = true;
+    scene?.show(store.result, afresh);
+    if (afresh && side) scene?.turnTo(side, false);
+    setText(find('canvas-text'), describeScene(store));
+  }
+  store.subscribe('result', show);
+  let { posture, side } = store.view;
+  store.subscribe('view', () => {
+    if (store.view.side !== side && store.view.side) scene?.turnTo(store.view.side);
+    if (store.view.posture !== posture) player.invalidate();
+    ({ posture, side } = store.view);
+  });
+  const describe = () => {
+    if (!store.view.playing) setText(find('canvas-text'), describeScene(store));
+    find('stage').setAttribute('aria-label', `${store.document.name || 'Linkage'}, with its animation`);
+  };
+  store.subscribe('result', describe);
+  store.subscribe('view', describe);
+
+  show();
+  player.draw = () => {
+    const what = shown(store);
+    if (what) scene?.draw(what);
+  };
+  return { scene };
+}

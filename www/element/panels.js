@@ -1,0 +1,73 @@
+/**
+ * The panels around the 3D view: tables, joints, types, info, charts, algorithm. What is seen later is loaded later.
+ *
+ * @typedef {import('./workbench.js').App} App
+ * @typedef {import('./workbench.js').AppWithPanels} AppWithPanels
+ */
+import markup from './panels.html?raw';
+import { allTimes, keyFrameFrames } from '../core/playhead.js';
+import { createDock } from '../panels/dock.js';
+import { whenSeen } from '../ui/lazy.js';
+import { createSelection } from '../panels/tables/selection.js';
+import { createStatus } from '../panels/info/status.js';
+import { createTables } from '../panels/tables/tables.js';
+import { createTabs } from '../ui/tabs.js';
+import { createTree } from '../panels/tree.js';
+import { createWhy } from '../panels/info/why.js';
+
+/**
+ * @param {App} bare
+ * @param {import('../panels/info/banners.js').Banners} banners
+ * @returns {Promise<AppWithPanels>}
+ */
+export async function createPanels(bare, banners) {
+  const { find, store, player, planner, say, findStart } = bare;
+  const defaults = await planner.defaults();
+  if (bare.signal.aborted) return /** @type {AppWithPanels} */ (bare);
+  const template = document.createElement('template');
+  template.innerHTML = markup;
+  find('frame').append(template.content);
+  find('stage').append(find('dock'));
+  leaveOut(bare);
+
+  const tabs = createTabs(find('tabs'));
+  const app = { ...bare, tabs };
+  tabs.settle();
+  createDock(app, createTabs(find('dock-tabs')));
+  app.explain();
+  const goToKey = (/** @type {number} */ key) => {
+    const { motion, document } = store.result;
+    player.pause();
+    if (motion && document) player.frame = keyFrameFrames(document, allTimes(motion))[key];
+  };
+  const places = { root: find('tables'), mechanism: find('mechanism'), motion: find('motion') };
+  const compareMetrics = (/** @type {string} */ text, /** @type {AbortSignal} */ signal) => planner.compareMetrics(text, signal);
+  const tables = createTables(places, store, defaults, { markFault: tabs.mark, findStart, goToKey, compareMetrics, say });
+  const selection = createSelection(places.root, [places.mechanism, places.motion], app);
+  createTree(/** @type {HTMLDetailsElement} */ (find('objects')), app, selection.enter);
+  createStatus(app);
+  createWhy(app);
+  banners.goToFault(() => tables.focusFault((panel) => tabs.choosePanel(panel)));
+  whenSeen(find('algorithm'), 'The algorithm', async () => (await import('../panels/algorithm/algorithm.js')).createAlgorithm(app, find('algorithm')));
+  whenSeen(find('charts'), 'The charts', async () => (await import('../panels/charts/charts.js')).createCharts(app, find('charts')));
+  whenSeen(find('types'), 'The types', async () => (await import('../panels/types/types-panel.js')).createTypes(app, find('types')));
+  whenSeen(find('teach'), 'The joints', async () => (await import('../panels/teach/teach.js')).createTeach(app, find('teach')));
+  return app;
+}
+
+/** Beside the tables, one at a time. @type {import('./workbench.js').Panel[]} */
+const TABLES = ['mechanism', 'motion', 'teach', 'types'];
+/** @type {import('./workbench.js').Panel[]} */
+const DOCK = ['charts', 'algorithm'];
+
+/** Panels that are not asked for have no tab, and leave their room to the view. @param {Pick<App, 'find' | 'panels'>} app */
+function leaveOut({ find, panels }) {
+  for (const name of /** @type {import('./workbench.js').Panel[]} */ ([...TABLES, ...DOCK, 'info'])) find(`tab-${name}`).hidden = !panels.includes(name);
+  const any = (/** @type {import('./workbench.js').Panel[]} */ names) => names.some((name) => panels.includes(name));
+  const frame = find('frame');
+  frame.classList.add('with-panels');
+  frame.classList.toggle('with-tables', any(TABLES));
+  frame.classList.toggle('with-info', panels.includes('info'));
+  frame.classList.toggle('with-dock', any(DOCK));
+  find('objects').hidden = !any(['mechanism', 'motion']);
+}

@@ -1,5 +1,0 @@
-/**
- * Everything in one script: the element, and the planner for programs.
- */
-export * from './api.js';
-export { SyntheticaLinkage } from './element/embed.js';

@@ -1,0 +1,144 @@
+/**
+ * One chart on the page: its plot, a legend that hides and shows series and gives their values, and its table.
+ *
+ * @typedef {import('./chart-list.js').Chart} Chart
+ *
+ * What all charts share: the scale along x, and what is done with a frame that is pointed at.
+ * @typedef {{x: ArrayLike<number>, heads: [string, ArrayLike<number>, number][]}} Along values of the scale; columns of the table with their decimals
+ * @typedef {{hidden: Set<string>, sync: string, signal: AbortSignal, onHover: (frame: number | null) => void, onScrub: (frame: number) => void}} Shared
+ */
+import { element, setText } from '../../ui/dom.js';
+import { short } from '../../core/format.js';
+import { summary, tableFrames, withUnit, writeValue } from './chart-list.js';
+import { createPlot } from './plot.js';
+
+const COLOURS = 6;
+/** Strokes and gaps in pixels. Another count than the colours: a pair comes again after twelve lines only. */
+const DASHES = [[], [7, 3], [2, 2], [9, 3, 2, 3]];
+
+const SVG = 'http://www.w3.org/2000/svg';
+
+/** @param {Chart} chart @param {Shared} shared */
+export function createCard(chart, { hidden, sync, signal, onHover, onScrub }) {
+  let shown = chart;
+  const many = chart.series.length > 1;
+  const styles = chart.series.map((_, i) => ({ colour: `var(--chart-${i % COLOURS})`, dash: DASHES[i % DASHES.length] }));
+  const values = chart.series.map(() => element('span', { class: 'value' }));
+  const host = element('div', { class: 'plot', role: 'img' });
+  const unit = chart.unit && element('small', {}, chart.unit);
+
+  const toggles = chart.series.map(({ name }, i) => {
+    const key = `${chart.id}/${name}`;
+    const button = element('button', { 'aria-pressed': String(!hidden.has(key)), title: 'Hide or show', click: toggle }, sample(styles[i]), name);
+    function toggle() {
+      const on = hidden.delete(key);
+      if (!on) hidden.add(key);
+      button.setAttribute('aria-pressed', String(on));
+      plot.show(i, on);
+    }
+    return button;
+  });
+
+  const table = element('table', { class: 'plain' });
+  const data = element(
+    'details',
+    { class: 'data', toggle: openTable },
+    element('summary', {}, 'Table', element('span', { class: 'sr' }, ` of ${chart.title}`)),
+    element('div', { class: 'rows', tabindex: 0, role: 'region', 'aria-label': `Table of ${chart.title}` }, table),
+  );
+  const root = element(
+    'section',
+    { class: 'chart', 'aria-label': chart.title },
+    element(
+      'header',
+      {},
+      element('h2', {}, chart.title, ' ', unit),
+      element('ul', {}, ...values.map((value, i) => element('li', {}, ...(many ? [toggles[i]] : []), value))),
+    ),
+    host,
+    data,
+  );
+
+  const plot = createPlot(host, {
+    series: chart.series.map(({ name }, i) => ({ name, ...styles[i], steps: chart.steps })),
+    log: chart.log,
+    floor: chart.floor,
+    zero: chart.zero,
+    span: chart.span,
+    write: (value) => writeValue(chart, value),
+    sync,
+    signal,
+    onHover,
+    onScrub,
+  });
+  chart.series.forEach(({ name }, i) => {
+    if (hidden.has(`${chart.id}/${name}`)) plot.show(i, false);
+  });
+
+  /** @type {Along} */
+  let along = { x: [], heads: [] };
+
+  function openTable() {
+    if (!data.open) return;
+    fillTable();
+    data.scrollIntoView({ block: 'nearest' });
+  }
+
+  function fillTable() {
+    const { every, shown: frames } = tableFrames(along.x.length);
+    const columns = shown.series.map(({ name }) =>
+      element('th', { scope: 'col' }, many ? name : 'value', ...(shown.unit ? [element('small', {}, shown.unit)] : [])),
+    );
+    table.replaceChildren(
+      element('caption', {}, every > 1 ? `${shown.title}, every ${every}th of ${along.x.length} frames` : `${shown.title}, all ${along.x.length} frames`),
+      element('thead', {}, element('tr', {}, element('th', { scope: 'col' }, 'frame'), ...along.heads.map(([head]) => element('th', { scope: 'col' }, head)), ...columns)),
+      element(
+        'tbody',
+        {},
+        ...frames.map((frame) =>
+          element(
+            'tr',
+            {},
+            element('th', { scope: 'row' }, String(frame + 1)),
+            ...along.heads.map(([, column, decimals]) => element('td', {}, short(column[frame], decimals))),
+            ...shown.series.map((one) => element('td', {}, writeValue(shown, one.values[frame]))),
+          ),
+        ),
+      ),
+    );
+  }
+
+  return {
+    root,
+    /** New values of the same series. @param {Chart} next @param {Along} scale */
+    update(next, scale) {
+      shown = next;
+      along = scale;
+      plot.setData(along.x, next.series.map((one) => one.values));
+      host.setAttribute('aria-label', summary(next));
+      if (data.open) fillTable();
+    },
+    /** @param {number} frame at the playhead @param {number} read frame whose values the legend gives */
+    showAt(frame, read) {
+      plot.setPlayhead(along.x[frame]);
+      shown.series.forEach((one, i) => setText(values[i], withUnit(shown, one.values[read])));
+    },
+    destroy() {
+      plot.destroy();
+      root.remove();
+    },
+  };
+}
+
+/** A piece of the line. @param {{colour: string, dash: number[]}} style */
+function sample({ colour, dash }) {
+  const svg = document.createElementNS(SVG, 'svg');
+  svg.setAttribute('viewBox', '0 0 22 8');
+  svg.setAttribute('aria-hidden', 'true');
+  const line = document.createElementNS(SVG, 'path');
+  line.setAttribute('d', 'M0 4h22');
+  line.setAttribute('stroke-dasharray', dash.join(' '));
+  line.style.stroke = colour;
+  svg.append(line);
+  return svg;
+}

@@ -1,0 +1,125 @@
+/**
+ * What can be charted of a motion: a list of charts with their series, as plain data. Knows no DOM.
+ *
+ * @typedef {import('../../core/types.js').Motion} Motion
+ * @typedef {{name: string, values: ArrayLike<number>}} ChartSeries in the chart's unit
+ *
+ * @typedef {object} Chart
+ * @property {string} id
+ * @property {string} group one of GROUPS; a chain's joints are a chart or two of one group
+ * @property {string} title
+ * @property {string} unit empty for pure numbers
+ * @property {ChartSeries[]} series
+ * @property {boolean} [log]
+ * @property {number} [floor] of a logarithmic scale: what is below is a zero with rounding
+ * @property {boolean} [zero] the scale begins at zero
+ * @property {boolean} [steps]
+ * @property {number} span smallest extent of the scale: less is rounding
+ */
+import { degrees, lengthUnit, scientific, short } from '../../core/format.js';
+import { worstFrame } from '../../core/status-words.js';
+
+/** What is offered, in this order. @type {Record<string, string>} */
+export const GROUPS = {
+  translation: 'Translation gap',
+  rotation: 'Rotation gap',
+  metric: 'Metric ½‖q − g‖²',
+  joints: 'Joint variables',
+  sigma: 'Smallest singular value of [A]',
+  closure: 'Closure of the loops',
+  misfit: 'Misfit of rounded dimensions',
+  iterations: 'Iterations',
+};
+
+/** A table with more rows than this is thinned. */
+const MAX_ROWS = 500;
+
+/** @param {Motion} motion @param {string | undefined} unit of length @returns {Chart[]} */
+export function chartsOf(motion, unit) {
+  const length = lengthUnit(unit);
+  /** @param {string} group @param {ArrayLike<number>} values @param {string} of unit @param {Partial<Chart>} more @returns {Chart} */
+  const single = (group, values, of, more) => ({
+    id: group,
+    group,
+    title: GROUPS[group],
+    unit: of,
+    series: [{ name: GROUPS[group], values }],
+    zero: true,
+    span: 1e-9,
+    ...more,
+  });
+  return [
+    single('translation', motion.translation_gap, length, { span: 1e-6 }),
+    single('rotation', motion.rotation_gap.map(degrees), '°', { span: 1e-4 }),
+    single('metric', motion.metric, '', { span: 1e-9 }),
+    ...jointCharts(motion, length),
+    single('sigma', motion.sigma_min, '', { log: true, zero: false, floor: 1e-12 }),
+    single('closure', motion.closure, '', { log: true, zero: false }),
+    single('misfit', motion.misfit, '', { log: true, zero: false }),
+    single('iterations', motion.iterations, '', { steps: true, span: 4 }),
+  ];
+}
+
+/** A chain's angles and lengths, each with a scale of its own. @param {Motion} motion @param {string} length @returns {Chart[]} */
+function jointCharts(motion, length) {
+  const width = motion.joints.length / motion.frames;
+  let first = 0;
+  return motion.report.chains.flatMap(({ name, variables }, chain) => {
+    const at = first;
+    first += variables.length;
+    const series = variables.map(({ label, unit }, i) => ({
+      name: subscript(label),
+      unit,
+      values: Float64Array.from({ length: motion.frames }, (_, frame) => {
+        const value = motion.joints[frame * width + at + i];
+        return unit === 'rad' ? degrees(value) : value;
+      }),
+    }));
+    return [
+      { kind: 'angles', unit: '°', span: 1, series: series.filter((one) => one.unit === 'rad') },
+      { kind: 'lengths', unit: length, span: 1e-3, series: series.filter((one) => one.unit === 'length') },
+    ]
+      .filter((one) => one.series.length > 0)
+      .map((one) => ({
+        id: `joints ${chain} ${one.kind}`,
+        group: 'joints',
+        title: `${name || `chain ${chain + 1}`}, ${one.kind}`,
+        unit: one.unit,
+        span: one.span,
+        series: one.series,
+      }));
+  });
+}
+
+const subscript = (/** @type {string} */ label) => label.replace(/\d/g, (digit) => '₀₁₂₃₄₅₆₇₈₉'[Number(digit)]);
+
+/** A value with the digits that its chart is read with, without the unit. @param {Chart} chart @param {number} value */
+export function writeValue(chart, value) {
+  if (chart.unit === '°') return short(value, 2);
+  return chart.unit === '' ? scientific(value) : short(value);
+}
+
+/** @param {Chart} chart @param {number} value */
+export const withUnit = (chart, value) => `${writeValue(chart, value)}${chart.unit === '°' || chart.unit === '' ? '' : ' '}${chart.unit}`;
+
+/** A chart in words: "Translation gap: 0 to 0.1852 m, largest at frame 65." @param {Chart} chart */
+export function summary(chart) {
+  const spans = chart.series.map(({ name, values }) => {
+    const worst = worstFrame(values);
+    let least = worst;
+    for (let frame = 0; frame < values.length; frame++) if (values[frame] < values[least]) least = frame;
+    const [low, high] = [writeValue(chart, values[least]), withUnit(chart, values[worst])];
+    const told = withUnit(chart, values[least]) === high ? `${high} at every frame` : `${low} to ${high}, largest at frame ${worst + 1}`;
+    return chart.series.length > 1 ? `${name} ${told}` : told;
+  });
+  return `${chart.title}: ${spans.join('; ')}.`;
+}
+
+/** The frames that a table shows: all, or every n-th and the last. @param {number} frames */
+export function tableFrames(frames) {
+  const every = Math.ceil(frames / MAX_ROWS);
+  const shown = [];
+  for (let frame = 0; frame < frames; frame += every) shown.push(frame);
+  if (shown.at(-1) !== frames - 1) shown.push(frames - 1);
+  return { every, shown };
+}

@@ -1,0 +1,160 @@
+/**
+ * Editable cells: inputs bound to places of the document. A cell shows a short number and gives the whole one
+ * when entered; it plans while one types; text that is no number is kept as typed; Escape restores.
+ *
+ * @typedef {import('../../core/store.js').Store} Store
+ * @typedef {import('../../core/types.js').MechanismDocument} MechanismDocument
+ * @typedef {object} CellSpec
+ * @property {string} path place in the document, as a fault names it
+ * @property {string} label name for screen readers: "chain 2, row 3, α in degrees"
+ * @property {boolean} [optional] empty means absent
+ * @property {boolean} [text] any text, not a number
+ * @property {number} [decimals] of the short number; 4 unless told
+ * @property {() => number | undefined} [fallback] what holds where the document gives nothing; shown as a hint
+ * @property {(document: MechanismDocument, value: import('../../core/types.js').Entry | undefined) => MechanismDocument} [write]
+ */
+import { entry, setValue } from '../../core/edits.js';
+import { short } from '../../core/format.js';
+import { valueAt } from '../../core/path.js';
+import { element, focusBeside } from '../../ui/dom.js';
+
+/** @param {Store} store */
+export function createCells(store) {
+  /** @typedef {(document: MechanismDocument, text: string) => MechanismDocument} Put writes a text as if it were typed */
+  /** @type {Map<string, {input: HTMLInputElement | HTMLSelectElement, show: () => void, put?: Put}>} */
+  const cells = new Map();
+  let visits = 0;
+
+  /** @param {CellSpec} spec */
+  function input(spec) {
+    const field = element('input', {
+      type: 'text',
+      inputmode: spec.text ? 'text' : 'decimal',
+      autocomplete: 'off',
+      spellcheck: 'false',
+      'data-path': spec.path,
+      'aria-label': spec.label,
+      class: spec.text ? 'cell text' : 'cell',
+      readonly: store.readonly,
+    });
+    /** Names the stay in the cell: what is typed in one stay is undone in one step. */
+    let visit = '';
+    /** Typed since the cell last showed the document. */
+    let touched = false;
+    /** Values of the document: when the cell was entered, and when it was last typed in. @type {any} */
+    let before;
+    /** @type {any} */
+    let seen;
+    let writing = false;
+
+    const value = () => valueAt(store.document, spec.path);
+    const write = spec.write ?? ((document, next) => setValue(document, spec.path, next));
+    const editing = () => focusBeside(field) === field;
+    /** @param {string} text */
+    const read = (text) => {
+      if (spec.text) return text;
+      return text.trim() === '' && spec.optional ? undefined : entry(text);
+    };
+    const typed = () => read(field.value);
+
+    /** @param {'value' | 'title' | 'placeholder'} name @param {string} text */
+    const put = (name, text) => {
+      if (field[name] !== text) field[name] = text;
+    };
+
+    const show = () => {
+      const now = value();
+      const whole = now == null ? '' : String(now);
+      // One's own typing stays as typed; another's change (undo, a sample) shows even in the cell being edited.
+      if (touched && editing() && (writing || now === seen)) return;
+      touched = false;
+      const text = editing() || typeof now !== 'number' ? whole : short(now, spec.decimals).replace('−', '-');
+      const hint = spec.fallback?.();
+      // Written only where it changed: a drag shows every cell anew at every move.
+      put('value', text);
+      put('title', typeof now === 'number' && text !== whole ? whole : '');
+      put('placeholder', hint !== undefined ? short(hint, spec.decimals) : spec.optional ? '–' : '');
+    };
+
+    /** @param {boolean} final whether the person has finished: while "-" or "1e" is typed, nothing is wrong yet */
+    const commit = (final) => {
+      if (!touched) return;
+      const next = typed();
+      if (!final && !spec.text && typeof next !== 'number') return;
+      writing = true;
+      store.edit((document) => write(document, next), visit);
+      writing = false;
+      seen = value();
+    };
+
+    field.addEventListener('focus', () => {
+      visit = `visit ${++visits}`;
+      before = seen = value();
+      show();
+      field.select();
+    });
+    field.addEventListener('input', () => {
+      touched = true;
+      commit(false);
+    });
+    field.addEventListener('blur', () => {
+      commit(true);
+      touched = false;
+      show();
+    });
+    field.addEventListener('keydown', (event) => {
+      if (event.key === 'Enter') {
+        commit(true);
+        // What is no number is to be mended first: stay.
+        if (!spec.text && typeof typed() === 'string') event.stopPropagation();
+      }
+      if (event.key !== 'Escape') return;
+      // A cell that was already at fault when it was entered goes back to its last good value.
+      const faulty = field.getAttribute('aria-invalid') === 'true' && value() === before;
+      const good = faulty ? valueAt(store.result.document, spec.path) : before;
+      touched = false;
+      store.edit((document) => write(document, good ?? undefined), visit);
+      show();
+      field.select();
+    });
+    cells.set(spec.path, { input: field, show, put: (document, text) => write(document, read(text)) });
+    show();
+    return field;
+  }
+
+  /**
+   * @param {{path: string, label: string, options: [string, string][], write?: (document: MechanismDocument, value: string) => MechanismDocument}} spec
+   */
+  function select({ path, label, options, write }) {
+    const field = element(
+      'select',
+      { 'data-path': path, 'aria-label': label, class: 'cell', disabled: store.readonly },
+      ...options.map(([value, text]) => element('option', { value }, text)),
+    );
+    const show = () => {
+      field.value = String(valueAt(store.document, path) ?? '');
+    };
+    field.addEventListener('change', () => {
+      store.edit((document) => (write ?? ((d, value) => setValue(d, path, value)))(document, field.value));
+    });
+    cells.set(path, { input: field, show });
+    show();
+    return field;
+  }
+
+  return {
+    input,
+    select,
+    /** Forgets all cells: their elements are about to be replaced. */
+    clear: () => cells.clear(),
+    /** Shows the document's present values. */
+    refresh() {
+      for (const cell of cells.values()) cell.show();
+    },
+    /** @param {string} path */
+    find: (path) => cells.get(path)?.input,
+    /** The document with a text written into a cell as if it were typed there. @param {MechanismDocument} document @param {string} path @param {string} text */
+    written: (document, path, text) => cells.get(path)?.put?.(document, text) ?? document,
+    all: () => [...cells.values()].map((cell) => cell.input),
+  };
+}

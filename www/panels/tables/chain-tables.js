@@ -1,0 +1,278 @@
+/**
+ * The mechanism as tables: for each chain its Denavit–Hartenberg rows, base and gripper, start values and limits.
+ *
+ * @typedef {import('../../core/store.js').Store} Store
+ * @typedef {import('../../core/types.js').Defaults} Defaults
+ * @typedef {import('../../core/types.js').JointType} JointType
+ * @typedef {ReturnType<typeof import('./cells.js').createCells>} Cells
+ */
+import * as edits from '../../core/edits.js';
+import { ANGLE_DECIMALS, degrees, lengthUnit, short } from '../../core/format.js';
+import { JOINT_LETTERS, JOINT_TYPES, chainType, chainVariables, variableName } from '../../core/joint-types.js';
+import { element, setText } from '../../ui/dom.js';
+import { coordinateCells, coordinateHeads } from './frame-table.js';
+
+/** @type {['alpha' | 'a' | 'theta' | 'd', string, 'angle' | 'length'][]} */
+const PARAMETERS = [
+  ['alpha', 'α', 'angle'],
+  ['a', 'a', 'length'],
+  ['theta', 'θ', 'angle'],
+  ['d', 'd', 'length'],
+];
+
+/**
+ * @param {HTMLElement} panel
+ * @param {Store} store
+ * @param {Cells} cells
+ * @param {Defaults} defaults
+ * @param {ReturnType<typeof import('./reorder.js').createArrange>} arrange
+ * @param {() => void} findStart asks the planner for start values
+ */
+export function createChainTables(panel, store, cells, defaults, arrange, findStart) {
+  /** Outputs that follow the playhead: one a joint variable. @type {HTMLOutputElement[][]} */
+  let nows = [];
+  /** Chains whose start values are unfolded, kept over a rebuild. @type {Set<number>} */
+  const unfolded = new Set();
+
+  const unit = () => store.document.length_unit;
+
+  /** @param {number} chain */
+  function dhTable(chain) {
+    const { joints } = store.document.chains[chain];
+    /** @type {HTMLElement[]} */
+    const body = [];
+    let number = 0;
+    joints.forEach((joint, j) => {
+      const path = `chains[${chain}].joints[${j}]`;
+      const rows = JOINT_TYPES[joint.type]?.rows ?? [];
+      const group = element('tbody', { 'data-path': path });
+      rows.forEach((variables, r) => {
+        const row = number++;
+        const cellsOfRow = PARAMETERS.map(([key, symbol, kind]) => {
+          const label = `chain ${chain + 1}, row ${row + 1}, ${symbol} in ${kind === 'angle' ? 'degrees' : lengthUnit(unit())}`;
+          const variable = (key === 'theta' || key === 'd') && variables.includes(key) ? key : null;
+          const field = cells.input({
+            path: `${path}.rows[${r}].${key}`,
+            decimals: kind === 'angle' ? ANGLE_DECIMALS : undefined,
+            label: variable ? `${label}, constant added to the joint variable` : label,
+          });
+          field.dataset.column = key;
+          if (!variable) return element('td', {}, field);
+          const name = element('var', { title: 'joint variable; the number beside it is added' }, variableName(variable, row));
+          return element('td', { class: 'variable' }, element('span', {}, name, element('i', { 'aria-hidden': 'true' }, '+'), field));
+        });
+        group.append(
+          element(
+            'tr',
+            {},
+            element('th', { scope: 'row' }, String(row + 1)),
+            element('td', { class: 'joint' }, r === 0 ? jointPicker(chain, j) : ''),
+            ...cellsOfRow,
+            element('td', { class: 'act' }, r === 0 ? jointMenu(chain, j) : ''),
+          ),
+        );
+      });
+      body.push(group);
+    });
+    return scroller(
+      element(
+        'table',
+        { class: 'dh' },
+        element('caption', { class: 'sr' }, `Denavit–Hartenberg rows of chain ${chain + 1}`),
+        element(
+          'thead',
+          {},
+          element(
+            'tr',
+            {},
+            element('th', { scope: 'col' }, element('span', { class: 'sr' }, 'row')),
+            element('th', { scope: 'col' }, 'joint'),
+            ...PARAMETERS.map(([, symbol, kind]) =>
+              element('th', { scope: 'col' }, element('var', {}, symbol), element('small', {}, kind === 'angle' ? '°' : lengthUnit(unit()))),
+            ),
+            element('th', {}, element('span', { class: 'sr' }, 'actions')),
+          ),
+        ),
+        ...body,
+      ),
+    );
+  }
+
+  /** @param {number} chain @param {number} joint */
+  function jointPicker(chain, joint) {
+    return cells.select({
+      path: `chains[${chain}].joints[${joint}].type`,
+      label: `chain ${chain + 1}, joint ${joint + 1}, type`,
+      options: JOINT_LETTERS.map((letter) => [letter, `${letter}  ${JOINT_TYPES[letter].name}`]),
+      write: (document, letter) => edits.setJoint(document, chain, joint, defaults.joints[/** @type {JointType} */ (letter)]),
+    });
+  }
+
+  /** @param {number} chain @param {number} joint */
+  function jointMenu(chain, joint) {
+    const insert = (/** @type {number} */ at) => () => store.edit((document) => edits.insertJoint(document, chain, at, defaults.joints.R));
+    return arrange.menu(`chains[${chain}].joints[${joint}]`, `joint ${joint + 1} of chain ${chain + 1}`, () => [
+      { label: 'Insert a joint before', act: insert(joint) },
+      { label: 'Insert a joint after', act: insert(joint + 1) },
+      { label: 'Remove', act: () => store.edit((document) => edits.removeJoint(document, chain, joint)) },
+    ]);
+  }
+
+  /** @param {number} chain */
+  const framesTable = (chain) =>
+    scroller(
+      element(
+        'table',
+        { class: 'frames' },
+        element('caption', { class: 'sr' }, `Base and gripper frame of chain ${chain + 1}`),
+        element('thead', {}, element('tr', {}, element('td', {}), ...coordinateHeads(unit()))),
+        element(
+          'tbody',
+          {},
+          ...[
+            ['base', 'G', 'base frame'],
+            ['gripper', 'H', 'gripper frame'],
+          ].map(([key, letter, name]) =>
+            element(
+              'tr',
+              { 'data-path': `chains[${chain}].${key}` },
+              element('th', { scope: 'row' }, element('abbr', { title: name }, element('var', {}, letter, element('sub', {}, String(chain + 1))))),
+              ...coordinateCells(cells, `chains[${chain}].${key}`, `chain ${chain + 1}, ${name}`, unit()),
+            ),
+          ),
+        ),
+      ),
+    );
+
+  /** @param {number} chain */
+  function startTable(chain) {
+    const variables = chainVariables(store.document.chains[chain]);
+    const freedoms = (/** @type {number} */ joint) => variables.filter((v) => v.joint === joint).length;
+    nows[chain] = [];
+    const rows = variables.map(({ variable, joint, freedom, row }, index) => {
+      const unitName = variable === 'theta' ? '°' : lengthUnit(unit());
+      const name = variableName(variable, row);
+      const label = `chain ${chain + 1}, ${name} in ${variable === 'theta' ? 'degrees' : lengthUnit(unit())}`;
+      const now = element('output', {});
+      nows[chain].push(now);
+      const current = () => store.result.motion?.report.start[chain] ?? [];
+      const start = cells.input({
+        path: `chains[${chain}].start[${index}]`,
+        label: `${label}, start`,
+        optional: true,
+        decimals: variable === 'theta' ? ANGLE_DECIMALS : undefined,
+        fallback: () => current()[index],
+        write: (document, value) =>
+          value === undefined ? edits.clearStart(document, chain) : edits.setStart(document, chain, index, value, filled(current(), variables.length)),
+      });
+      const bounds = /** @type {const} */ (['min', 'max']).map((bound) =>
+        cells.input({
+          path: `chains[${chain}].joints[${joint}].limits[${freedom}].${bound}`,
+          label: `${label}, ${bound === 'min' ? 'lower' : 'upper'} limit`,
+          optional: true,
+          decimals: variable === 'theta' ? ANGLE_DECIMALS : undefined,
+          write: (document, value) => edits.setLimit(document, { chain, joint, freedom, freedoms: freedoms(joint) }, bound, value),
+        }),
+      );
+      const fields = [start, ...bounds];
+      fields.forEach((field, column) => {
+        field.dataset.column = String(column);
+      });
+      return element(
+        'tr',
+        {},
+        element('th', { scope: 'row' }, element('var', {}, name), element('small', {}, unitName)),
+        element('td', { class: 'now' }, now),
+        ...fields.map((field) => element('td', {}, field)),
+      );
+    });
+    return scroller(
+      element(
+        'table',
+        { class: 'start' },
+        element('caption', { class: 'sr' }, `Joint variables of chain ${chain + 1}`),
+        element('thead', {}, element('tr', {}, element('td', {}), ...['now', 'start', 'min', 'max'].map((head) => element('th', { scope: 'col' }, head)))),
+        element('tbody', { 'data-path': `chains[${chain}].start` }, ...rows),
+      ),
+    );
+  }
+
+  /** @param {number} chain */
+  function chainSection(chain) {
+    const name = cells.input({ path: `chains[${chain}].name`, label: `name of chain ${chain + 1}`, text: true });
+    const { chains } = store.document;
+    const details = element(
+      'details',
+      {
+        open: unfolded.has(chain),
+        toggle: () => {
+          if (details.open) unfolded.add(chain);
+          else unfolded.delete(chain);
+          showNow();
+        },
+      },
+      element('summary', {}, 'Start values and limits'),
+      startTable(chain),
+      element('button', { class: 'quiet edits', title: 'Let the planner look for start values that close the loops, in every chain', click: findStart }, 'find a start'),
+    );
+    return element(
+      'section',
+      { class: 'chain', 'data-path': `chains[${chain}]`, 'data-chain': chain },
+      element(
+        'header',
+        {},
+        element('h3', {}, name, element('span', { class: 'type' }, chainType(chains[chain]))),
+        arrange.menu(`chains[${chain}]`, `chain ${chain + 1}`, () => [
+          { label: 'Add a joint', act: () => store.edit((document) => edits.insertJoint(document, chain, chains[chain].joints.length, defaults.joints.R)) },
+          { label: 'Duplicate', act: () => store.edit((document) => edits.duplicateChain(document, chain)) },
+          { label: 'Remove', disabled: chains.length === 1, act: () => store.edit((document) => edits.removeChain(document, chain)) },
+        ]),
+      ),
+      dhTable(chain),
+      framesTable(chain),
+      details,
+    );
+  }
+
+  /** The joint values at the playhead, where they are unfolded. */
+  function showNow() {
+    const { motion } = store.result;
+    if (!motion) return;
+    const { chains } = motion.report;
+    const width = motion.joints.length / motion.frames;
+    let at = store.view.frame * width;
+    chains.forEach(({ variables }, chain) => {
+      variables.forEach(({ unit: kind }, index) => {
+        const value = motion.joints[at++];
+        const output = nows[chain]?.[index];
+        if (output && unfolded.has(chain)) setText(output, kind === 'rad' ? short(degrees(value), ANGLE_DECIMALS) : short(value));
+      });
+    });
+  }
+
+  return {
+    /** Builds the tables anew: the document has another shape. */
+    rebuild() {
+      nows = [];
+      const { chains } = store.document;
+      panel.replaceChildren(
+        element(
+          'div',
+          { class: 'heads' },
+          element('label', { class: 'field' }, element('span', {}, 'Name'), cells.input({ path: 'name', label: 'name of the mechanism', text: true })),
+          element('label', { class: 'field' }, element('span', {}, 'Unit of length'), cells.input({ path: 'length_unit', label: 'unit of length', text: true })),
+        ),
+        element('h2', { class: 'sr' }, 'Chains'),
+        element('div', { 'data-path': 'chains' }, ...chains.map((_, index) => chainSection(index))),
+        element('button', { class: 'wide', click: () => store.edit((document) => edits.addChain(document, defaults.chain)) }, '+ chain'),
+      );
+    },
+    showNow,
+  };
+}
+
+/** @param {number[]} values @param {number} count */
+const filled = (values, count) => Array.from({ length: count }, (_, i) => values[i] ?? 0);
+
+/** A table wider than a phone scrolls inside its own frame. @param {HTMLElement} table */
+const scroller = (table) => element('div', { class: 'scroller' }, table);

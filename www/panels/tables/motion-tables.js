@@ -1,0 +1,165 @@
+/**
+ * The goal motion and the planner's settings as tables.
+ *
+ * @typedef {import('../../core/store.js').Store} Store
+ * @typedef {import('../../core/types.js').Defaults} Defaults
+ */
+import * as edits from '../../core/edits.js';
+import { lengthUnit, plural } from '../../core/format.js';
+import { element } from '../../ui/dom.js';
+import { shownFrame } from '../../core/shown-frame.js';
+import { coordinateCells, coordinateHeads } from './frame-table.js';
+import { createMetricComparison } from './metric-comparison.js';
+import { createPlannerSettings } from './planner-settings.js';
+import { pointCells, setting } from './settings.js';
+
+/**
+ * @param {HTMLElement} panel
+ * @param {Store} store
+ * @param {ReturnType<typeof import('./cells.js').createCells>} cells
+ * @param {Defaults} defaults
+ * @param {ReturnType<typeof import('./reorder.js').createArrange>} arrange
+ * @param {{goTo: (key: number) => void, compareMetrics: Parameters<typeof createMetricComparison>[1]}} outside `goTo` takes
+ *   the playhead to a key frame; `compareMetrics` asks the planner
+ */
+export function createMotionTables(panel, store, cells, defaults, arrange, { goTo, compareMetrics }) {
+  const unit = () => store.document.length_unit;
+
+  function keyTable() {
+    const keys = store.document.motion.key_frames;
+    const rows = keys.map((_, index) => {
+      const path = `motion.key_frames[${index}]`;
+      const label = `key frame ${index + 1}`;
+      const name = cells.input({ path: `${path}.name`, label: `name of ${label}`, text: true });
+      const time = cells.input({
+        path: `${path}.time`,
+        label: `${label}, time in seconds`,
+        optional: true,
+        write: (document, value) => edits.setTime(document, index, value),
+      });
+      name.dataset.column = 'name';
+      time.dataset.column = 'time';
+      return element(
+        'tbody',
+        { 'data-path': path, class: 'key' },
+        element(
+          'tr',
+          {},
+          element('th', { scope: 'rowgroup', colspan: 2 }, name),
+          element('td', { colspan: 2, class: 'time' }, element('span', {}, 'time', element('small', {}, 's'), time)),
+          element(
+            'td',
+            { colspan: 2, class: 'act' },
+            element('button', { class: 'quiet', 'aria-label': `Go to ${label}`, title: 'Go to its moment in the motion', click: () => goTo(index) }, 'go to'),
+            arrange.menu(path, label, () => [
+              { label: 'Duplicate', act: () => store.edit((document) => edits.duplicateKeyFrame(document, index)) },
+              { label: 'Insert the shown pose after it', act: () => addShown('pose', index + 1) },
+              { label: 'Take the shown pose', act: () => takeShown(index) },
+              { label: 'Remove', disabled: keys.length <= 2, act: () => store.edit((document) => edits.removeKeyFrame(document, index)) },
+            ]),
+          ),
+        ),
+        element('tr', {}, ...coordinateCells(cells, path, label, unit())),
+      );
+    });
+    return element(
+      'div',
+      { class: 'scroller', 'data-path': 'motion.key_frames' },
+      element(
+        'table',
+        { class: 'frames keys' },
+        element('caption', { class: 'sr' }, 'Key frames'),
+        element('thead', {}, element('tr', {}, ...coordinateHeads(unit()))),
+        ...rows,
+      ),
+    );
+  }
+
+  const planner = createPlannerSettings(store, cells, defaults);
+  const comparison = createMetricComparison(store, compareMetrics);
+
+  return {
+    /** Builds the tables anew: the document has another shape. */
+    rebuild() {
+      const lengths = lengthUnit(unit());
+      panel.replaceChildren(
+        element(
+          'div',
+          { class: 'title' },
+          element('h2', {}, 'Key frames'),
+          element('span', {}, plural(store.document.motion.key_frames.length, 'pose')),
+        ),
+        keyTable(),
+        element(
+          'div',
+          { class: 'adders' },
+          ...[
+            ['+ at the shown pose', 'A key frame where the workpiece is now', () => addShown('pose')],
+            ['+ at the shown goal', 'A key frame where the goal is now', () => addShown('goal')],
+            ['+ like the last', 'A copy of the last key frame, to be changed', () => store.edit((document) => edits.addKeyFrame(document, lastKey()))],
+          ].map(([text, title, click]) => element('button', /** @type {any} */ ({ class: 'wide', title, click }), /** @type {string} */ (text))),
+        ),
+        element('div', { class: 'title' }, element('h2', {}, 'Goal motion')),
+        element(
+          'div',
+          { class: 'settings' },
+          setting({
+            label: 'Interpolation',
+            control: cells.select({
+              path: 'motion.interpolation',
+              label: 'interpolation',
+              options: [
+                ['bezier', 'double-quaternion Bézier'],
+                ['sclerp', 'screw motion (ScLERP)'],
+                ['straight', 'straight line and slerp'],
+              ],
+            }),
+          }),
+          setting({ label: 'Frames', control: cells.input({ path: 'motion.frames', label: 'number of frames' }) }),
+          setting({
+            label: 'Reference point',
+            title: 'The point, x y z in the fixed frame, about which the double quaternions interpolate',
+            note: `${lengths}; empty: the mean of the key frames`,
+            control: pointCells(cells, { path: 'motion.reference', label: `point about which double quaternions interpolate, in ${lengths}`, fallback: () => meanPosition(store.document) }),
+          }),
+          setting({
+            label: 'Radius R',
+            title: 'Of the double quaternions: large against the workspace',
+            note: `${lengths}; empty: chosen from the key frames`,
+            control: cells.input({ path: 'motion.radius', label: `radius of the double quaternions in ${lengths}`, optional: true }),
+          }),
+        ),
+        element('div', { class: 'title' }, element('h2', {}, 'Planner')),
+        planner.build(),
+        comparison,
+      );
+      planner.refresh();
+    },
+    /** What is told beside the cells follows document and motion. */
+    showNow: planner.refresh,
+  };
+
+  /** @param {'pose' | 'goal'} which @param {number} [at] */
+  function addShown(which, at) {
+    const fresh = shownFrame(store, which);
+    if (fresh) store.edit((document) => edits.addKeyFrame(document, fresh, at));
+  }
+
+  /** @param {number} key */
+  function takeShown(key) {
+    const { time, name } = store.document.motion.key_frames[key];
+    const frame = shownFrame(store, 'pose');
+    if (frame) store.edit((document) => edits.setValue(document, `motion.key_frames[${key}]`, { name, ...frame, ...(time === undefined ? {} : { time }) }));
+  }
+
+  /** A new key frame begins where the last one is, so that it can be seen and moved from there. */
+  function lastKey() {
+    const { time: _, ...last } = store.document.motion.key_frames.at(-1) ?? defaults.key_frame;
+    return last;
+  }
+}
+
+/** The mean of the key frames' positions; what is no number counts as 0, and is at fault. @param {import('../../core/types.js').MechanismDocument} document */
+function meanPosition({ motion: { key_frames: keys } }) {
+  return /** @type {const} */ (['x', 'y', 'z']).map((axis) => keys.reduce((sum, key) => sum + (Number(key[axis]) || 0), 0) / keys.length);
+}

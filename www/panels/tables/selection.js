@@ -1,0 +1,101 @@
+/**
+ * Selection in the tables: what is focused or clicked there is selected everywhere, what is selected elsewhere is
+ * marked and brought into sight there, without taking the focus.
+ */
+import { covers } from '../../core/path.js';
+
+/** The things that can be selected: chains, joints, base and gripper frames, key frames. */
+const THING = /^(?:chains\[\d+\](?:\.joints\[\d+\]|\.base|\.gripper)?|motion\.key_frames\[\d+\])/;
+
+/** The thing that a place of the document belongs to, '' if it is none. @param {string} path */
+const thingOf = (path) => THING.exec(path)?.[0] ?? '';
+
+/**
+ * @param {HTMLElement} root holds the panels
+ * @param {HTMLElement[]} panels with tables
+ * @param {Pick<import('../../element/workbench.js').AppWithPanels, 'store' | 'tabs' | 'narrow'>} app
+ */
+export function createSelection(root, panels, { store, tabs, narrow }) {
+  /** What was selected by the tables themselves: it is in sight already. */
+  let own = '';
+  let brought = '';
+
+  const thingAt = (/** @type {EventTarget | null} */ target) =>
+    thingOf(/** @type {HTMLElement | null} */ (/** @type {Element} */ (target).closest('[data-path]'))?.dataset.path ?? '');
+
+  /** @param {string} place @returns {HTMLElement | null} the smallest part of the tables that shows it */
+  function find(place) {
+    const thing = thingOf(place);
+    /** @type {HTMLElement | null} */
+    let best = null;
+    if (!thing) return best;
+    for (const panel of panels) {
+      for (const part of /** @type {NodeListOf<HTMLElement>} */ (panel.querySelectorAll('[data-path]:not(input, select)'))) {
+        const path = part.dataset.path ?? '';
+        if (thingOf(path) === path && covers(path, thing) > covers(best?.dataset.path ?? ' ', thing)) best = part;
+      }
+    }
+    return best;
+  }
+
+  /** @param {string} name of the class @param {HTMLElement | null} part */
+  function mark(name, part) {
+    for (const old of root.querySelectorAll(`.${name}`)) {
+      if (old === part) continue;
+      old.classList.remove(name);
+      if (name === 'chosen') old.removeAttribute('aria-current');
+    }
+    part?.classList.add(name);
+    if (name === 'chosen') part?.setAttribute('aria-current', 'true');
+  }
+
+  /** @param {HTMLElement} part */
+  function bring(part) {
+    const panel = panels.find((candidate) => candidate.contains(part));
+    // A lesson or the sliders of the joints do not give way to a click in the view.
+    if (panel && panels.some((candidate) => candidate.classList.contains('shown'))) tabs.choosePanel(panel);
+    // On a phone the page itself scrolls, and must stay at the view that was tapped.
+    if (!narrow()) part.scrollIntoView({ block: 'nearest' });
+  }
+
+  function show() {
+    const { selected, hovered } = store.view;
+    const part = find(selected);
+    mark('chosen', part);
+    mark('pointed', hovered === selected ? null : find(hovered));
+    if (selected === brought) return;
+    brought = selected;
+    if (part && thingOf(selected) !== own) bring(part);
+  }
+
+  const take = (/** @type {Event} */ { target }) => {
+    const thing = thingAt(target);
+    if (!thing) return;
+    own = thing;
+    store.setView({ selected: thing });
+    own = '';
+  };
+  for (const panel of panels) {
+    panel.addEventListener('focusin', take);
+    panel.addEventListener('click', take);
+    panel.addEventListener('pointerover', ({ target, pointerType }) => {
+      if (pointerType === 'mouse') store.setView({ hovered: thingAt(target) });
+    });
+    panel.addEventListener('pointerleave', ({ pointerType }) => {
+      if (pointerType === 'mouse') store.setView({ hovered: '' });
+    });
+  }
+  store.subscribe('view', show);
+  // Tables made anew have lost their marks.
+  store.subscribe('document', show);
+
+  return {
+    /** Goes into the table at a thing. @param {string} place */
+    enter(place) {
+      const part = find(place);
+      if (!part) return;
+      bring(part);
+      /** @type {HTMLElement | null} */ (part.querySelector('input, select'))?.focus();
+    },
+  };
+}

@@ -1,0 +1,86 @@
+/**
+ * The editable panels: keeps both panels of tables in step with the document and shows its fault.
+ *
+ * @typedef {import('../../core/store.js').Store} Store
+ */
+import { focusBeside } from '../../ui/dom.js';
+import { createArrange } from './reorder.js';
+import { createCells } from './cells.js';
+import { createChainTables } from './chain-tables.js';
+import { createFaultNote } from './fault-note.js';
+import { gridBlock } from './cell-block.js';
+import { gridKeys } from './grid-keys.js';
+import { createMotionTables } from './motion-tables.js';
+
+/**
+ * @param {{root: HTMLElement, mechanism: HTMLElement, motion: HTMLElement}} place
+ * @param {Store} store
+ * @param {import('../../core/types.js').Defaults} defaults
+ * @param {{markFault: (panel: HTMLElement | null) => void, findStart: () => void, goToKey: (key: number) => void,
+ *   compareMetrics: Parameters<typeof import('./metric-comparison.js').createMetricComparison>[1],
+ *   say: import('../../ui/notice.js').Say}} outside
+ *   `markFault` is told which panel holds the fault; `findStart` asks the planner for start values; `goToKey` takes
+ *   the playhead to a key frame; `compareMetrics` asks the planner for both metrics' gaps
+ */
+export function createTables({ root, mechanism, motion }, store, defaults, { markFault, findStart, goToKey, compareMetrics, say }) {
+  const arrange = createArrange(root, store);
+  const cells = createCells(store);
+  const chains = createChainTables(mechanism, store, cells, defaults, arrange, findStart);
+  const keys = createMotionTables(motion, store, cells, defaults, arrange, { goTo: goToKey, compareMetrics });
+  const note = createFaultNote(root);
+  let shape = '';
+  /** @type {HTMLElement | null} */
+  let culprit = null;
+
+  function showFault() {
+    culprit = note.show(store.result.fault);
+    const fold = culprit?.closest('details');
+    if (fold) fold.open = true;
+    markFault(culprit && (mechanism.contains(culprit) ? mechanism : motion));
+  }
+
+  function show() {
+    const next = shapeOf(store.document);
+    if (next === shape) {
+      cells.refresh();
+      keys.showNow();
+      return;
+    }
+    shape = next;
+    const inHand = () => /** @type {HTMLElement | null} */ (focusBeside(root))?.dataset.path;
+    const focused = inHand();
+    cells.clear();
+    chains.rebuild();
+    keys.rebuild();
+    chains.showNow();
+    showFault();
+    if (focused && !inHand()) cells.find(focused)?.focus();
+  }
+
+  gridBlock(root, store, cells, say);
+  gridKeys(root);
+  store.subscribe('document', show);
+  store.subscribe('result', () => {
+    cells.refresh();
+    chains.showNow();
+    keys.showNow();
+    showFault();
+  });
+  store.subscribe('view', () => chains.showNow());
+  show();
+
+  return {
+    /** Goes to the cell at fault. @param {(panel: HTMLElement) => void} show brings its panel to the front */
+    focusFault(show) {
+      if (!culprit) return;
+      show(mechanism.contains(culprit) ? mechanism : motion);
+      const cell = culprit.matches('input, select') ? culprit : culprit.querySelector('input');
+      if (cell instanceof HTMLElement) cell.focus();
+    },
+  };
+}
+
+/** What the tables' elements depend on; all else is only shown in them. @param {import('../../core/types.js').MechanismDocument} document */
+function shapeOf({ chains, motion, length_unit }) {
+  return JSON.stringify([chains.map((chain) => chain.joints.map((joint) => joint.type)), motion.key_frames.length, length_unit]);
+}

@@ -1,0 +1,38 @@
+/**
+ * What can be made of a posture that the linkage was moved to by hand: a key frame or the start.
+ */
+import { addKeyFrame, takeStarts } from '../../core/edits.js';
+import { element } from '../../ui/dom.js';
+import { degrees } from '../../core/format.js';
+import { plain, shownFrame } from '../../core/shown-frame.js';
+
+/**
+ * The buttons, for where a posture is told of.
+ * @param {Pick<import('../../element/workbench.js').App, 'store'>} app
+ */
+export function postureActions({ store }) {
+  /** The reached pose as the last key frame. */
+  function addKey() {
+    const fresh = shownFrame(store, 'pose');
+    if (!fresh) return;
+    store.edit((document) => addKeyFrame(document, fresh));
+    store.setView({ selected: `motion.key_frames[${store.document.motion.key_frames.length - 1}]` });
+  }
+
+  function useAsStart() {
+    const { result, view } = store;
+    if (!view.posture || !result.motion) return;
+    const { joints } = view.posture;
+    let at = 0;
+    const starts = result.motion.report.chains.map(({ variables }) =>
+      variables.map(({ unit }) => plain(unit === 'rad' ? degrees(joints[at++]) : joints[at++])),
+    );
+    store.edit((document) => takeStarts(document, document.chains.map((chain, index) => ({ ...chain, start: starts[index] }))));
+  }
+
+  if (store.readonly) return [];
+  return [
+    element('button', { class: 'link', title: 'The pose reached here becomes the last key frame', click: addKey }, 'Add key frame here'),
+    element('button', { class: 'link', title: 'Plan the motion from these joint values', click: useAsStart }, 'Use as start'),
+  ];
+}

@@ -1,0 +1,138 @@
+/**
+ * The types panel: the paper's Tables 2 and 3. A chain type is added or put in another's place by a click; the present
+ * mechanism's own types are marked.
+ *
+ * @typedef {import('../../core/types.js').JointType} JointType
+ */
+import { element, setText } from '../../ui/dom.js';
+import { addChain, setJoints } from '../../core/edits.js';
+import { plural } from '../../core/format.js';
+import { JOINT_TYPES } from '../../core/joint-types.js';
+import { assemblyName, grouped, typeSentence } from './type-words.js';
+import { menuButton } from '../../ui/menu.js';
+
+/** Constraints that a linkage may have, of six. */
+const MOST = 5;
+
+/** @param {import('../../element/workbench.js').App} app @param {HTMLElement} panel */
+export async function createTypes(app, panel) {
+  const { store, planner, say } = app;
+  const [tables, defaults] = await Promise.all([planner.enumeration(), planner.defaults()]);
+
+  /** @param {string} type such as RPS */
+  const jointsOf = (type) => Array.from(type, (letter) => defaults.joints[/** @type {JointType} */ (letter)]);
+
+  /** @param {string} what @param {(document: import('../../core/types.js').MechanismDocument) => import('../../core/types.js').MechanismDocument} change */
+  function make(what, change) {
+    store.edit(change);
+    say(what, { label: 'Undo', act: () => store.undo() });
+  }
+
+  /** As many of them as leave a freedom. @param {string} type */
+  const linkageOf = (type) => {
+    const constraints = tables.classes.find(({ chains }) => chains.includes(type))?.constraints ?? 1;
+    return `${Math.floor(MOST / constraints)}${type}`;
+  };
+  const fresh = async (/** @type {string} */ type) => app.open(await planner.assemble(type));
+
+  /** @param {string} type */
+  function chip(type) {
+    const words = Array.from(type, (letter) => JOINT_TYPES[/** @type {JointType} */ (letter)].name).join(', ');
+    const button = menuButton(type, () => [
+      { label: `New linkage ${linkageOf(type)}`, act: () => fresh(linkageOf(type)) },
+      'line',
+      { label: 'Add as a new chain', act: () => make(`A chain ${type} is added.`, (document) => addChain(document, { ...defaults.chain, joints: jointsOf(type) })) },
+      ...store.document.chains.map(({ name }, index) => ({
+        label: `Replace ${name || `chain ${index + 1}`}`,
+        act: () => make(`${name || `chain ${index + 1}`} is ${type} now.`, (document) => setJoints(document, index, jointsOf(type))),
+      })),
+    ]);
+    button.classList.add('chip');
+    button.dataset.type = type;
+    button.title = words;
+    button.disabled = store.readonly;
+    return button;
+  }
+
+  const sentence = element('p', { class: 'type-sentence', role: 'status' });
+  const nothing = element('p', { class: 'meaning', hidden: true }, 'There is no such chain. Types are joints from base to workpiece, with two to five freedoms: R and P have one, C and T two, S and E three.');
+  const search = element('input', { type: 'search', class: 'cell text', placeholder: 'RPS', 'aria-label': 'Find a chain type', autocomplete: 'off', spellcheck: 'false' });
+
+  const categories = [...new Set(tables.classes.map(({ category }) => category))].map((category) => {
+    const classes = tables.classes.filter((candidate) => candidate.category === category);
+    const count = classes.reduce((sum, { chains }) => sum + chains.length, 0);
+    return element(
+      'details',
+      { 'data-category': category, open: true },
+      element('summary', {}, element('h3', {}, `Category ${category}`), element('small', {}, `${plural(count, 'chain')}, U = ${classes[0].constraints}`)),
+      ...classes.map(({ name, chains }) =>
+        element('div', { class: 'type-class' }, element('span', { class: 'muted' }, name), element('div', { class: 'chips' }, ...chains.map(chip))),
+      ),
+    );
+  });
+
+  const assemblies = element(
+    'table',
+    { class: 'plain assemblies' },
+    element('caption', { class: 'sr' }, 'Table 3: assemblies by the constraints that they impose'),
+    element('thead', {}, element('tr', {}, ...['constraints', 'assembly', 'how many'].map((head) => element('th', { scope: 'col' }, head)))),
+    ...tables.assemblies.map(({ constraints, total, categories: parts }) =>
+      element(
+        'tbody',
+        { 'data-constraints': constraints },
+        ...parts.map(({ name, count }, index) =>
+          element(
+            'tr',
+            { 'data-assembly': name },
+            index === 0 ? element('th', { scope: 'rowgroup', rowspan: parts.length + 1 }, String(constraints)) : '',
+            element('td', {}, name),
+            element('td', {}, grouped(count)),
+          ),
+        ),
+        element('tr', { class: 'total' }, element('td', {}, 'total'), element('td', {}, grouped(total))),
+      ),
+    ),
+  );
+
+  panel.replaceChildren(
+    element('h2', {}, 'Types'),
+    sentence,
+    element('label', { class: 'field' }, element('span', {}, 'Find'), search),
+    nothing,
+    element('div', { class: 'title' }, element('h2', {}, 'Chains'), element('span', {}, 'Table 2: choose one to add it')),
+    ...categories,
+    element('div', { class: 'title' }, element('h2', {}, 'Assemblies'), element('span', {}, 'Table 3')),
+    assemblies,
+  );
+
+  const chips = /** @type {HTMLElement[]} */ ([...panel.querySelectorAll('.chip')]);
+  search.addEventListener('input', () => {
+    const wanted = search.value.trim().toUpperCase();
+    for (const button of chips) button.hidden = !button.dataset.type?.includes(wanted);
+    for (const row of /** @type {NodeListOf<HTMLElement>} */ (panel.querySelectorAll('.type-class'))) row.hidden = !row.querySelector('.chip:not([hidden])');
+    for (const part of categories) part.hidden = !part.querySelector('.chip:not([hidden])');
+    nothing.hidden = chips.some((button) => !button.hidden);
+  });
+
+  function show() {
+    const chains = store.result.motion?.report.chains;
+    if (!chains) return;
+    setText(sentence, typeSentence(chains, tables));
+    const types = new Set(chains.map(({ type }) => type));
+    for (const button of chips) {
+      const used = types.has(button.dataset.type ?? '');
+      button.classList.toggle('used', used);
+      if (used) button.setAttribute('aria-description', 'in this linkage');
+      else button.removeAttribute('aria-description');
+    }
+    const name = assemblyName(chains);
+    for (const row of /** @type {NodeListOf<HTMLElement>} */ (assemblies.querySelectorAll('[data-assembly]'))) {
+      const own = row.dataset.assembly === name;
+      row.classList.toggle('used', own);
+      if (own) row.setAttribute('aria-current', 'true');
+      else row.removeAttribute('aria-current');
+    }
+  }
+  store.subscribe('result', show);
+  show();
+}

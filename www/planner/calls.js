@@ -1,0 +1,183 @@
+/**
+ * The planner's answers. Documents are opened once and asked many times; a plan goes in portions, between which other
+ * messages are taken.
+ *
+ * @typedef {import('../core/types.js').Fault} Fault
+ * @typedef {import('../core/types.js').Progress} Progress
+ *
+ * A question of a document names it by a number of the asker's choice; its text comes with the first question. `stop`
+ * asks for what there is so far of a plan, `cancel` for nothing more; `close` frees a document.
+ * @typedef {{kind: 'ask', id: number, call: Call, args: unknown[], document?: number, text?: string}
+ *   | {kind: 'stop' | 'cancel', id: number}
+ *   | {kind: 'close', document: number}} Message
+ * @typedef {{id: number, kind: 'value', value: unknown}
+ *   | {id: number, kind: 'fault', fault: Fault}
+ *   | {id: number, kind: 'failure', message: string}
+ *   | {id: number, kind: 'begun'}
+ *   | {id: number, kind: 'progress', progress: Progress}
+ *   | {id: number, kind: 'cancelled'}} Answer `begun`, when the planner is loaded, and `progress` are followed by others,
+ *   all else is the last
+ *
+ * @typedef {'plan' | 'pull' | 'explain' | 'text' | 'find_start' | 'drive' | 'trace' | 'matrix' | 'compare_metrics' | 'export_motion'} DocumentCall
+ *   methods of the packages' Session
+ * @typedef {DocumentCall | 'defaults' | 'enumeration' | 'assemble' | 'schema' | 'chain_by_index' | 'assembly_by_index'} Call
+ *
+ * @typedef {{Session: {open: (text: string) => any}}} Module
+ * @typedef {{text: string, sessions: Map<Module['Session'], any>, users: number, closed: boolean}} Open
+ */
+import init, { Session, defaults } from '../pkg-first/synthetica.js';
+
+/** What a page needs at once, from the smaller of the two packages. */
+const first = { Session, defaults };
+/** @type {Call[]} */
+const FIRST = ['plan', 'pull', 'explain', 'text', 'find_start', 'defaults'];
+
+/** How long a portion of a plan is, in milliseconds: two pictures of a screen, so that what is dragged goes on. */
+const PORTION = 30;
+
+/** @type {ReturnType<typeof init> | null} */
+let ready = null;
+
+/** The whole package, loaded when something else is asked for. @type {Promise<typeof import('../pkg/synthetica.js')> | null} */
+let whole = null;
+
+async function loadWhole() {
+  const module = await import('../pkg/synthetica.js');
+  await module.default();
+  return module;
+}
+
+/** Begins to load what every question needs. */
+export const load = () => (ready ??= init());
+
+/** @param {(answer: Answer) => void} send */
+export function createAnswers(send) {
+  /** @type {Map<number, Open>} */
+  const documents = new Map();
+  /** Questions without an answer yet. @type {Map<number, {stopped: boolean}>} */
+  const asked = new Map();
+
+  /** @param {Message} message */
+  function receive(message) {
+    if (message.kind === 'ask') return answer(message);
+    if (message.kind === 'close') return close(message.document);
+    const question = asked.get(message.id);
+    if (!question) return;
+    if (message.kind === 'stop') question.stopped = true;
+    else {
+      asked.delete(message.id);
+      send({ id: message.id, kind: 'cancelled' });
+    }
+  }
+
+  /** @param {Message & {kind: 'ask'}} question */
+  async function answer({ id, call, args, document: number, text }) {
+    if (number !== undefined && text !== undefined) documents.set(number, { text, sessions: new Map(), users: 0, closed: false });
+    const document = number === undefined ? undefined : documents.get(number);
+    const question = { stopped: false };
+    asked.set(id, question);
+    const isWanted = () => asked.get(id) === question;
+    if (document) document.users += 1;
+    /** @type {Answer | null} */
+    let last = null;
+    try {
+      await load();
+      /** @type {Record<string, any> & Module} */
+      const module = FIRST.includes(call) ? first : await (whole ??= loadWhole());
+      if (!isWanted()) return;
+      send({ id, kind: 'begun' });
+      if (document) {
+        const session = sessionOf(document, module);
+        const done = await prepare(call, session, { id, question, isWanted });
+        if (done) last = { id, kind: 'value', value: call === 'plan' ? session.plan_so_far() : session[call](...args) };
+      } else last = { id, kind: 'value', value: module[call](...args) };
+    } catch (error) {
+      last = isFault(error) ? { id, kind: 'fault', fault: error } : { id, kind: 'failure', message: String(error) };
+    } finally {
+      const wanted = isWanted();
+      if (wanted) asked.delete(id);
+      if (document) document.users -= 1;
+      // After a failure the memory of wasm is in no known state, and is given up as a whole.
+      if (document && last?.kind !== 'failure') free(document);
+      if (wanted && last) send(last);
+    }
+  }
+
+  /**
+   * What must be planned before a question can be answered, in portions.
+   * @param {Call} call @param {any} session @param {{id: number, question: {stopped: boolean}, isWanted: () => boolean}} of
+   * @returns {Promise<boolean>} whether an answer is still wanted
+   */
+  async function prepare(call, session, of) {
+    if (call === 'plan' || call === 'export_motion') return plan(session, of);
+    if (call === 'compare_metrics') return compare(session, of);
+    return true;
+  }
+
+  /**
+   * Plans a document's motion with either metric, in portions.
+   * @param {any} session @param {{isWanted: () => boolean}} of
+   * @returns {Promise<boolean>} whether an answer is still wanted
+   */
+  async function compare(session, { isWanted }) {
+    while (session.advance_comparison(PORTION)) {
+      await nextTurn();
+      if (!isWanted()) return false;
+    }
+    return true;
+  }
+
+  /**
+   * Plans a document's motion in portions, on from where it was stopped before.
+   * @param {any} session @param {{id: number, question: {stopped: boolean}, isWanted: () => boolean}} of
+   * @returns {Promise<boolean>} whether an answer is still wanted
+   */
+  async function plan(session, { id, question, isWanted }) {
+    while (session.advance_plan(PORTION)) {
+      send({ id, kind: 'progress', progress: session.plan_progress() });
+      await nextTurn();
+      if (!isWanted()) return false;
+      if (question.stopped) break;
+    }
+    return true;
+  }
+
+  /** @param {number} number */
+  function close(number) {
+    const document = documents.get(number);
+    documents.delete(number);
+    if (!document) return;
+    document.closed = true;
+    free(document);
+  }
+
+  return { receive };
+}
+
+/** The document in one of the packages, opened there if it is not yet. @param {Open} document @param {Module} module */
+function sessionOf({ text, sessions }, { Session: kind }) {
+  const open = sessions.get(kind) ?? kind.open(text);
+  sessions.set(kind, open);
+  return open;
+}
+
+/** Frees the memory of a document that is closed, after its last question is answered. @param {Open} document */
+function free({ sessions, users, closed }) {
+  if (!closed || users > 0) return;
+  for (const session of sessions.values()) session.free();
+  sessions.clear();
+}
+
+/** After the messages that have come by now; a timer would wait 4 ms each time. @returns {Promise<void>} */
+const nextTurn = () =>
+  new Promise((resolve) => {
+    const { port1, port2 } = new MessageChannel();
+    port1.onmessage = () => {
+      port1.close();
+      resolve();
+    };
+    port2.postMessage(null);
+  });
+
+/** @param {unknown} error @returns {error is Fault} */
+const isFault = (error) => typeof error === 'object' && error !== null && !(error instanceof Error) && 'where' in error;

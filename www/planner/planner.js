@@ -1,0 +1,137 @@
+/**
+ * A linkage's planner: promises in front of the page's one worker (queue.js). The latest edit wins.
+ *
+ * @typedef {import('../core/types.js').Motion} Motion
+ * @typedef {import('../core/types.js').Fault} Fault
+ * @typedef {import('../core/types.js').Defaults} Defaults
+ * @typedef {import('../core/types.js').Posture} Posture
+ * @typedef {import('../core/types.js').Insight} Insight
+ * @typedef {import('./calls.js').Call} Call
+ * @typedef {Pick<import('./queue.js').Request, 'stop' | 'onProgress'>} PlanOptions `stop` asks for what there is so far
+ */
+import { desk } from './queue.js';
+
+export { DocumentFault, PlannerFailure, Superseded } from './errors.js';
+
+export class Planner {
+  #desk;
+  /** Asked for once. @type {Promise<Defaults> | null} */
+  #defaults = null;
+
+  constructor(where = desk) {
+    this.#desk = where;
+  }
+
+  /** @param {string} text a document @param {PlanOptions} [options] @returns {Promise<Motion>} */
+  plan(text, options) {
+    return this.#desk.ask({ asker: this, latest: true, call: 'plan', text, args: [], ...options });
+  }
+
+  /**
+   * The closest reachable pose to a goal, on the branch of the joint values.
+   * @param {string} text a document
+   * @param {Float64Array} joints rad or lengths
+   * @param {Float64Array} goal x y z, then the quaternion x y z w
+   * @returns {Promise<Posture>}
+   */
+  pull(text, joints, goal) {
+    return this.#askLatest('pull', text, joints, goal);
+  }
+
+  /**
+   * One joint variable driven to a value; the loops stay closed and the other joints follow.
+   * @param {string} text a document
+   * @param {Float64Array} joints rad or lengths
+   * @param {number} variable counted through all chains
+   * @param {number} value rad or length
+   * @returns {Promise<Posture>}
+   */
+  drive(text, joints, variable, value) {
+    return this.#askLatest('drive', text, joints, variable, value);
+  }
+
+  /**
+   * What holds the workpiece at the joint values against the pull of the goal, and what leaves it free.
+   * @param {string} text a document
+   * @param {Float64Array} joints rad or lengths
+   * @param {Float64Array} goal x y z, then the quaternion x y z w
+   * @returns {Promise<Insight>}
+   */
+  explain(text, joints, goal) {
+    return this.#askLatest('explain', text, joints, goal);
+  }
+
+  /** The document with every default written out. @param {string} text @returns {Promise<string>} */
+  normalise(text) {
+    return this.#ask('text', text);
+  }
+
+  /** The document with start values that close its loops. @param {string} text @returns {Promise<string>} */
+  findStart(text) {
+    return this.#ask('find_start', text);
+  }
+
+  /**
+   * The planned motion as a text for other programs.
+   * @param {string} text a document @param {'csv' | 'json' | 'mjcf'} format @returns {Promise<string>}
+   */
+  exportMotion(text, format) {
+    return this.#ask('export_motion', text, format);
+  }
+
+  /**
+   * The iterations of both methods at one frame. @param {string} text a document @param {number} frame
+   * @param {Float64Array} joints where to start: the answer of the frame before; empty for the document's start
+   * @returns {Promise<import('../core/types.js').Trace>}
+   */
+  trace(text, frame, joints) {
+    return this.#askLatest('trace', text, frame, joints);
+  }
+
+  /** The matrix [A] at a position. @param {string} text a document @param {Float64Array} joints @returns {Promise<import('../core/types.js').Matrix>} */
+  matrix(text, joints) {
+    return this.#askLatest('matrix', text, joints);
+  }
+
+  /**
+   * The largest gaps of the motion with either metric. @param {string} text a document @param {AbortSignal} signal takes the question back
+   * @returns {Promise<[import('../core/types.js').MetricGaps, import('../core/types.js').MetricGaps]>}
+   */
+  compareMetrics(text, signal) {
+    return this.#desk.ask({ asker: this, latest: true, call: 'compare_metrics', text, args: [], signal });
+  }
+
+  /** What new things are made of. @returns {Promise<Defaults>} */
+  defaults() {
+    this.#defaults ??= this.#askNoDocument('defaults').catch((error) => {
+      this.#defaults = null;
+      throw error;
+    });
+    return this.#defaults;
+  }
+
+  /** A document with a linkage of a type, such as 3RPS or RPS+2TS. @param {string} type @returns {Promise<string>} */
+  assemble(type) {
+    return this.#askNoDocument('assemble', type);
+  }
+
+  /** Tables 2 and 3. @returns {Promise<import('../core/types.js').Enumeration>} */
+  enumeration() {
+    return this.#askNoDocument('enumeration');
+  }
+
+  /** Takes the place of the same call that is still waiting: its answer would be out of date. @param {Call} call @param {string} text @param {...unknown} args */
+  #askLatest(call, text, ...args) {
+    return this.#desk.ask({ asker: this, latest: true, call, text, args });
+  }
+
+  /** @param {Call} call @param {string} text @param {...unknown} args */
+  #ask(call, text, ...args) {
+    return this.#desk.ask({ asker: this, latest: false, call, text, args });
+  }
+
+  /** @param {Call} call @param {...unknown} args */
+  #askNoDocument(call, ...args) {
+    return this.#desk.ask({ asker: this, latest: false, call, args });
+  }
+}

@@ -1,0 +1,21 @@
+/**
+ * Starts the planner's worker. The package's builds put another module in this one's place (see tools/package/planner.js).
+ */
+
+/** Bundlers know a worker's file by the expression that makes one; here it only says where the file is. */
+const { address } = (() => {
+  class Worker {
+    /** @param {URL} address @param {{type: 'module'}} _ */
+    constructor(address, _) {
+      this.address = String(address);
+    }
+  }
+  return new Worker(new URL('./worker.js', import.meta.url), { type: 'module' });
+})();
+
+/** A worker must be of the page's own origin: code that comes from another one is imported by a small one that is. */
+export function startWorker() {
+  const own = new URL(address).origin === globalThis.origin;
+  const text = `import ${JSON.stringify(address)};`;
+  return new Worker(own ? address : URL.createObjectURL(new Blob([text], { type: 'text/javascript' })), { type: 'module' });
+}

@@ -1,0 +1,28 @@
+/**
+ * Dialogs: a title, a body, a button to close. Focus goes in and comes back, Escape closes; the browser sees to both.
+ */
+import { element } from './dom.js';
+
+let made = 0;
+
+/**
+ * Opens a dialog; it is removed when it is closed.
+ * @param {string} title
+ * @param {...(Node | string)} body
+ * @returns {HTMLDialogElement}
+ */
+export function openDialog(title, ...body) {
+  const heading = element('h2', { id: `dialog-${++made}` }, title);
+  const dialog = element(
+    'dialog',
+    { 'aria-labelledby': heading.id, close: () => dialog.remove() },
+    element('header', {}, heading, element('button', { class: 'quiet', 'aria-label': 'Close', click: () => dialog.close() }, '×')),
+    element('div', {}, ...body),
+  );
+  dialog.addEventListener('click', (event) => {
+    if (event.target === dialog) dialog.close();
+  });
+  document.body.append(dialog);
+  dialog.showModal();
+  return dialog;
+}

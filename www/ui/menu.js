@@ -1,0 +1,85 @@
+/**
+ * Menu buttons, by the ARIA pattern: arrow keys and letters go through the items, Escape and a click outside close.
+ *
+ * @typedef {{label: string, hint?: string, key?: string, checked?: boolean, disabled?: boolean, act: () => void} | 'line'} MenuItem
+ *   `key` does the same without the menu; an item that is `checked` or not is a switch
+ */
+import { element, focusBeside } from './dom.js';
+
+let made = 0;
+
+/**
+ * @param {string} label
+ * @param {() => MenuItem[]} items asked for each time the menu opens
+ * @returns {HTMLButtonElement} the button that opens the menu
+ */
+export function menuButton(label, items) {
+  const menu = element('div', { class: 'menu', role: 'menu', popover: 'auto', id: `menu-${++made}`, 'aria-label': label });
+  const button = element('button', { class: 'menu-button', 'aria-haspopup': 'menu', 'aria-expanded': 'false', 'aria-controls': menu.id }, label);
+
+  const entries = () => /** @type {HTMLButtonElement[]} */ ([...menu.querySelectorAll('button:not(:disabled)')]);
+  const close = () => menu.hidePopover();
+
+  /** @param {number} focused index of the item that is entered; -1 for the last */
+  function open(focused = 0) {
+    menu.replaceChildren(
+      ...items().map((item) => {
+        if (item === 'line') return element('hr', { role: 'separator' });
+        const act = () => {
+          close();
+          item.act();
+        };
+        const role = item.checked === undefined ? 'menuitem' : 'menuitemcheckbox';
+        const entry = element('button', { role, tabindex: -1, disabled: item.disabled, click: act, 'aria-keyshortcuts': item.key }, item.label);
+        if (item.checked !== undefined) entry.setAttribute('aria-checked', String(item.checked));
+        if (item.key) entry.append(element('kbd', { 'aria-hidden': 'true' }, item.key));
+        if (item.hint) entry.append(element('small', {}, item.hint));
+        return entry;
+      }),
+    );
+    if (!menu.isConnected) button.after(menu);
+    menu.showPopover();
+    const at = button.getBoundingClientRect();
+    menu.style.top = `${at.bottom + 4}px`;
+    menu.style.left = `${Math.max(4, Math.min(at.left, innerWidth - menu.offsetWidth - 4))}px`;
+    entries().at(focused)?.focus();
+  }
+
+  menu.addEventListener('toggle', (event) => {
+    const shown = /** @type {ToggleEvent} */ (event).newState === 'open';
+    button.setAttribute('aria-expanded', String(shown));
+    if (!shown && menu.contains(focusBeside(menu))) button.focus();
+  });
+  // The light dismissal of the popover comes first: what was open when the pointer went down is to be closed.
+  let wasOpen = false;
+  button.addEventListener('pointerdown', () => {
+    wasOpen = menu.matches(':popover-open');
+  });
+  button.addEventListener('click', () => {
+    if (!wasOpen) open();
+    wasOpen = false;
+  });
+  button.addEventListener('keydown', (event) => {
+    if (event.key !== 'ArrowDown' && event.key !== 'ArrowUp') return;
+    event.preventDefault();
+    open(event.key === 'ArrowUp' ? -1 : 0);
+  });
+  menu.addEventListener('keydown', (event) => {
+    const all = entries();
+    const at = all.indexOf(/** @type {HTMLButtonElement} */ (focusBeside(menu)));
+    const letter = event.key.length === 1 ? event.key.toLowerCase() : '';
+    const steps = { ArrowDown: at + 1, ArrowUp: at - 1, Home: 0, End: -1 };
+    let next = steps[/** @type {keyof typeof steps} */ (event.key)];
+    if (event.key === 'Tab') close();
+    if (letter && letter !== ' ') {
+      const from = [...all.slice(at + 1), ...all.slice(0, at + 1)];
+      const found = from.find((entry) => entry.textContent?.toLowerCase().startsWith(letter));
+      if (found) next = all.indexOf(found);
+    }
+    event.stopPropagation();
+    if (next === undefined) return;
+    event.preventDefault();
+    all.at(next % all.length)?.focus();
+  });
+  return button;
+}

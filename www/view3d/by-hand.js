@@ -1,0 +1,33 @@
+/**
+ * What moves things by hand in the 3D view is loaded when a hand may come: a pointer over the view, the focus in it,
+ * or something chosen that can be moved.
+ */
+
+/** @param {import('../element/workbench.js').App} app */
+export function createByHand(app) {
+  if (!app.scene) return;
+  const canvas = app.find('canvas');
+  let loading = false;
+  async function load() {
+    if (loading) return;
+    loading = true;
+    try {
+      const { createDrag } = await import('./hand/drag.js');
+      createDrag(app);
+    } catch (error) {
+      // Off line before the first load was whole: the next pointer tries again.
+      loading = false;
+      app.say(`Moving by hand could not be loaded (${error instanceof Error ? error.message : error}).`);
+    }
+  }
+  canvas.addEventListener('pointerenter', load);
+  canvas.addEventListener('focus', load);
+  // A key frame is chosen by its name from the first click on, which may come before what moves it.
+  app.find('labels').addEventListener('click', ({ target }) => {
+    const place = target instanceof HTMLElement ? target.dataset.place : '';
+    if (place?.startsWith('motion.key_frames')) app.store.setView({ selected: place });
+  });
+  app.store.subscribe('view', () => {
+    if (app.store.view.selected) load();
+  });
+}

@@ -1,0 +1,303 @@
+/**
+ * Moving by hand in the 3D view: a gizmo on the selected key frame or the workpiece, handles of the freedoms
+ * that the workpiece has, and things dragged themselves. Loaded when a hand may come.
+ *
+ * @typedef {import('./toolbar.js').How} How
+ * @typedef {import('./key-frame.js').Target} Target
+ * @typedef {import('./pointer-drags.js').Pointer} Pointer
+ */
+import { Quaternion, Vector3 } from 'three';
+import { element, setText } from '../../ui/dom.js';
+import { lengthUnit, short } from '../../core/format.js';
+import { createLabels } from '../scene/labels.js';
+import { nameOf } from '../../core/things.js';
+import { readPalette } from '../scene/palette.js';
+import { postureActions } from '../../panels/teach/posture-actions.js';
+import { createFreedoms } from './freedoms.js';
+import { createGizmo } from './gizmo.js';
+import { keyFrameTarget } from './key-frame.js';
+import { createPointerDrags } from './pointer-drags.js';
+import { ANGLE_STEP, lengthStep } from './steps.js';
+import { createDragBar } from './toolbar.js';
+import { workpieceTarget } from './workpiece.js';
+
+/** Axis and direction of each nudging key. @type {Record<string, [0 | 1 | 2, 1 | -1]>} */
+const NUDGES = { ArrowRight: [0, 1], ArrowLeft: [0, -1], ArrowUp: [1, 1], ArrowDown: [1, -1], PageUp: [2, 1], PageDown: [2, -1] };
+
+const KEY_FRAME = /^motion\.key_frames\[(\d+)\]/;
+
+/** @param {import('../../element/workbench.js').App} app */
+export const createDrag = (app) => app.scene && connect(app, app.scene);
+
+/** @param {import('../../element/workbench.js').App} app @param {NonNullable<typeof app.scene>} scene */
+function connect(app, scene) {
+  const { store, signal } = app;
+  app.explain();
+  const { canvas } = scene;
+  const size = () => scene.radius;
+  const gizmo = createGizmo(scene);
+  const layer = element('div', { class: 'hand-labels', 'aria-hidden': 'true' });
+  app.find('labels').after(layer);
+  const labels = createLabels(layer);
+
+  // Kept: to ask the canvas in every picture would lay the page out in every picture.
+  const extent = { width: canvas.clientWidth, height: canvas.clientHeight };
+  new ResizeObserver(() => Object.assign(extent, { width: canvas.clientWidth, height: canvas.clientHeight })).observe(canvas);
+  const workpiece = workpieceTarget(app);
+  const freedoms = createFreedoms(app, scene);
+
+  /** @type {How} */
+  let how = { mode: 'move', space: 'world', snap: false };
+  let selected = '';
+  /** @type {Target | null} */
+  let target = null;
+  /** The posture that the hand waits for is to be told. */
+  let saying = false;
+
+  /** @param {string} place @returns {Target | null} */
+  function targetOf(place) {
+    if (place === 'workpiece') return workpiece;
+    const key = store.readonly ? null : KEY_FRAME.exec(place);
+    const target = key && keyFrameTarget(app, Number(key[1]), size);
+    return target?.pose() ? target : null;
+  }
+
+  /** @param {Partial<How>} change */
+  function choose(change) {
+    how = { ...how, ...change };
+    gizmo.set({ mode: how.mode === 'turn' ? 'rotate' : 'translate', space: how.space });
+    show();
+    scene.changed();
+  }
+
+  const banners = /** @type {HTMLElement} */ (canvas.parentElement?.querySelector('.banners'));
+  const bar = createDragBar(banners, choose, step);
+  app.find('back-to-motion').before(...postureActions(app).flatMap((button) => [button, ' ']));
+
+  /** The workpiece goes by its freedoms. */
+  const free = () => target === workpiece && how.mode === 'freedoms';
+
+  const steps = () => ({ length: lengthStep(size()), angle: ANGLE_STEP });
+
+  /** Shows what is in hand where it is now. */
+  function show() {
+    if (!drags.busy) {
+      gizmo.show(free() ? null : (target?.pose() ?? null));
+      freedoms.show(free());
+      canvas.classList.toggle('free', free());
+    }
+    if (!target) return bar.show(null);
+    const { length, angle } = steps();
+    const unit = lengthUnit(store.document.length_unit);
+    bar.show({
+      name: target.name,
+      how: target === workpiece || how.mode !== 'freedoms' ? how : { ...how, mode: 'move' },
+      steps: how.mode === 'turn' ? `${angle}°` : `${short(length)} ${unit}`,
+      pullable: target === workpiece,
+      freedoms: freedoms.words(),
+    });
+    bar.tell(target.tell());
+  }
+
+  /** The place of what is in hand on the canvas, in pixels, for scripts that take hold of it: `data-hand`. */
+  function tellPlace() {
+    const at = target?.pose();
+    if (!at) return;
+    const seen = new Vector3(at[0], at[1], at[2]).project(scene.camera);
+    canvas.dataset.hand = `${(((seen.x + 1) / 2) * extent.width).toFixed(1)} ${(((1 - seen.y) / 2) * extent.height).toFixed(1)}`;
+  }
+
+  let { frame, posture } = store.view;
+  /** Another thing is selected, or the workpiece is elsewhere. */
+  function sync() {
+    const { view } = store;
+    const moved = target === workpiece && (view.posture !== posture || view.frame !== frame);
+    ({ frame, posture } = view);
+    if (view.selected !== selected) {
+      ({ selected } = view);
+      target = targetOf(selected);
+      if (!target) delete canvas.dataset.hand;
+      scene.changed();
+    } else if (!moved) return;
+    show();
+    if (moved && saying && !workpiece.busy()) {
+      saying = false;
+      bar.say(`workpiece at ${workpiece.tell()}`);
+    }
+  }
+
+  /** One step along a freedom. @param {number} index @param {number} sign */
+  function step(index, sign) {
+    freedoms.nudge(index, sign, workpiece);
+    saying = true;
+  }
+
+  /** A drag of the gizmo. @param {Target} held @returns {import('./pointer-drags.js').Drag} */
+  function gizmoDrag(held) {
+    let begun = false;
+    return {
+      move(at, snap) {
+        if (!begun) held.begin('drag');
+        begun = true;
+        gizmo.move(at, snap !== how.snap ? steps() : null);
+        held.to(gizmo.pose(), how.mode === 'turn');
+      },
+      end() {
+        gizmo.release();
+        done(held);
+      },
+      cancel() {
+        gizmo.release();
+        if (begun) held.cancel();
+        show();
+      },
+    };
+  }
+
+  /**
+   * A drag of a thing itself, in the plane of the view.
+   * @param {Target} held @param {string} place @param {Pointer} from @returns {import('./pointer-drags.js').Drag}
+   */
+  function planeDrag(held, place, from) {
+    const pose = Array.from(held.pose() ?? []);
+    const origin = new Vector3().fromArray(pose);
+    const depth = origin.clone().project(scene.camera).z;
+    const start = new Vector3(from.x, from.y, depth).unproject(scene.camera);
+    let begun = false;
+    return {
+      move(at, snap) {
+        if (!begun) {
+          begun = true;
+          held.begin('drag');
+        }
+        const to = new Vector3(at.x, at.y, depth).unproject(scene.camera).sub(start).add(origin);
+        if (snap !== how.snap) to.divideScalar(steps().length).round().multiplyScalar(steps().length);
+        held.to([...to.toArray(), ...pose.slice(3)], false);
+      },
+      end() {
+        store.setView({ selected: place });
+        done(held);
+      },
+      cancel() {
+        if (begun) held.cancel();
+        show();
+      },
+    };
+  }
+
+  /** Selects what can be moved. @param {string} place */
+  function take(place) {
+    if (!targetOf(place)) return;
+    store.setView({ selected: place });
+    setText(app.find('view-live'), `Selected: ${nameOf(place, store)}.`);
+    canvas.focus({ preventScroll: true });
+  }
+
+  /** A hand has let go. @param {Target} held */
+  function done(held) {
+    // Where the workpiece comes to is known when the planner has answered.
+    saying = held === workpiece;
+    if (!saying) bar.say(`${held.name} at ${held.tell()}`);
+    show();
+  }
+
+  const drags = createPointerDrags(canvas, {
+    hover(at) {
+      const freedom = free() ? freedoms.handles.pick(at) : -1;
+      if (free()) freedoms.handles.light(freedom);
+      return freedom >= 0 || gizmo.hover(at) || targetOf(store.view.hovered) !== null;
+    },
+    grab(at, event) {
+      const freedom = free() ? freedoms.handles.pick(at) : -1;
+      if (freedom >= 0) {
+        freedoms.handles.light(freedom);
+        return freedoms.grab(freedom, at, workpiece, () => done(workpiece));
+      }
+      if (target && gizmo.hover(at)) {
+        gizmo.grab(at);
+        return gizmoDrag(target);
+      }
+      const place = scene.pick(event);
+      const held = place === selected ? target : targetOf(place);
+      return held && planeDrag(held, place, at);
+    },
+    click: (event) => take(scene.pick(event)),
+  });
+  // A key frame inside the workpiece is reached by its name.
+  app.find('labels').addEventListener('click', ({ target: tag }) => {
+    if (tag instanceof HTMLElement) take(tag.dataset.place ?? '');
+  });
+  scene.claimants.add((event) => drags.busy || gizmo.hover(drags.place(event)) || (free() && freedoms.handles.pick(drags.place(event)) >= 0));
+
+  /** One step along or about an axis. @param {Target} held @param {0 | 1 | 2} axis @param {1 | -1} sign */
+  function nudge(held, axis, sign) {
+    const pose = held.pose();
+    if (!pose) return;
+    const turn = new Quaternion(pose[3], pose[4], pose[5], pose[6]);
+    const at = new Vector3(pose[0], pose[1], pose[2]);
+    const along = new Vector3().setComponent(axis, 1);
+    if (how.space === 'local') along.applyQuaternion(turn);
+    const { length, angle } = steps();
+    if (how.mode === 'turn') turn.premultiply(new Quaternion().setFromAxisAngle(along, (sign * angle * Math.PI) / 180));
+    else at.addScaledVector(along, sign * length);
+    held.begin('nudge');
+    held.to([...at.toArray(), ...turn.toArray()], how.mode === 'turn');
+    done(held);
+  }
+
+  /** @param {KeyboardEvent} event @returns {boolean} whether the key was meant for what is in hand */
+  function press({ key }) {
+    if (key === 'Escape' && drags.cancel()) return true;
+    if (!target) return false;
+    if (key === 'Escape') store.setView({ selected: '' });
+    else if (key in NUDGES) nudge(target, ...NUDGES[key]);
+    else if ('gtGT'.includes(key)) choose({ mode: 'move' });
+    else if ('rR'.includes(key)) choose({ mode: 'turn' });
+    else if ('dD'.includes(key) && target === workpiece) choose({ mode: 'freedoms' });
+    else if ('xwXW'.includes(key)) choose({ space: how.space === 'world' ? 'local' : 'world' });
+    else return false;
+    return true;
+  }
+  canvas.addEventListener(
+    'keydown',
+    (event) => {
+      if (event.ctrlKey || event.metaKey || event.altKey || (event.shiftKey && event.key in NUDGES) || !press(event)) return;
+      event.preventDefault();
+      event.stopImmediatePropagation();
+    },
+    { capture: true },
+  );
+
+  function paint() {
+    const palette = readPalette(canvas);
+    gizmo.paint(palette);
+    freedoms.handles.paint(palette);
+    scene.changed();
+  }
+  paint();
+  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', paint, { signal });
+  addEventListener('synthetica-theme', paint, { signal });
+
+  /** Names of the handles: axes, or the numbers of freedoms. */
+  function names() {
+    const tips = free() ? freedoms.handles.tips() : target ? gizmo.tips(how.space) : [];
+    return tips.map((at, index) => ({ at, text: free() ? String(index + 1) : 'xyz'[index], place: 'hand' }));
+  }
+
+  scene.drawn.add(() => {
+    if (!target) return labels.set([], '', '');
+    gizmo.look();
+    labels.set(drags.busy ? [] : names(), '', '');
+    labels.place(scene.camera, extent.width, extent.height);
+    tellPlace();
+  });
+  store.subscribe('view', sync);
+  store.subscribe('insight', () => {
+    if (free()) show();
+  });
+  store.subscribe('document', () => {
+    if (target && !target.pose()) store.setView({ selected: '' });
+    if (target) show();
+  });
+  sync();
+}

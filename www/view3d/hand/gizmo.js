@@ -1,0 +1,78 @@
+/**
+ * The gizmo of arrows, planes and rings that moves or turns a pose, along the axes of the world or its own.
+ *
+ * @typedef {import('./pointer-drags.js').Pointer} Pointer
+ */
+import { MathUtils, Object3D, PerspectiveCamera, Quaternion, Vector3 } from 'three';
+import { TransformControls } from 'three/addons/controls/TransformControls.js';
+
+/** Of the usual size, by mouse and by finger. */
+const SIZE = { fine: 0.85, coarse: 1.25 };
+
+/** Where an arrow's tip is in the gizmo's own measure, and how that follows from the camera: as three.js draws it. */
+const TIP = 0.68;
+const SCREEN_SHARE = 1.9;
+
+/** @param {NonNullable<import('../../element/workbench.js').App['scene']>} scene */
+export function createGizmo(scene) {
+  const handle = new Object3D();
+  const controls = new TransformControls(scene.camera, null);
+  controls.size = matchMedia('(pointer: coarse)').matches ? SIZE.coarse : SIZE.fine;
+  controls.addEventListener('change', scene.changed);
+  scene.root.add(handle, controls.getHelper());
+
+  /** @param {Pointer} at @param {number} button */
+  const pointer = (at, button) => /** @type {any} */ ({ ...at, button });
+
+  return {
+    handle,
+    /** @param {ArrayLike<number> | null} pose null takes it away */
+    show(pose) {
+      if (!pose) return controls.detach();
+      handle.position.set(pose[0], pose[1], pose[2]);
+      handle.quaternion.set(pose[3], pose[4], pose[5], pose[6]);
+      if (controls.object !== handle) controls.attach(handle);
+    },
+    /** @param {{mode: 'translate' | 'rotate', space: 'world' | 'local'}} how */
+    set({ mode, space }) {
+      controls.mode = mode;
+      controls.space = space;
+    },
+    /** @param {import('../scene/palette.js').Palette} palette */
+    paint(palette) {
+      controls.setColors(palette['axis-x'], palette['axis-y'], palette['axis-z'], palette.gap);
+    },
+    /** @returns {number[]} */
+    pose: () => [...handle.position.toArray(), ...handle.quaternion.toArray()],
+    /** Whether one of its handles is there, which it lights up. @param {Pointer} at */
+    hover(at) {
+      if (!controls.object) return false;
+      controls.pointerHover(pointer(at, 0));
+      return controls.axis !== null;
+    },
+    /** @param {Pointer} at */
+    grab: (at) => controls.pointerDown(pointer(at, 0)),
+    /** @param {Pointer} at @param {{length: number, angle: number} | null} snap length, degrees */
+    move(at, snap) {
+      controls.translationSnap = snap?.length ?? null;
+      controls.rotationSnap = snap ? MathUtils.degToRad(snap.angle) : null;
+      controls.pointerMove(pointer(at, -1));
+    },
+    release: () => controls.pointerUp(pointer({ x: 0, y: 0 }, 0)),
+    /** Looks through the scene's present camera. */
+    look() {
+      controls.camera = scene.camera;
+    },
+    /** The ends of its arrows, for their names. @param {'world' | 'local'} space @returns {Vector3[]} */
+    tips(space) {
+      const { camera } = scene;
+      const height =
+        camera instanceof PerspectiveCamera
+          ? handle.position.distanceTo(camera.position) * SCREEN_SHARE * Math.tan(MathUtils.degToRad(camera.fov / 2))
+          : camera.top - camera.bottom;
+      const reach = (height / camera.zoom) * (controls.size / 4) * TIP;
+      const turn = space === 'local' ? handle.quaternion : new Quaternion();
+      return [0, 1, 2].map((axis) => new Vector3().setComponent(axis, reach).applyQuaternion(turn).add(handle.position));
+    },
+  };
+}

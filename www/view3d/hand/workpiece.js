@@ -1,0 +1,70 @@
+/**
+ * The workpiece as something to be pulled: the linkage follows to the closest pose that it can reach, live.
+ */
+import { textOf } from '../../core/document-text.js';
+import { DocumentFault, PlannerFailure, Superseded } from '../../planner/planner.js';
+import { angle, length, short } from '../../core/format.js';
+import { groupAt, shown } from '../../core/shown.js';
+import { statusWords } from '../../core/status-words.js';
+
+/**
+ * @param {Pick<import('../../element/workbench.js').App, 'store' | 'planner'>} app
+ * @returns {import('./key-frame.js').Target & {busy: () => boolean}}
+ */
+export function workpieceTarget({ store, planner }) {
+  /** What was shown before the hand came. @type {import('../../core/types.js').View['posture']} */
+  let before = null;
+  /** Counts the pulls: an answer to a pull that was taken back is not shown. */
+  let stay = 0;
+  let asked = 0;
+
+  /** @param {Float64Array} goal */
+  async function pull(goal) {
+    const now = shown(store);
+    if (!now) return;
+    const { document } = now;
+    const mine = stay;
+    asked++;
+    const answer = await planner.pull(textOf(document), groupAt(now.joints, now), goal).catch((error) => {
+      if (error instanceof PlannerFailure) {
+        store.setResult({ trouble: `The planner failed while the workpiece was pulled and was started afresh (${error.message}).` });
+      } else if (!(error instanceof Superseded || error instanceof DocumentFault)) throw error;
+      return null;
+    });
+    asked--;
+    if (answer && mine === stay && store.result.document === document) store.setView({ posture: answer, playing: false });
+  }
+
+  return {
+    name: 'workpiece',
+    busy: () => asked > 0,
+    pose() {
+      const now = shown(store);
+      return now && groupAt(now.pose, now);
+    },
+    begin() {
+      before = store.view.posture;
+      stay++;
+      store.setView({ playing: false });
+    },
+    to(pose) {
+      pull(Float64Array.from(pose));
+    },
+    cancel() {
+      stay++;
+      store.setView({ posture: before });
+    },
+    tell() {
+      const now = shown(store);
+      if (!now) return '';
+      const unit = now.document.length_unit;
+      const at = Array.from(groupAt(now.pose, now).subarray(0, 3), (value) => short(value, 3));
+      const place = `x ${at[0]}, y ${at[1]}, z ${at[2]}${unit ? ` ${unit}` : ''}`;
+      const { posture } = store.view;
+      if (!posture) return place;
+      const { sign, word } = statusWords(posture.status);
+      if (posture.status === 'reached') return `${place}; ${sign} ${word.toLowerCase()}`;
+      return `${place}; ${sign} ${word.toLowerCase()}, ${length(posture.translation_gap, unit)} and ${angle(posture.rotation_gap)} from the hand`;
+    },
+  };
+}

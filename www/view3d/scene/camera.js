@@ -1,0 +1,196 @@
+/**
+ * The camera: orbit, pan and zoom by mouse, touch and keyboard; perspective or parallel; moves that take a moment.
+ *
+ * @typedef {object} Look from where the scene is seen
+ * @property {number} around radians about z, from the front towards the right
+ * @property {number} down radians from straight above
+ * @property {number} reach half the height of the view at the target, in lengths
+ * @property {Vector3} target
+ */
+import { MathUtils, OrthographicCamera, PerspectiveCamera, Vector3 } from 'three';
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { STANDARD_VIEWS } from '../../core/standard-views.js';
+
+/** Degrees of one arrow key's turn, share of the view of its shift, share of one key's zoom. */
+const TURN = 6;
+const SHIFT = 0.05;
+const ZOOM = 0.9;
+
+/** Milliseconds of a move to another view. */
+const MOVE = 220;
+
+/** The least and the most that the view may reach, and how far its target may go, in radii of the scene. */
+const NEAREST = 0.02;
+const FARTHEST = 12;
+const FARTHEST_TARGET = 6;
+
+/** Half the height of the view at distance 1. */
+const SLOPE = Math.tan(15 * MathUtils.DEG2RAD);
+
+/** Straight above and below, the view still needs to know what is up. */
+const UPRIGHT = 1e-4;
+
+/** @param {HTMLCanvasElement} canvas @param {() => void} changed @param {() => void} turned by a person's hand */
+export function createCamera(canvas, changed, turned) {
+  const perspective = new PerspectiveCamera(30, 1, 0.01, 1000);
+  const parallel = new OrthographicCamera();
+  for (const camera of [perspective, parallel]) camera.up.set(0, 0, 1);
+  /** @type {PerspectiveCamera | OrthographicCamera} */
+  let camera = perspective;
+  const controls = new OrbitControls(/** @type {import('three').Camera} */ (camera), canvas);
+  const home = { centre: new Vector3(), radius: 1 };
+  const calm = matchMedia('(prefers-reduced-motion: reduce)');
+  /** @type {{from: Look, to: Look, since: number} | null} */
+  let move = null;
+
+  controls.addEventListener('change', () => {
+    clip();
+    changed();
+  });
+  controls.addEventListener('start', () => {
+    turned();
+    move = null;
+  });
+
+  /** Near and far around the scene, wherever the camera is. */
+  function clip() {
+    const distance = camera.position.distanceTo(controls.target);
+    perspective.near = Math.min(distance, home.radius) / 100;
+    perspective.far = distance + 60 * home.radius;
+    parallel.near = -60 * home.radius;
+    parallel.far = perspective.far;
+    camera.updateProjectionMatrix();
+  }
+
+  /** @returns {Look} */
+  function look() {
+    const arm = camera.position.clone().sub(controls.target);
+    const distance = arm.length();
+    return {
+      around: Math.atan2(arm.x, -arm.y),
+      down: Math.acos(MathUtils.clamp(arm.z / distance, -1, 1)),
+      reach: camera === parallel ? parallel.top / parallel.zoom : distance * SLOPE,
+      target: controls.target.clone(),
+    };
+  }
+
+  /** @param {Look} look */
+  function take({ around, down, reach, target }) {
+    const kept = MathUtils.clamp(reach, NEAREST * home.radius, FARTHEST * home.radius);
+    const tilt = MathUtils.clamp(down, UPRIGHT, Math.PI - UPRIGHT);
+    const arm = new Vector3(Math.sin(tilt) * Math.sin(around), -Math.sin(tilt) * Math.cos(around), Math.cos(tilt));
+    controls.target.copy(target);
+    camera.position.copy(target).addScaledVector(arm, kept / SLOPE);
+    parallel.zoom = 1;
+    Object.assign(parallel, { top: kept, bottom: -kept, right: kept * perspective.aspect, left: -kept * perspective.aspect });
+    controls.minDistance = (NEAREST * home.radius) / SLOPE;
+    controls.maxDistance = (FARTHEST * home.radius) / SLOPE;
+    controls.minZoom = kept / (FARTHEST * home.radius);
+    controls.maxZoom = kept / (NEAREST * home.radius);
+    clip();
+    controls.update();
+    changed();
+  }
+
+  /** @param {Partial<Look>} change @param {boolean} [smooth] */
+  function go(change, smooth = true) {
+    const from = look();
+    const to = { ...(move?.to ?? from), ...change };
+    if (!smooth || calm.matches) {
+      move = null;
+      return take(to);
+    }
+    // The short way around.
+    to.around = from.around + MathUtils.euclideanModulo(to.around - from.around + Math.PI, 2 * Math.PI) - Math.PI;
+    move = { from, to, since: performance.now() };
+    changed();
+  }
+
+  /** @param {number} right @param {number} up in shares of the view */
+  function shift(right, up) {
+    const { reach, target } = look();
+    return target.add(new Vector3(right, up, 0).multiplyScalar(2 * reach).applyQuaternion(camera.quaternion));
+  }
+
+  /** What shows a ball whole. @param {Vector3} centre @param {number} radius @returns {Partial<Look>} */
+  function around(centre, radius) {
+    const wide = radius / Math.min(1, perspective.aspect);
+    return { target: centre.clone(), reach: camera === parallel ? wide : wide / Math.cos(Math.atan(SLOPE)) };
+  }
+
+  canvas.addEventListener('keydown', (event) => {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const turn = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
+    const now = look();
+    const by = TURN * MathUtils.DEG2RAD;
+    if (turn && event.shiftKey) go({ target: shift(turn[0] * SHIFT, turn[1] * SHIFT) }, false);
+    else if (turn) go({ around: now.around + turn[0] * by, down: MathUtils.clamp(now.down - turn[1] * by, 0, Math.PI) }, false);
+    else if (event.key === '+' || event.key === '=') go({ reach: now.reach * ZOOM }, false);
+    else if (event.key === '-') go({ reach: now.reach / ZOOM }, false);
+    else return;
+    turned();
+    event.preventDefault();
+  });
+
+  return {
+    controls,
+    get camera() {
+      return camera;
+    },
+    /** A move's next step; called before every draw. */
+    step() {
+      if (!move) return;
+      const share = Math.min(1, (performance.now() - move.since) / MOVE);
+      const soft = share * share * (3 - 2 * share);
+      const { from, to } = move;
+      if (share === 1) move = null;
+      take({
+        around: MathUtils.lerp(from.around, to.around, soft),
+        down: MathUtils.lerp(from.down, to.down, soft),
+        reach: MathUtils.lerp(from.reach, to.reach, soft),
+        target: from.target.clone().lerp(to.target, soft),
+      });
+    },
+    /** Shows everything, from where it is seen now. */
+    fit() {
+      go(around(home.centre, home.radius));
+    },
+    /** Shows everything as it is seen first. */
+    begin() {
+      go({ ...STANDARD_VIEWS.first, ...around(home.centre, home.radius) }, false);
+    },
+    /** Brings a ball into the middle. @param {Vector3} centre @param {number} radius */
+    fitTo(centre, radius) {
+      go(around(centre, radius));
+    },
+    /** @param {keyof typeof STANDARD_VIEWS} name @param {boolean} [smooth] */
+    turnTo(name, smooth) {
+      go(STANDARD_VIEWS[name], smooth);
+    },
+    /** @param {boolean} flat whether parallel lines stay parallel */
+    setParallel(flat) {
+      const wanted = flat ? parallel : perspective;
+      canvas.dataset.projection = flat ? 'orthographic' : 'perspective';
+      if (camera === wanted) return;
+      const now = look();
+      camera = wanted;
+      controls.object = camera;
+      take(now);
+    },
+    /** What `fit` shows. @param {Vector3} centre @param {number} radius */
+    setHome(centre, radius) {
+      home.centre.copy(centre);
+      home.radius = radius;
+      controls.cursor.copy(centre);
+      controls.maxTargetRadius = FARTHEST_TARGET * radius;
+    },
+    /** @param {number} aspect */
+    setAspect(aspect) {
+      perspective.aspect = aspect;
+      parallel.right = parallel.top * aspect;
+      parallel.left = -parallel.right;
+      perspective.updateProjectionMatrix();
+      parallel.updateProjectionMatrix();
+    },
+  };
+}

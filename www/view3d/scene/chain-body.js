@@ -1,0 +1,178 @@
+/**
+ * One chain as solid bodies: base, joints by type, links along the common normals. Built from the planner's `rows` of
+ * frame 0 and moved by those of any frame; nothing is solved here. What a body is, as a place in the document, is in
+ * its `userData.place`; a link's place is the table row that holds its dimensions.
+ *
+ * @typedef {import('../../core/types.js').Motion} Motion
+ * @typedef {import('../../core/types.js').JointType} JointType
+ * @typedef {import('./joint-shapes.js').JointShape} JointShape
+ * @typedef {import('three').Material} Material
+ * @typedef {{shape: JointShape, first: number, last: number}} PlacedJoint
+ */
+import { Group, Quaternion, Vector3 } from 'three';
+import { createBase } from './base.js';
+import { originOf, moveTo, turnOf } from '../../core/poses.js';
+import { PLATE, jointShape } from './joint-shapes.js';
+import { rod } from './solids.js';
+import { travels } from './travel.js';
+
+/** Poses of one row: its seat, then the moved frame. */
+export const PER_ROW = 2;
+
+/** Widths in link radii. */
+const LINK = 0.95;
+const SHAFT = 0.75;
+
+export class ChainBody {
+  group = new Group();
+  /** Its end in the fixed frame, at frame 0. */
+  end = new Vector3();
+  #r;
+  /** @type {PlacedJoint[]} */
+  #joints = [];
+  /** @type {ReturnType<typeof createBase>} */
+  base;
+
+  /**
+   * @param {Motion} motion
+   * @param {{index: number, firstRow: number, base: import('../../core/types.js').Frame | undefined}} chain its number, and its first row of all chains' rows
+   * @param {{link: Material, metal: Material, dark: Material, axes: Material[]}} materials
+   * @param {number} r radius of a link
+   */
+  constructor(motion, { index, firstRow, base }, materials, r) {
+    this.#r = r;
+    const { rows } = motion;
+    const place = `chains[${index}]`;
+    this.base = createBase(base, materials, r);
+    this.base.group.userData.place = `${place}.base`;
+    this.group.add(this.base.group);
+    /** The body that the next link belongs to, and the point before it. */
+    let body = this.base.seat;
+    let before = placeOf(body).add(new Vector3(0, 0, -1));
+    this.group.add(body);
+
+    jointsOf(motion.report.chains[index].rows, firstRow).forEach(([first, last, type], joint) => {
+      const shape = jointShape(type, r, materials);
+      const seat = originOf(rows, PER_ROW * first);
+      const end = originOf(rows, PER_ROW * last + 1);
+      const link = addRod(body, placeOf(body), seat, LINK * r, materials.link);
+      if (link) link.userData.place = `${place}.joints[${joint}].rows[0]`;
+      if (seat.distanceTo(placeOf(body)) > r) before = placeOf(body);
+      moveTo(shape.fixed, rows, PER_ROW * first);
+      moveTo(shape.moved, rows, PER_ROW * last + 1);
+      if (type === 'S') faceSocket(shape.fixed, before);
+      // A constant offset along a revolute axis: the shaft lies on the axis, so it may turn with either side.
+      if (type === 'R') addRod(shape.moved, end, seat, SHAFT * r, materials.dark);
+      if (type === 'E') {
+        addRod(shape.moved, end, originOf(rows, PER_ROW * last), SHAFT * r, materials.dark);
+        seatPlate(shape, motion, first, r);
+      }
+      for (const object of [shape.fixed, shape.moved, shape.cross, shape.puck, shape.slide?.mesh]) {
+        if (!object) continue;
+        object.userData.place = `${place}.joints[${joint}]`;
+        this.group.add(object);
+      }
+      this.#joints.push({ shape, first, last });
+      if (end.distanceTo(seat) > r) before = seat;
+      body = shape.moved;
+    });
+    this.end = placeOf(body);
+  }
+
+  /** Sizes what slides to another motion of the same chain. @param {Motion} motion */
+  fit(motion) {
+    for (const { shape, first, last } of this.#joints) shape.fit?.(travels(motion, first, last));
+  }
+
+  /**
+   * @param {Float64Array} rows
+   * @param {number} offset poses before the shown frame
+   */
+  show(rows, offset) {
+    const at = (/** @type {number} */ row) => offset + PER_ROW * row;
+    for (const { shape, first, last } of this.#joints) {
+      const seatTurn = shape.fixed.userData.turn;
+      moveTo(shape.fixed, rows, at(first));
+      if (seatTurn) shape.fixed.quaternion.multiply(seatTurn);
+      moveTo(shape.moved, rows, at(last) + 1);
+      if (shape.cross) moveTo(shape.cross, rows, at(first + 1));
+      if (shape.puck) moveTo(shape.puck, rows, at(last));
+      if (shape.slide) this.#laySlide(shape.slide, rows, at(first));
+    }
+  }
+
+  /** @param {NonNullable<JointShape['slide']>} slide @param {Float64Array} rows @param {number} at the seat */
+  #laySlide({ mesh, before, after }, rows, at) {
+    const seat = originOf(rows, at);
+    const axis = new Vector3(0, 0, 1).applyQuaternion(turnOf(rows, at));
+    const travel = originOf(rows, at + 1).sub(seat).dot(axis);
+    const from = Math.min(0, travel) - (travel < 0 ? after : before);
+    const to = Math.max(0, travel) + (travel < 0 ? before : after);
+    // The rod turns with the link after the joint.
+    moveTo(mesh, rows, at + 1);
+    mesh.position.copy(seat).addScaledVector(axis, (from + to) / 2);
+    mesh.scale.z = Math.max(to - from, 1e-6 * this.#r);
+  }
+}
+
+/** @param {import('three').Object3D} body */
+const placeOf = (body) => body.position.clone();
+
+/**
+ * A rod in a moving body between two points given in the fixed frame, as they lie in frame 0.
+ * @param {Group} body @param {Vector3} from @param {Vector3} to @param {number} radius @param {Material} material
+ */
+function addRod(body, from, to, radius, material) {
+  if (from.distanceTo(to) < radius * 0.2) return null;
+  const turn = body.quaternion.clone().invert();
+  const local = (/** @type {Vector3} */ point) => point.clone().sub(body.position).applyQuaternion(turn);
+  const made = rod(local(from), local(to), radius, material);
+  body.add(made);
+  return made;
+}
+
+/**
+ * First row, last row and type of each joint of a chain.
+ * @param {{kind: string, joint: number}[]} rows
+ * @param {number} start
+ * @returns {[number, number, JointType][]}
+ */
+function jointsOf(rows, start) {
+  /** @type {[number, number, JointType][]} */
+  const found = [];
+  rows.forEach(({ kind, joint }, index) => {
+    if (index > 0 && rows[index - 1].joint === joint) found[found.length - 1][1] = start + index;
+    else found.push([start + index, start + index, /** @type {JointType} */ (kind)]);
+  });
+  return found;
+}
+
+/**
+ * Turns an E joint's plate into its plane and puts it on the side of the puck that the next link does not leave to.
+ * @param {JointShape} shape at its place in frame 0
+ * @param {Motion} motion @param {number} first row @param {number} r
+ */
+function seatPlate({ fixed, plate, puck }, { rows }, first, r) {
+  if (!plate || !puck) return;
+  const last = PER_ROW * (first + 2);
+  const turn = fixed.quaternion.clone().invert();
+  const seat = originOf(rows, last);
+  const normal = new Vector3(0, 0, 1).applyQuaternion(turnOf(rows, last));
+  const below = originOf(rows, last + 1).sub(seat).dot(normal) < 0;
+  puck.children[0].rotation.x = below ? Math.PI : 0;
+  const height = seat.sub(fixed.position).dot(normal) + (below ? PLATE : -PLATE) * 0.5 * r;
+  plate.quaternion.copy(turn).multiply(turnOf(rows, PER_ROW * (first + 1)));
+  plate.userData.offset = normal.multiplyScalar(height).applyQuaternion(turn);
+  fixed.add(plate);
+}
+
+/**
+ * Turns a socket's closed side to the link that carries it.
+ * @param {Group} fixed at its seat
+ * @param {Vector3} before a point of that link, in the fixed frame
+ */
+function faceSocket(fixed, before) {
+  const towards = before.clone().sub(fixed.position).applyQuaternion(fixed.quaternion.clone().invert());
+  if (towards.lengthSq() < 1e-18) return;
+  fixed.userData.turn = new Quaternion().setFromUnitVectors(new Vector3(0, 0, -1), towards.normalize());
+}

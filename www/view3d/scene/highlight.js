@@ -1,0 +1,104 @@
+/**
+ * Outlines around what is chosen and what is pointed at: shells of the same shape behind it, wider by some pixels.
+ */
+import { BackSide, Box3, InstancedMesh, Mesh, ShaderMaterial, Vector2, Vector3 } from 'three';
+import { belongs } from '../../core/things.js';
+
+/** Widths in CSS pixels: what is chosen and what is pointed at are told apart by them. */
+const CHOSEN = 3.5;
+const POINTED = 2;
+
+const VERTEX = `
+  uniform float width;
+  uniform vec2 window;
+  void main() {
+    vec4 place = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+    vec2 outwards = (projectionMatrix * vec4(normalMatrix * normal, 0.0)).xy * window;
+    float size = length(outwards);
+    if (size > 1e-9) place.xy += (outwards / size) * width * 2.0 / window * place.w;
+    gl_Position = place;
+  }`;
+const FRAGMENT = `
+  uniform vec3 color;
+  void main() {
+    gl_FragColor = vec4(color, 1.0);
+    #include <colorspace_fragment>
+  }`;
+
+/** @param {import('three').Object3D[]} roots */
+export function createHighlight(roots) {
+  const window = { value: new Vector2(1, 1) };
+  const outline = (/** @type {number} */ width) =>
+    new ShaderMaterial({ vertexShader: VERTEX, fragmentShader: FRAGMENT, side: BackSide, uniforms: { width: { value: width }, window, color: { value: new Vector3() } } });
+  const materials = { chosen: outline(CHOSEN), pointed: outline(POINTED) };
+  /** @type {Mesh[]} */
+  let shells = [];
+
+  /** @param {(object: import('three').Object3D, place: string) => void} visit */
+  const eachThing = (visit) => {
+    for (const root of roots) {
+      root.traverse((object) => {
+        if (object.userData.place) visit(object, object.userData.place);
+      });
+    }
+  };
+
+  /** @param {import('three').Object3D} thing @param {ShaderMaterial} material */
+  function wrap(thing, material) {
+    const owner = thing.userData.place;
+    const go = (/** @type {import('three').Object3D} */ object) => {
+      if (object.userData.place && object.userData.place !== owner) return;
+      for (const child of [...object.children]) go(child);
+      if (!(object instanceof Mesh) || object instanceof InstancedMesh || object.userData.faint) return;
+      const shell = new Mesh(object.geometry, material);
+      shell.raycast = () => {};
+      object.add(shell);
+      shells.push(shell);
+    };
+    go(thing);
+  }
+
+  return {
+    /** @param {string} chosen @param {string} pointed places */
+    set(chosen, pointed) {
+      for (const shell of shells) shell.removeFromParent();
+      shells = [];
+      if (!chosen && !pointed) return;
+      /** @type {[import('three').Object3D, ShaderMaterial][]} */
+      const found = [];
+      eachThing((object, place) => {
+        if (belongs(place, chosen)) found.push([object, materials.chosen]);
+        else if (belongs(place, pointed)) found.push([object, materials.pointed]);
+      });
+      for (const [object, material] of found) wrap(object, material);
+    },
+    /** @param {import('three').Color} color */
+    paint(color) {
+      for (const { uniforms } of [materials.chosen, materials.pointed]) uniforms.color.value.set(color.r, color.g, color.b);
+    },
+    /** @param {number} width @param {number} height of the canvas in CSS pixels */
+    resize(width, height) {
+      window.value.set(width, height);
+    },
+    /** The space that a thing takes. @param {string} place @returns {Box3} empty if there is none */
+    boxOf(place) {
+      const box = new Box3();
+      eachThing((object, thing) => {
+        if (belongs(thing, place) && !object.userData.faint) box.union(new Box3().setFromObject(object));
+      });
+      return box;
+    },
+    /** Where a thing's name stands: in the middle of its first part. @param {string} place @param {Vector3} at @returns {boolean} */
+    anchorOf(place, at) {
+      const box = new Box3();
+      eachThing((object, thing) => {
+        if (!box.isEmpty() || !belongs(thing, place)) return;
+        object.updateWorldMatrix(true, true);
+        if (object.userData.anchor) box.expandByPoint(object.userData.anchor.getWorldPosition(at));
+        else box.setFromObject(object);
+      });
+      if (!box.isEmpty()) box.getCenter(at);
+      return !box.isEmpty();
+    },
+  };
+}

@@ -1,0 +1,117 @@
+/**
+ * The goal motion (dark) and the closest motion (light), key frames, the goal's ghost, gaps, and ghosts of the workpiece.
+ * Laid anew in place: a goal that is dragged costs no new bodies.
+ *
+ * @typedef {import('../../core/types.js').Motion} Motion
+ * @typedef {import('three').Material} Material
+ * @typedef {{goal: Material, closest: Material, gap: Material, gaps: Material[], ghost: Material, ghosts: Material, key: Material,
+ *   axes: Material[], keyAxes: Material[], faintAxes: Material[]}} PathMaterials
+ */
+import { BufferGeometry, Group, Mesh, SphereGeometry, Vector3 } from 'three';
+import { frameMatrix, moveTo } from '../../core/poses.js';
+import { GapLines } from './gap-lines.js';
+import { Ghosts } from './ghosts.js';
+import { layRod, rod, shared, triad } from './solids.js';
+import { Tube } from './tube.js';
+
+/** Sizes in link radii. */
+const PATH = 0.42;
+const GAP = 0.3;
+const KEY = 7;
+const KEY_BALL = 0.85;
+const AXES = 6;
+
+export class MotionPaths {
+  group = new Group();
+  /** Key frames' places and names. @type {{at: Vector3, text: string, place: string}[]} */
+  labels = [];
+  #materials;
+  #goal;
+  #closest;
+  /** @type {Group[]} */
+  #keys = [];
+  #ghost = new Group();
+  #ghostBody;
+  #ghostAxes;
+  #reached;
+  #gap;
+  #gaps;
+  #ghosts;
+
+  /** @param {PathMaterials} materials */
+  constructor(materials) {
+    this.#materials = materials;
+    this.#goal = new Tube(materials.goal);
+    this.#goal.mesh.userData.place = 'goal';
+    this.#closest = new Tube(materials.closest);
+    this.#closest.mesh.userData.place = 'closest';
+    this.#ghostBody = new Mesh(new BufferGeometry(), materials.ghost);
+    this.#ghostBody.userData.faint = true;
+    this.#ghostAxes = triad(1, materials.faintAxes);
+    this.#ghost.userData.place = 'goal';
+    this.#ghost.add(this.#ghostBody, this.#ghostAxes);
+    this.#reached = triad(1, materials.axes);
+    this.#reached.userData.place = 'workpiece';
+    this.#goal.mesh.userData.anchor = this.#ghost;
+    this.#closest.mesh.userData.anchor = this.#reached;
+    this.#gap = rod(new Vector3(), new Vector3(), 1, materials.gap);
+    this.#gap.userData.place = 'gap';
+    this.#gaps = new GapLines(materials.gaps);
+    this.#ghosts = new Ghosts(materials.ghosts);
+    this.group.add(this.#gaps.group, this.#ghosts.mesh);
+    this.group.add(this.#goal.mesh, this.#closest.mesh, this.#ghost, this.#reached, this.#gap);
+  }
+
+  /**
+   * @param {Motion} motion
+   * @param {import('../../core/types.js').MechanismDocument} document
+   * @param {{link: number, radius: number}} size radii of a link and of the scene
+   * @param {BufferGeometry | null} body the workpiece's shape
+   * @param {number[]} ghosts frames
+   */
+  update(motion, document, { link: r, radius }, body, ghosts) {
+    this.#gaps.lay(motion, r, radius);
+    if (body) this.#ghosts.lay(motion, ghosts, body);
+    this.#goal.lay(motion.goal, motion.frames, PATH * r);
+    this.#closest.lay(motion.pose, motion.frames, PATH * r);
+    if (body) this.#ghostBody.geometry = body;
+    this.#ghostAxes.scale.setScalar(AXES * r);
+    this.#reached.scale.setScalar(AXES * r);
+    const [shaft, ...ends] = this.#gap.children;
+    shaft.scale.set(GAP * r, 1, GAP * r);
+    for (const end of ends) end.scale.setScalar(GAP * r);
+
+    const keys = document.motion.key_frames;
+    while (this.#keys.length > keys.length) this.#keys.pop()?.removeFromParent();
+    this.labels = keys.map((key, index) => {
+      const mark = (this.#keys[index] ??= this.#addKey(index));
+      frameMatrix(key).decompose(mark.position, mark.quaternion, mark.scale);
+      mark.scale.setScalar(KEY * r);
+      return { at: mark.position, text: key.name || `key ${index + 1}`, place: mark.userData.place };
+    });
+  }
+
+  /** @param {number} index */
+  #addKey(index) {
+    const mark = triad(1, this.#materials.keyAxes);
+    // Wider than the motion that passes through, so that it can be pointed at.
+    const ball = new Mesh(shared('key ball', () => new SphereGeometry(KEY_BALL / KEY, 20, 14)), this.#materials.key);
+    mark.add(ball);
+    mark.userData.place = `motion.key_frames[${index}]`;
+    mark.userData.anchor = mark;
+    this.group.add(mark);
+    return mark;
+  }
+
+  /** Other ghosts of the same motion. @param {Motion} motion @param {number[]} frames @param {BufferGeometry | null} body */
+  showGhosts(motion, frames, body) {
+    if (body) this.#ghosts.lay(motion, frames, body);
+  }
+
+  /** @param {Pick<import('../../core/poses.js').Shown, 'goal' | 'pose' | 'index'>} what */
+  show({ goal, pose, index }) {
+    moveTo(this.#ghost, goal, index);
+    moveTo(this.#reached, pose, index);
+    layRod(this.#gap, this.#ghost.position, this.#reached.position);
+  }
+}

@@ -1,0 +1,250 @@
+/**
+ * The 3D view: light, ground, linkage, motions. Draws when it is told to, and tells when it has something to draw.
+ *
+ * @typedef {import('../../core/types.js').Motion} Motion
+ * @typedef {import('../../core/types.js').Result} Result
+ */
+import { Scene, Sphere, Vector3, WebGLRenderer } from 'three';
+import { createCamera } from './camera.js';
+import { gapSteps } from './gap-lines.js';
+import { ghostFrames } from './ghosts.js';
+import { createGround } from './ground.js';
+import { createHighlight } from './highlight.js';
+import { createLabels } from './labels.js';
+import { createLease } from './lease.js';
+import { createLight } from './light.js';
+import { Linkage } from './linkage.js';
+import { createMaterials } from './materials.js';
+import { createMeasure } from './measure.js';
+import { MotionPaths } from './motion-paths.js';
+import { readPalette } from './palette.js';
+import { createPicker } from './pick.js';
+import { createPoster } from './poster.js';
+
+/**
+ * @param {{canvas: HTMLCanvasElement, labels: HTMLElement, signal?: AbortSignal, turned?: () => void}} place where it is, until when, and who is told when a
+ *   hand turns it
+ * @param {() => void} changed
+ * @returns null where the browser has no WebGL 2
+ */
+export function createScene({ canvas, labels: layer, signal, turned = () => {} }, changed) {
+  const context = canvas.getContext('webgl2', { antialias: true, alpha: true });
+  if (!context) return null;
+  const renderer = new WebGLRenderer({ canvas, context });
+  renderer.shadowMap.enabled = true;
+  const root = new Scene();
+  const view = createCamera(canvas, changed, turned);
+  const labels = createLabels(layer);
+  const materials = createMaterials();
+  const light = createLight(isSoftware(context), changed);
+  const ground = createGround();
+  const linkage = new Linkage(materials);
+  const paths = new MotionPaths(materials);
+  const { size, take } = createMeasure();
+  const things = [linkage.group, paths.group];
+  const highlight = createHighlight(things);
+  const pick = createPicker(things, canvas, () => view.camera);
+  root.add(...light.objects, ground.group, linkage.group, paths.group);
+
+  function paint() {
+    const palette = readPalette(canvas);
+    materials.paint(palette);
+    highlight.paint(palette.accent);
+    light.sky.groundColor.copy(palette.ground);
+    ground.material.color.copy(palette.grid);
+    changed();
+  }
+  paint();
+  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', paint, { signal });
+  addEventListener('synthetica-theme', paint, { signal });
+
+  let width = 1;
+  let height = 1;
+  function resize() {
+    width = Math.max(1, canvas.clientWidth);
+    height = Math.max(1, canvas.clientHeight);
+    renderer.setPixelRatio(Math.min(2, devicePixelRatio));
+    renderer.setSize(width, height, false);
+    view.setAspect(width / height);
+    highlight.resize(width, height);
+    changed();
+  }
+  new ResizeObserver(resize).observe(canvas);
+  resize();
+
+  /** What is chosen and what is pointed at, with the names that stand beside them; none for an empty text. */
+  const marks = [
+    { place: '', text: '', at: new Vector3() },
+    { place: '', text: '', at: new Vector3() },
+  ];
+  const [chosen, pointed] = marks;
+
+  const names = () => [...paths.labels, ...linkage.bases.map((at, index) => ({ at, text: String(index + 1), place: `chains[${index}].base` }))];
+
+  function setLabels() {
+    const standing = options.show.names ? names() : [];
+    const named = marks.filter(({ place, text }, index) => text && !(index && place === chosen.place) && highlight.anchorOf(place, marks[index].at));
+    labels.set([...standing.filter(({ place }) => !named.some((mark) => mark.place === place)), ...named], chosen.place, pointed.place);
+  }
+
+  /** @type {Pick<import('../../core/types.js').View, 'show' | 'ghosts'>} */
+  let options = { show: { goal: true, closest: true, gaps: true, names: true, ground: true, axes: true }, ghosts: 'none' };
+  /** @type {Pick<Result, 'motion' | 'document'>} */
+  let shown = { motion: null, document: null };
+
+  let built = false;
+  let draws = 0;
+
+  /** @param {import('../../core/poses.js').Shown} what */
+  function pose(what) {
+    if (!built) return;
+    linkage.show(what);
+    paths.show(what);
+  }
+
+  const lease = createLease(canvas, context);
+  const poster = createPoster(canvas);
+  signal?.addEventListener('abort', () => {
+    // It listens to the document too.
+    view.controls.dispose();
+    renderer.dispose();
+    lease.setSeen(false);
+  });
+
+  /** @type {Set<(event: PointerEvent) => boolean>} */
+  const claimants = new Set();
+  /** @type {Set<() => void>} */
+  const drawn = new Set();
+  return {
+    canvas,
+    /** Whether its context is lost because it is out of sight. */
+    get givenBack() {
+      return lease.givenBack;
+    },
+    /** @param {boolean} seen whether it is in sight: its last picture stands in for it while it is not */
+    setSeen(seen) {
+      if (!seen && lease.ready) {
+        renderer.render(root, view.camera);
+        poster.keep();
+      }
+      lease.setSeen(seen);
+    },
+    /** Where other bodies, such as handles, are added. */
+    root,
+    changed,
+    /** What belongs into a picture; handles and the like do not. */
+    pictured: [...light.objects, ground.group, linkage.group, paths.group],
+    /** The names that always stand in the scene. */
+    get names() {
+      return names();
+    },
+    fit: view.fit,
+    turnTo: view.turnTo,
+    setParallel: view.setParallel,
+    /** The sizes at which gaps are drawn in another way, in lengths. */
+    get gapSteps() {
+      return gapSteps(size.radius);
+    },
+    /** What is drawn, and where ghosts stand. @param {Pick<import('../../core/types.js').View, 'show' | 'ghosts'>} next */
+    choose({ show, ghosts }) {
+      if (show === options.show && ghosts === options.ghosts) return;
+      options = { show, ghosts };
+      materials.show(show);
+      ground.group.visible = show.ground;
+      const { motion, document } = shown;
+      if (motion && document) paths.showGhosts(motion, ghostFrames(ghosts, motion, document), linkage.body);
+      setLabels();
+      changed();
+    },
+    /** Brings a thing into the middle. @param {string} place @returns {boolean} false if there is no such thing */
+    fitTo(place) {
+      const box = highlight.boxOf(place);
+      if (box.isEmpty()) return false;
+      const { center, radius } = box.getBoundingSphere(new Sphere());
+      view.fitTo(center, Math.max(1.3 * radius, 0.1 * size.radius));
+      return true;
+    },
+    /** Orbit, pan and zoom; `enabled` is off while something else is dragged. */
+    controls: view.controls,
+    get camera() {
+      return view.camera;
+    },
+    /** Of the scene, and of a link. */
+    get radius() {
+      return size.radius;
+    },
+    get linkRadius() {
+      return size.link;
+    },
+    /** The place of the thing under a pointer; empty for none. */
+    pick,
+    /** Asked before a pointer points at a thing or selects it: true takes the pointer. */
+    claimants,
+    /** @param {PointerEvent} event */
+    claims: (event) => [...claimants].some((claim) => claim(event)),
+    /** Called before every draw. */
+    drawn,
+
+    /**
+     * Outlines what is chosen and what is pointed at, and names them unless the text is empty.
+     * @param {{place: string, text: string}} select
+     * @param {{place: string, text: string}} point
+     */
+    highlight(select, point) {
+      const same = chosen.place === select.place && chosen.text === select.text && pointed.place === point.place && pointed.text === point.text;
+      if (same || !built) return;
+      Object.assign(chosen, select);
+      Object.assign(pointed, point);
+      highlight.set(select.place, point.place);
+      canvas.dataset.selected = select.place;
+      canvas.dataset.hovered = point.place;
+      setLabels();
+      changed();
+    },
+
+    /**
+     * @param {Result} result with a motion
+     * @param {boolean} afresh another mechanism: look at it from the front again
+     */
+    show({ motion, document }, afresh) {
+      if (!motion || !document) return;
+      built = true;
+      shown = { motion, document };
+      if (take(motion, document, afresh)) {
+        view.setHome(size.centre, size.radius * 1.03);
+        light.aim(size.centre, size.radius);
+      }
+      ground.lay(size.centre, size.radius, size.ground);
+      linkage.update(motion, document, size.link, size.ground);
+      paths.update(motion, document, size, linkage.body, ghostFrames(options.ghosts, motion, document));
+      highlight.set(chosen.place, pointed.place);
+      setLabels();
+      if (afresh) view.begin();
+      changed();
+    },
+
+    /** Puts everything where it is, without drawing. @param {import('../../core/poses.js').Shown} what the columns and the frame in them */
+    pose,
+
+    /** @param {import('../../core/poses.js').Shown} what the columns and the frame in them that are drawn */
+    draw(what) {
+      if (!lease.ready) return;
+      view.step();
+      pose(what);
+      for (const { place, text, at } of marks) if (text) highlight.anchorOf(place, at);
+      for (const tell of drawn) tell();
+      light.beforeDraw();
+      renderer.render(root, view.camera);
+      poster.drop();
+      labels.place(view.camera, width, height);
+      canvas.dataset.draws = String(++draws);
+    },
+  };
+}
+
+/** Whether pictures are computed without a graphics card. @param {WebGL2RenderingContext} context */
+function isSoftware(context) {
+  const names = context.getExtension('WEBGL_debug_renderer_info');
+  const name = context.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : context.RENDERER);
+  return /swiftshader|llvmpipe|software|basic render/i.test(String(name));
+}

@@ -1,0 +1,99 @@
+/**
+ * The bar over the 3D view: standard views, projection, what is shown, and fitting; and the keys that do the same.
+ *
+ * @typedef {import('../core/standard-views.js').StandardView} StandardView
+ */
+import { element, setText } from '../ui/dom.js';
+import { ghostFrames, ghostStep } from './scene/ghosts.js';
+import { menuButton } from '../ui/menu.js';
+
+/** Each view's key is its number in this list. @type {[StandardView, string][]} */
+const VIEWS = [
+  ['front', 'Front'],
+  ['back', 'Back'],
+  ['left', 'Left'],
+  ['right', 'Right'],
+  ['top', 'Top'],
+  ['bottom', 'Bottom'],
+  ['isometric', 'Isometric'],
+];
+
+/** What can be left out. @type {[keyof import('../core/types.js').Shown, string][]} */
+const PARTS = [
+  ['goal', 'Goal motion'],
+  ['closest', 'Closest motion'],
+  ['gaps', 'Gap lines'],
+  ['names', 'Names'],
+  ['axes', 'Axes'],
+  ['ground', 'Ground'],
+];
+
+/** @param {Pick<import('../element/workbench.js').App, 'find' | 'store' | 'scene' | 'say'>} app */
+export function createViewBar({ find, store, scene, say }) {
+  if (!scene) return;
+  const { canvas } = scene;
+  const live = find('view-live');
+
+  /** @param {StandardView} view @param {string} name */
+  const turnTo = (view, name) => {
+    store.setView({ side: '' });
+    store.setView({ side: view });
+    live.textContent = `${name} view.`;
+  };
+  const toggle = () => store.setView({ projection: store.view.projection === 'perspective' ? 'orthographic' : 'perspective' });
+  const fitChosen = () => {
+    const place = store.view.selected || store.view.hovered;
+    if (!place || !scene.fitTo(place)) say('Select something in the view, the tree or a table first: then this brings it into the middle.');
+  };
+
+  const views = menuButton('Views', () => [
+    ...VIEWS.map(([view, name], index) => ({ label: name, key: String(index + 1), act: () => turnTo(view, name) })),
+    'line',
+    { label: 'Fit selection', key: 'F', act: fitChosen },
+  ]);
+  const parts = menuButton('Show', () => {
+    const { show, ghosts, frame } = store.view;
+    const { motion, document } = store.result;
+    const frames = motion && document ? ghostFrames(ghosts, motion, document) : [];
+    const here = frames.includes(frame);
+    const others = here ? frames.filter((other) => other !== frame) : [...frames, frame].sort((a, b) => a - b);
+    const choose = (/** @type {import('../core/types.js').View['ghosts']} */ next) => () => store.setView({ ghosts: next });
+    return [
+      ...PARTS.map(([part, label]) => ({ label, checked: show[part], act: () => store.setView({ show: { ...show, [part]: !show[part] } }) })),
+      'line',
+      { label: 'No ghosts', checked: frames.length === 0, act: choose('none') },
+      { label: 'Ghosts at key frames', checked: ghosts === 'keys', act: choose('keys') },
+      { label: `Ghosts every ${ghostStep(motion?.frames ?? 1)} frames`, checked: ghosts === 'spread', act: choose('spread') },
+      { label: 'Ghost at this frame', checked: here, act: choose(others.length ? others : 'none') },
+    ];
+  });
+  const projection = element('button', { click: toggle, 'aria-keyshortcuts': 'P' });
+  const fit = element('button', { id: 'fit', title: 'Show the whole linkage (Home)', 'aria-keyshortcuts': 'Home', click: () => scene.fit() }, 'Fit view');
+  const bar = find('view-bar');
+  bar.append(views, parts, projection, fit);
+
+  let projected = '';
+  const show = () => {
+    scene.choose(store.view);
+    if (store.view.projection === projected) return;
+    projected = store.view.projection;
+    const flat = store.view.projection === 'orthographic';
+    scene.setParallel(flat);
+    setText(projection, flat ? 'Orthographic' : 'Perspective');
+    projection.title = flat ? 'Parallel lines stay parallel: change to perspective (P)' : 'Far things are smaller: change to orthographic (P)';
+  };
+  store.subscribe('view', show);
+  show();
+
+  canvas.addEventListener('keydown', (event) => {
+    if (event.ctrlKey || event.metaKey || event.altKey || event.shiftKey || event.defaultPrevented) return;
+    const view = VIEWS[Number(event.key) - 1];
+    if (view) turnTo(...view);
+    else if (event.key === 'p') toggle();
+    else if (event.key === 'f') fitChosen();
+    else if (event.key === 'Home') scene.fit();
+    else return;
+    event.preventDefault();
+  });
+  return { bar };
+}
