@@ -50,38 +50,38 @@ function made() {
 
 test('a document is opened with its text and then asked by its number', async () => {
   const { ask, receive } = made();
-  const { value: motion } = await ask('plan', [], { document: 1, text: short });
+  const { value: motion } = await ask('plan', [], { doc: 1, text: short });
   assert.deepEqual([motion.frames, motion.partial], [129, false]);
   const joints = motion.joints.slice(0, 15);
   const goal = motion.goal.slice(0, 7);
-  assert.ok((await ask('pull', [joints, goal], { document: 1 })).value.closure <= 1e-10);
-  assert.equal((await ask('explain', [joints, goal], { document: 1 })).value.freedoms.length, 3);
-  assert.equal(JSON.parse((await ask('text', [], { document: 1 })).value).planner.method, 'newton');
+  assert.ok((await ask('pull', [joints, goal], { doc: 1 })).value.closure <= 1e-10);
+  assert.equal((await ask('explain', [joints, goal], { doc: 1 })).value.freedoms.length, 3);
+  assert.equal(JSON.parse((await ask('text', [], { doc: 1 })).value).planner.method, 'newton');
   // Of the whole package.
-  assert.equal((await ask('trace', [-1, joints], { document: 1 })).fault.where, 'motion.frames');
-  assert.match((await ask('export_motion', ['csv'], { document: 1 })).value, /^frame,/);
+  assert.equal((await ask('trace', [-1, joints], { doc: 1 })).fault.where, 'motion.frames');
+  assert.match((await ask('export_motion', ['csv'], { doc: 1 })).value, /^frame,/);
   assert.equal((await ask('chain_by_index', [1.5, 0])).value, undefined);
-  assert.equal((await ask('plan', [], { document: 2, text: '{' })).fault.line, 1);
-  receive({ kind: 'close', document: 1 });
-  assert.equal((await ask('text', [], { document: 1 })).kind, 'failure');
+  assert.equal((await ask('plan', [], { doc: 2, text: '{' })).fault.line, 1);
+  receive({ kind: 'close', doc: 1 });
+  assert.equal((await ask('text', [], { doc: 1 })).kind, 'failure');
 });
 
 test('both metrics are compared: the document’s own as it is planned, and the other one', async () => {
   const { ask } = made();
-  const { value: motion } = await ask('plan', [], { document: 1, text: short });
-  const { value: gaps } = await ask('compare_metrics', [], { document: 1 });
+  const { value: motion } = await ask('plan', [], { doc: 1, text: short });
+  const { value: gaps } = await ask('compare_metrics', [], { doc: 1 });
   assert.deepEqual(gaps.map(({ metric }) => metric), ['pose', 'dual-quaternion']);
   const [other, own] = gaps;
   assert.deepEqual([own.length, own.translation_gap, own.rotation_gap], [motion.report.metric.length, Math.max(...motion.translation_gap), Math.max(...motion.rotation_gap)]);
   assert.notEqual(other.translation_gap, own.translation_gap);
   // Once more is the same.
-  assert.deepEqual((await ask('compare_metrics', [], { document: 1 })).value, gaps);
+  assert.deepEqual((await ask('compare_metrics', [], { doc: 1 })).value, gaps);
 });
 
 test('a comparison goes in portions: other questions are answered in between, and it can be taken back', async () => {
   const { said, ask, receive } = made();
-  const comparison = ask('compare_metrics', [], { document: 1, text: long });
-  const other = await ask('text', [], { document: 2, text: short });
+  const comparison = ask('compare_metrics', [], { doc: 1, text: long });
+  const other = await ask('text', [], { doc: 2, text: short });
   assert.equal(other.kind, 'value');
   assert.ok(said.every(({ id, kind }) => id !== comparison.id || UNDERWAY.includes(kind)), 'it is not done yet');
   receive({ kind: 'cancel', id: comparison.id });
@@ -90,10 +90,10 @@ test('a comparison goes in portions: other questions are answered in between, an
 
 test('other questions are answered between the portions of a plan, and another plan is made beside it', async () => {
   const { said, ask, receive, progress } = made();
-  const slow = ask('plan', [], { document: 1, text: long });
+  const slow = ask('plan', [], { doc: 1, text: long });
   await progress(slow.id);
-  const { value: motion } = await ask('plan', [], { document: 2, text: short });
-  await ask('pull', [motion.joints.slice(0, 15), motion.goal.slice(0, 7)], { document: 1 });
+  const { value: motion } = await ask('plan', [], { doc: 2, text: short });
+  await ask('pull', [motion.joints.slice(0, 15), motion.goal.slice(0, 7)], { doc: 1 });
   assert.ok(said.every(({ id, kind }) => id !== slow.id || UNDERWAY.includes(kind)), 'it still goes on');
   receive({ kind: 'cancel', id: slow.id });
 });
@@ -101,7 +101,7 @@ test('other questions are answered between the portions of a plan, and another p
 test('a plan that is stopped has the frames so far, as the whole has them; asked again it goes on from there', async () => {
   const { said, ask, receive, progress } = made();
   const some = { ...sample, motion: { ...sample.motion, frames: 40 }, planner: { method: 'gradient' } };
-  const about = { document: 1, text: JSON.stringify(some) };
+  const about = { doc: 1, text: JSON.stringify(some) };
   const stopped = ask('plan', [], about);
   await progress(stopped.id);
   receive({ kind: 'stop', id: stopped.id });
@@ -112,7 +112,7 @@ test('a plan that is stopped has the frames so far, as the whole has them; asked
   assert.ok(reported.every(({ done, frames }) => done <= part.frames && frames === 40));
   for (const name of ['time', 'metric', 'status', 'sigma_min']) assert.equal(part[name].length, part.frames, name);
 
-  const on = ask('plan', [], { document: 1 });
+  const on = ask('plan', [], { doc: 1 });
   const { value: whole } = await on;
   assert.ok(said.filter(({ id }) => id === on.id).every(({ kind, progress }) => kind !== 'progress' || progress.done > part.frames));
   const { value: afresh } = await made().ask('plan', [], about);
@@ -124,10 +124,10 @@ test('a plan that is stopped has the frames so far, as the whole has them; asked
 
 test('a plan that is taken back ends; its document is freed after it, and no sooner', async () => {
   const { said, ask, receive, progress } = made();
-  const slow = ask('plan', [], { document: 1, text: long });
+  const slow = ask('plan', [], { doc: 1, text: long });
   await progress(slow.id);
   const before = freed;
-  receive({ kind: 'close', document: 1 });
+  receive({ kind: 'close', doc: 1 });
   await new Promise((turn) => setTimeout(turn, 50));
   assert.equal(freed, before, 'it is still asked');
   receive({ kind: 'cancel', id: slow.id });

@@ -15,10 +15,10 @@ const mechanism = () => ({
 
 /** The action leaves the old document as it was. */
 function unharmed(act) {
-  const document = mechanism();
-  const before = JSON.stringify(document);
-  const next = act(document);
-  assert.equal(JSON.stringify(document), before);
+  const doc = mechanism();
+  const before = JSON.stringify(doc);
+  const next = act(doc);
+  assert.equal(JSON.stringify(doc), before);
   return next;
 }
 

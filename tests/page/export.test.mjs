@@ -45,9 +45,9 @@ test('a packed motion comes back: numbers to the bit, what is only drawn to 7 di
     iterations: Uint32Array.of(1, 2, 3),
     status: Uint8Array.of(0, 1, 4),
   };
-  const document = { version: 1, name: 'Bennett’s – ∞', chains: [] };
-  const back = await unpack(`\n${await pack(motion, document)}\n`);
-  assert.deepEqual(back.document, document);
+  const doc = { version: 1, name: 'Bennett’s – ∞', chains: [] };
+  const back = await unpack(`\n${await pack(motion, doc)}\n`);
+  assert.deepEqual(back.doc, doc);
   assert.deepEqual({ ...back.motion, rows: null }, { ...motion, rows: null });
   assert.ok(back.motion.rows.every((value, index) => Math.abs(value - motion.rows[index]) < 1e-7));
 });

@@ -13,13 +13,13 @@ function made() {
   const questions = [];
   const explain = (text, joints, goal) =>
     new Promise((resolve, reject) => questions.push({ text, joints: [...joints], goal: [...goal], resolve, reject }));
-  const document = { version: 1, name: 'a', chains: [], motion: { key_frames: [] } };
-  const store = createStore(document);
+  const doc = { version: 1, name: 'a', chains: [], motion: { key_frames: [] } };
+  const store = createStore(doc);
   createInsight({ store, planner: { explain } });
   const motion = { frames: 2, joints: new Float64Array([1, 2, 3, 4]), goal: new Float64Array(14).map((_, i) => i) };
-  store.setResult({ motion, document });
+  store.setResult({ motion, doc });
   mock.timers.tick(1000);
-  return { store, questions, document };
+  return { store, questions, doc };
 }
 
 test('asks for the shown frame, and again when another is shown', async () => {

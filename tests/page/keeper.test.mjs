@@ -18,7 +18,7 @@ function storageOf(room = Infinity) {
   };
 }
 const named = (name) => ({ version: 1, name, chains: [], motion: { key_frames: [] } });
-const work = (name, past = []) => ({ document: named(name), past: past.map(named), future: [], good: null, title: '', unsaved: past.length > 0 });
+const work = (name, past = []) => ({ doc: named(name), past: past.map(named), future: [], good: null, title: '', unsaved: past.length > 0 });
 
 test('the work comes back with its undo steps', () => {
   const storage = storageOf();
@@ -33,7 +33,7 @@ test('where the undo steps do not fit, the document is kept', () => {
   const keeper = createKeeper(() => storage, 'a');
   assert.ok(keeper.save(work('last', Array(60).fill('x'.repeat(100)))));
   const { work: kept } = keeper.load();
-  assert.equal(kept.document.name, 'last');
+  assert.equal(kept.doc.name, 'last');
   assert.equal(kept.past.length, 8);
 });
 
@@ -69,7 +69,7 @@ test("another page's work goes onto the shelf before it is overwritten, its newe
   b.save(work('b1', ['b']));
   a.save(work('a2', ['a']));
   b.save(work('b2', ['b']));
-  assert.deepEqual(b.earlier().map(({ document }) => document.name), ['a2', 'b1']);
+  assert.deepEqual(b.earlier().map(({ doc }) => doc.name), ['a2', 'b1']);
   assert.ok(a.isOthers({ key: 'synthetica.work.1', newValue: storage.getItem('synthetica.work.1') }));
   assert.ok(!b.isOthers({ key: 'synthetica.work.1', newValue: storage.getItem('synthetica.work.1') }));
 });
@@ -82,7 +82,7 @@ test('work that was not shown goes onto the shelf; what nobody changed does not'
   next.load();
   next.disown();
   next.save(work('from a link'));
-  assert.deepEqual(next.earlier().map(({ document }) => document.name), ['mine']);
+  assert.deepEqual(next.earlier().map(({ doc }) => doc.name), ['mine']);
   next.disown();
   next.save(work('another'));
   assert.equal(next.earlier().length, 1);
@@ -92,5 +92,5 @@ test('what cannot be put onto the shelf is not overwritten', () => {
   const storage = storageOf(400);
   createKeeper(() => storage, 'a').save(work('x'.repeat(100), ['y']));
   assert.equal(createKeeper(() => storage, 'b').save(work('z')), false);
-  assert.equal(createKeeper(() => storage, 'c').load().work.document.name[0], 'x');
+  assert.equal(createKeeper(() => storage, 'c').load().work.doc.name[0], 'x');
 });

@@ -4,12 +4,12 @@ import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { belongs, nameOf, thingsOf } from '../../www/core/things.js';
 
-const document = JSON.parse(readFileSync(new URL('../../www/mechanisms/3rps.json', import.meta.url), 'utf8'));
+const doc = JSON.parse(readFileSync(new URL('../../www/mechanisms/3rps.json', import.meta.url), 'utf8'));
 const motion = { frames: 2, translation_gap: [0, 0.12], rotation_gap: [0, Math.PI / 4] };
-const shown = { result: { document, motion }, view: { frame: 0, posture: null } };
+const shown = { result: { doc, motion }, view: { frame: 0, posture: null } };
 
 test('every thing has a name, and no two the same', () => {
-  const names = thingsOf(document).map((place) => nameOf(place, shown));
+  const names = thingsOf(doc).map((place) => nameOf(place, shown));
   assert.ok(names.every(Boolean), names.join());
   assert.equal(new Set(names).size, names.length);
 });

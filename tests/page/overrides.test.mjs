@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { applyOverrides, BadOverride, parseOverrides } from '../../www/core/overrides.js';
 
-const document = { name: 'x', chains: [{ joints: [{ type: 'R', rows: [{ a: 0 }, { a: 1 }] }] }], motion: { frames: 5 } };
+const doc = { name: 'x', chains: [{ joints: [{ type: 'R', rows: [{ a: 0 }, { a: 1 }] }] }], motion: { frames: 5 } };
 
 test('places with dots and with brackets, values with their types', () => {
   assert.deepEqual(parseOverrides(['chains.0.joints[0].rows.1.a:1.2']), [{ path: 'chains[0].joints[0].rows[1].a', value: 1.2 }]);
@@ -16,10 +16,10 @@ test('places with dots and with brackets, values with their types', () => {
 });
 
 test('are applied in order, on a copy', () => {
-  const changed = applyOverrides(document, parseOverrides(['chains.0.joints.0.rows.1.a:1.2;motion.frames:7', 'motion.frames:9']));
+  const changed = applyOverrides(doc, parseOverrides(['chains.0.joints.0.rows.1.a:1.2;motion.frames:7', 'motion.frames:9']));
   assert.equal(changed.chains[0].joints[0].rows[1].a, 1.2);
   assert.equal(changed.motion.frames, 9);
-  assert.equal(document.motion.frames, 5);
+  assert.equal(doc.motion.frames, 5);
 });
 
 for (const bad of ['motion.frames', ':3', 'chains..a:1', 'chains[a]:1', 'a b:1']) {
@@ -35,5 +35,5 @@ for (const [bad, told] of [
   ['__proto__.a:1', /__proto__/],
   ['motion.__proto__:1', /__proto__/],
 ]) {
-  test(`${bad}: there is no such place`, () => assert.throws(() => applyOverrides(document, parseOverrides([bad])), { message: told }));
+  test(`${bad}: there is no such place`, () => assert.throws(() => applyOverrides(doc, parseOverrides([bad])), { message: told }));
 }

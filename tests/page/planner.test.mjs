@@ -79,18 +79,18 @@ test('a document is opened once and asked many times; of five the one that was n
     await answered;
     return workers[0].requests.at(-1);
   };
-  assert.deepEqual([await asked(one, 'a'), await asked(one, 'a')].map(({ document, text }) => [document, text]), [[1, 'a'], [1, undefined]]);
+  assert.deepEqual([await asked(one, 'a'), await asked(one, 'a')].map(({ doc, text }) => [doc, text]), [[1, 'a'], [1, undefined]]);
   // Another asker has a document of its own, and so a plan of its own.
-  assert.deepEqual((await asked(two, 'a')).document, 2);
+  assert.deepEqual((await asked(two, 'a')).doc, 2);
   await asked(one, 'b');
   await asked(one, 'c');
   await asked(one, 'a');
   assert.deepEqual(others(workers[0]), []);
   await asked(one, 'd');
-  assert.deepEqual(others(workers[0]), [{ kind: 'close', document: 2 }]);
+  assert.deepEqual(others(workers[0]), [{ kind: 'close', doc: 2 }]);
   assert.equal((await asked(two, 'a')).text, 'a', 'it is opened anew');
   desk.close(one, 'd');
-  assert.deepEqual(others(workers[0]).at(-1), { kind: 'close', document: 5 });
+  assert.deepEqual(others(workers[0]).at(-1), { kind: 'close', doc: 5 });
 });
 
 test('while a plan goes on, short questions are asked beside it, of its own asker too', async () => {

@@ -33,11 +33,11 @@ function clock() {
 /** A motion of 101 frames from 2 s to 12 s. */
 function opened({ loop, speed = 1, timed = true }) {
   const frames = clock();
-  const document = { version: 1, chains: [], motion: { key_frames: timed ? [{ time: 2 }, { time: 12 }] : [{}, {}] } };
-  const store = createStore(document);
+  const doc = { version: 1, chains: [], motion: { key_frames: timed ? [{ time: 2 }, { time: 12 }] : [{}, {}] } };
+  const store = createStore(doc);
   const player = new Player(store, () => {});
   const time = Float64Array.from({ length: 101 }, (_, i) => (timed ? 2 + i / 10 : i / 100));
-  store.setResult({ motion: { frames: 101, time }, document });
+  store.setResult({ motion: { frames: 101, time }, doc });
   frames.tick(2);
   player.loop = loop;
   player.playbackRate = speed;

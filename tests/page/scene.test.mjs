@@ -15,8 +15,8 @@ const sample = JSON.parse(readFileSync(new URL('../../www/mechanisms/3rps.json',
 const poses = (count, step) => Float64Array.from({ length: 7 * count }, (_, i) => (i % 7 === 0 ? step * Math.floor(i / 7) : i % 7 === 6 ? 1 : 0));
 
 /** A motion whose chains are those of the document; where its rows stand is of no importance. */
-function motionOf(document, frames, step) {
-  const chains = document.chains.map(({ joints }) => ({ rows: joints.flatMap(({ type, rows }, joint) => rows.map(() => ({ kind: type, joint }))) }));
+function motionOf(doc, frames, step) {
+  const chains = doc.chains.map(({ joints }) => ({ rows: joints.flatMap(({ type, rows }, joint) => rows.map(() => ({ kind: type, joint }))) }));
   const rows = chains.reduce((sum, chain) => sum + chain.rows.length, 0);
   return { frames, report: { chains }, rows: poses(2 * rows * frames, step), pose: poses(frames, 0), goal: poses(frames, step) };
 }
@@ -69,9 +69,9 @@ test('gaps have a class by round sizes, and no line where they are hidden', () =
 
 test('ghosts stand at the key frames, evenly, or where they were put', () => {
   const motion = motionOf(sample, 11, 0.1);
-  const document = { motion: { key_frames: [{ x: 0 }, { x: 0.52 }, { x: 1 }] } };
-  assert.deepEqual(ghostFrames('none', motion, document), []);
-  assert.deepEqual(ghostFrames('keys', motion, document), [0, 5, 10]);
-  assert.deepEqual(ghostFrames('spread', motion, document).at(-1), 10);
-  assert.deepEqual(ghostFrames([3, 40], motion, document), [3]);
+  const doc = { motion: { key_frames: [{ x: 0 }, { x: 0.52 }, { x: 1 }] } };
+  assert.deepEqual(ghostFrames('none', motion, doc), []);
+  assert.deepEqual(ghostFrames('keys', motion, doc), [0, 5, 10]);
+  assert.deepEqual(ghostFrames('spread', motion, doc).at(-1), 10);
+  assert.deepEqual(ghostFrames([3, 40], motion, doc), [3]);
 });

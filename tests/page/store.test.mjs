@@ -4,22 +4,22 @@ import { test } from 'node:test';
 import { createStore } from '../../www/core/store.js';
 
 const named = (name) => ({ version: 1, name, chains: [], motion: { key_frames: [] } });
-const rename = (name) => (document) => ({ ...document, name });
+const rename = (name) => (doc) => ({ ...doc, name });
 
 test('undo and redo walk through the edits', () => {
   const store = createStore(named('a'));
   store.edit(rename('b'));
   store.edit(rename('c'));
   store.undo();
-  assert.equal(store.document.name, 'b');
+  assert.equal(store.doc.name, 'b');
   store.undo();
-  assert.equal(store.document.name, 'a');
+  assert.equal(store.doc.name, 'a');
   assert.equal(store.canUndo, false);
   store.undo();
-  assert.equal(store.document.name, 'a');
+  assert.equal(store.doc.name, 'a');
   store.redo();
   store.redo();
-  assert.equal(store.document.name, 'c');
+  assert.equal(store.doc.name, 'c');
   assert.equal(store.canRedo, false);
 });
 
@@ -45,9 +45,9 @@ test('edits of one stay in a cell are undone together', () => {
   for (const name of ['b', 'bc', 'bcd']) store.edit(rename(name), 'visit 1');
   store.edit(rename('x'), 'visit 2');
   store.undo();
-  assert.equal(store.document.name, 'bcd');
+  assert.equal(store.doc.name, 'bcd');
   store.undo();
-  assert.equal(store.document.name, 'a');
+  assert.equal(store.doc.name, 'a');
 });
 
 test('typed and taken back leaves nothing to undo', () => {
@@ -62,17 +62,17 @@ const file = (title, saved) => ({ title, handle: null, saved });
 test('another document is a step that undo takes back, with its own file', () => {
   const store = createStore(named('a'));
   store.edit(rename('b'));
-  const [former, z] = [store.document, named('z')];
+  const [former, z] = [store.doc, named('z')];
   store.open(z, file('z.json', z));
   assert.equal(store.origin.title, 'z.json');
   store.edit(rename('zz'));
   assert.equal(store.origin.title, 'z.json');
   assert.ok(store.unsaved);
   store.backTo(former);
-  assert.equal(store.document.name, 'b');
+  assert.equal(store.doc.name, 'b');
   assert.equal(store.origin.title, '');
   store.undo();
-  assert.equal(store.document.name, 'a');
+  assert.equal(store.doc.name, 'a');
   assert.equal(store.unsaved, false);
   store.redo();
   store.redo();
@@ -90,7 +90,7 @@ test('a saved document is unsaved again after an edit, and saved after its undo'
   store.edit(rename('b'));
   const heard = [];
   store.subscribe('origin', () => heard.push(store.unsaved));
-  store.markSaved(store.document, { title: 'b.json' });
+  store.markSaved(store.doc, { title: 'b.json' });
   assert.deepEqual(heard, [false]);
   store.edit(rename('c'));
   assert.ok(store.unsaved);
@@ -102,11 +102,11 @@ test('a saved document is unsaved again after an edit, and saved after its undo'
 
 test('work of another visit comes with its steps', () => {
   const store = createStore(named('a'));
-  const work = { document: named('c'), past: [named('b')], future: [named('d')] };
+  const work = { doc: named('c'), past: [named('b')], future: [named('d')] };
   store.restore(work, file('', null));
   assert.deepEqual(store.history, work);
   store.undo();
-  assert.equal(store.document.name, 'b');
+  assert.equal(store.doc.name, 'b');
   assert.ok(store.unsaved);
 });
 

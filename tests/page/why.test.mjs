@@ -51,17 +51,17 @@ test('an iterate reached the goal by the bound of its motion', () => {
 
 test('the chain that holds most is named with what it forbids', () => {
   const chain = (share, wrench) => ({ share, wrench });
-  const document = { chains: [{}, { name: 'left leg' }], planner: {} };
+  const doc = { chains: [{}, { name: 'left leg' }], planner: {} };
   const insight = { chains: [chain(0.36, [1, 0, 0, 0, 0, 0]), chain(0.64, [0, 0, 2, 0, 0, 0])] };
-  assert.equal(mostHolding(insight, document, 1), 'Left leg holds it back most (64 %): it allows no shift along (0, 0, 1).');
-  assert.equal(mostHolding({ chains: [chain(0, [0, 0, 0, 0, 0, 0])] }, document, 1), '');
+  assert.equal(mostHolding(insight, doc, 1), 'Left leg holds it back most (64 %): it allows no shift along (0, 0, 1).');
+  assert.equal(mostHolding({ chains: [chain(0, [0, 0, 0, 0, 0, 0])] }, doc, 1), '');
 });
 
 test('a joint at a limit is found, in degrees or lengths', () => {
   const report = { chains: [{ variables: [{ label: 'θ1', unit: 'rad', joint: 0 }, { label: 'd2', unit: 'length', joint: 1 }] }] };
-  const document = { length_unit: 'm', chains: [{ joints: [{ limits: [{ min: -90, max: 90 }] }, { limits: [{ max: 1.3 }] }] }] };
-  assert.deepEqual(atLimits(document, report, [Math.PI / 2, 1]).map(({ text }) => text), ['θ1 of chain 1 is at its largest value, 90°.']);
-  assert.deepEqual(atLimits(document, report, [0, 1.3]).map(({ text }) => text), ['d2 of chain 1 is at its largest value, 1.3 m.']);
+  const doc = { length_unit: 'm', chains: [{ joints: [{ limits: [{ min: -90, max: 90 }] }, { limits: [{ max: 1.3 }] }] }] };
+  assert.deepEqual(atLimits(doc, report, [Math.PI / 2, 1]).map(({ text }) => text), ['θ1 of chain 1 is at its largest value, 90°.']);
+  assert.deepEqual(atLimits(doc, report, [0, 1.3]).map(({ text }) => text), ['d2 of chain 1 is at its largest value, 1.3 m.']);
 });
 
 test('a linear course contracts by its factor; the last iterate stops', () => {

@@ -68,7 +68,7 @@ function createAbout(store) {
     field.addEventListener('focus', () => {
       visit = `about ${++visits}`;
     });
-    field.addEventListener('input', () => store.edit((document) => setValue(document, path, field.value), visit));
+    field.addEventListener('input', () => store.edit((doc) => setValue(doc, path, field.value), visit));
   }
 
   // The button opens it by its attribute; what is left to do is to place it below the button.
@@ -79,7 +79,7 @@ function createAbout(store) {
   });
 
   function show() {
-    const { document: shown, origin, unsaved } = store;
+    const { doc: shown, origin, unsaved } = store;
     setText(byId('document-name'), shown.name || 'Linkage');
     // The first sentence; the panel has the whole.
     setText(byId('about'), (shown.about ?? '').split(/(?<=[.!?])\s/)[0]);

@@ -40,10 +40,10 @@ export function createTrack({ find, store }, goTo) {
 
   /** @param {number} frame */
   function tell(frame) {
-    const { motion, document } = store.result;
+    const { motion, doc } = store.result;
     if (!motion || frame >= motion.frames) return;
     const { sign, word } = statusWords(statusName(motion, frame));
-    const gap = `${length(motion.translation_gap[frame], document?.length_unit)}, ${angle(motion.rotation_gap[frame])}`;
+    const gap = `${length(motion.translation_gap[frame], doc?.length_unit)}, ${angle(motion.rotation_gap[frame])}`;
     setText(tip, `frame ${frame + 1}: ${sign} ${word.toLowerCase()}, gap ${gap}`);
     tip.hidden = false;
     const at = (frame / last()) * lane.clientWidth + lane.offsetLeft;
@@ -87,10 +87,10 @@ export function createTrack({ find, store }, goTo) {
   }
 
   function showTicks() {
-    const { motion, document } = store.result;
-    if (!motion || !document) return;
-    keys = keyFrameFrames(document, allTimes(motion));
-    const names = document.motion.key_frames.map(({ name }, i) => name || `key frame ${i + 1}`);
+    const { motion, doc } = store.result;
+    if (!motion || !doc) return;
+    keys = keyFrameFrames(doc, allTimes(motion));
+    const names = doc.motion.key_frames.map(({ name }, i) => name || `key frame ${i + 1}`);
     const signature = JSON.stringify([names, keys, motion.goal_frames]);
     if (ticks.dataset.signature === signature) return;
     ticks.dataset.signature = signature;

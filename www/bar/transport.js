@@ -59,7 +59,7 @@ export function createTransport(app) {
   keys.addEventListener('keydown', /** @type {EventListener} */ (press), { signal });
 
   function show() {
-    const { motion, document } = store.result;
+    const { motion, doc } = store.result;
     if (!motion) return;
     const { frame, playing, posture } = store.view;
     play.setAttribute('aria-label', playing ? 'Pause' : 'Play');
@@ -68,7 +68,7 @@ export function createTransport(app) {
     showSpeed();
     find('by-hand').hidden = posture === null;
     setText(find('by-hand-text'), posture?.note ?? 'Moved by hand.');
-    const timed = isTimed(document);
+    const timed = isTimed(doc);
     setText(find('frame-number'), `${frame + 1} / ${motion.frames}`);
     setText(find('frame-time'), `t = ${motion.time[frame].toFixed(timed ? 2 : 3)}${timed ? ' s' : ''}`);
     find('frame-time').title = timed ? 'Time' : 'From 0 to 1: the key frames name no times';

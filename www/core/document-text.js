@@ -5,11 +5,11 @@
 /** @type {WeakMap<object, string>} */
 const texts = new WeakMap();
 
-/** @param {object} document */
-export function textOf(document) {
-  const known = texts.get(document);
+/** @param {object} doc */
+export function textOf(doc) {
+  const known = texts.get(doc);
   if (known !== undefined) return known;
-  const text = JSON.stringify(document);
-  texts.set(document, text);
+  const text = JSON.stringify(doc);
+  texts.set(doc, text);
   return text;
 }

@@ -23,26 +23,26 @@ export function entry(text) {
 }
 
 /**
- * @param {MechanismDocument} document
+ * @param {MechanismDocument} doc
  * @param {string} path
  * @param {unknown} value undefined removes it
  */
-export const setValue = (document, path, value) => withValueAt(document, path, value);
+export const setValue = (doc, path, value) => withValueAt(doc, path, value);
 
 /**
  * One coordinate of a point that is given whole or not at all: the first one typed takes over the others, and clearing
  * one clears all.
- * @param {MechanismDocument} document
+ * @param {MechanismDocument} doc
  * @param {string} path
  * @param {number} axis 0 to 2
  * @param {Entry | undefined} value
  * @param {number[]} others what holds where the document gives nothing
  */
-export function setCoordinate(document, path, axis, value, others) {
-  if (value === undefined) return withValueAt(document, path, undefined);
-  const point = [...(valueAt(document, path) ?? others)];
+export function setCoordinate(doc, path, axis, value, others) {
+  if (value === undefined) return withValueAt(doc, path, undefined);
+  const point = [...(valueAt(doc, path) ?? others)];
   point[axis] = value;
-  return withValueAt(document, path, point);
+  return withValueAt(doc, path, point);
 }
 
 /** @template T @param {T[]} list @param {number} index @param {T[]} items */
@@ -68,167 +68,167 @@ function freshName(word, items) {
 
 /**
  * Replaces a chain's joints. Its start values belonged to the old joints, so they go: the planner finds new ones.
- * @param {MechanismDocument} document
+ * @param {MechanismDocument} doc
  * @param {number} chain
  * @param {(joints: Joint[]) => Joint[]} change
  */
-function changeJoints(document, chain, change) {
-  const { start: _, ...rest } = document.chains[chain];
-  const chains = [...document.chains];
+function changeJoints(doc, chain, change) {
+  const { start: _, ...rest } = doc.chains[chain];
+  const chains = [...doc.chains];
   chains[chain] = { ...rest, joints: change(rest.joints) };
-  return { ...document, chains };
+  return { ...doc, chains };
 }
 
-/** @param {MechanismDocument} document @param {number} chain @param {number} joint @param {Joint} fresh */
-export const setJoint = (document, chain, joint, fresh) =>
-  changeJoints(document, chain, (joints) => joints.map((old, i) => (i === joint ? fresh : old)));
+/** @param {MechanismDocument} doc @param {number} chain @param {number} joint @param {Joint} fresh */
+export const setJoint = (doc, chain, joint, fresh) =>
+  changeJoints(doc, chain, (joints) => joints.map((old, i) => (i === joint ? fresh : old)));
 
-/** @param {MechanismDocument} document @param {number} chain @param {number} at where the new joint comes @param {Joint} fresh */
-export const insertJoint = (document, chain, at, fresh) => changeJoints(document, chain, (joints) => insert(joints, at, fresh));
+/** @param {MechanismDocument} doc @param {number} chain @param {number} at where the new joint comes @param {Joint} fresh */
+export const insertJoint = (doc, chain, at, fresh) => changeJoints(doc, chain, (joints) => insert(joints, at, fresh));
 
-/** @param {MechanismDocument} document @param {number} chain @param {number} from @param {number} to */
-export const moveJoint = (document, chain, from, to) => changeJoints(document, chain, (joints) => moved(joints, from, to));
+/** @param {MechanismDocument} doc @param {number} chain @param {number} from @param {number} to */
+export const moveJoint = (doc, chain, from, to) => changeJoints(doc, chain, (joints) => moved(joints, from, to));
 
-/** @param {MechanismDocument} document @param {number} chain @param {number} joint */
-export const removeJoint = (document, chain, joint) => changeJoints(document, chain, (joints) => without(joints, joint));
+/** @param {MechanismDocument} doc @param {number} chain @param {number} joint */
+export const removeJoint = (doc, chain, joint) => changeJoints(doc, chain, (joints) => without(joints, joint));
 
-/** Other joints between the same base and gripper. @param {MechanismDocument} document @param {number} chain @param {Joint[]} fresh */
-export const setJoints = (document, chain, fresh) => changeJoints(document, chain, () => fresh);
+/** Other joints between the same base and gripper. @param {MechanismDocument} doc @param {number} chain @param {Joint[]} fresh */
+export const setJoints = (doc, chain, fresh) => changeJoints(doc, chain, () => fresh);
 
-/** @param {MechanismDocument} document @param {Chain} fresh */
-export const addChain = (document, fresh) => ({
-  ...document,
-  chains: [...document.chains, { ...fresh, name: freshName('chain', document.chains) }],
+/** @param {MechanismDocument} doc @param {Chain} fresh */
+export const addChain = (doc, fresh) => ({
+  ...doc,
+  chains: [...doc.chains, { ...fresh, name: freshName('chain', doc.chains) }],
 });
 
-/** @param {MechanismDocument} document @param {number} chain */
-export const duplicateChain = (document, chain) => ({
-  ...document,
-  chains: insert(document.chains, chain + 1, { ...document.chains[chain], name: freshName('chain', document.chains) }),
+/** @param {MechanismDocument} doc @param {number} chain */
+export const duplicateChain = (doc, chain) => ({
+  ...doc,
+  chains: insert(doc.chains, chain + 1, { ...doc.chains[chain], name: freshName('chain', doc.chains) }),
 });
 
-/** @param {MechanismDocument} document @param {number} from @param {number} to */
-export const moveChain = (document, from, to) => ({ ...document, chains: moved(document.chains, from, to) });
+/** @param {MechanismDocument} doc @param {number} from @param {number} to */
+export const moveChain = (doc, from, to) => ({ ...doc, chains: moved(doc.chains, from, to) });
 
-/** @param {MechanismDocument} document @param {number} chain */
-export const removeChain = (document, chain) => ({ ...document, chains: without(document.chains, chain) });
+/** @param {MechanismDocument} doc @param {number} chain */
+export const removeChain = (doc, chain) => ({ ...doc, chains: without(doc.chains, chain) });
 
 /**
- * @param {MechanismDocument} document
+ * @param {MechanismDocument} doc
  * @param {number} chain
  * @param {number} index
  * @param {Entry} value
  * @param {number[]} current the values in use, which fill the places where the document gives none
  */
-export function setStart(document, chain, index, value, current) {
-  const start = [...(document.chains[chain].start ?? current)];
+export function setStart(doc, chain, index, value, current) {
+  const start = [...(doc.chains[chain].start ?? current)];
   start[index] = value;
-  return withValueAt(document, `chains[${chain}].start`, start);
+  return withValueAt(doc, `chains[${chain}].start`, start);
 }
 
-/** Takes over every chain's start values. @param {MechanismDocument} document @param {Chain[]} from */
-export const takeStarts = (document, from) => ({
-  ...document,
-  chains: document.chains.map((chain, index) => ({ ...chain, start: from[index]?.start ?? chain.start })),
+/** Takes over every chain's start values. @param {MechanismDocument} doc @param {Chain[]} from */
+export const takeStarts = (doc, from) => ({
+  ...doc,
+  chains: doc.chains.map((chain, index) => ({ ...chain, start: from[index]?.start ?? chain.start })),
 });
 
-/** @param {MechanismDocument} document @param {number} chain */
-export const clearStart = (document, chain) => withValueAt(document, `chains[${chain}].start`, undefined);
+/** @param {MechanismDocument} doc @param {number} chain */
+export const clearStart = (doc, chain) => withValueAt(doc, `chains[${chain}].start`, undefined);
 
 /**
- * @param {MechanismDocument} document
+ * @param {MechanismDocument} doc
  * @param {{chain: number, joint: number, freedom: number, freedoms: number}} at
  * @param {'min' | 'max'} bound
  * @param {Entry | undefined} value undefined opens the bound
  */
-export function setLimit(document, { chain, joint, freedom, freedoms }, bound, value) {
-  const old = document.chains[chain].joints[joint].limits;
+export function setLimit(doc, { chain, joint, freedom, freedoms }, bound, value) {
+  const old = doc.chains[chain].joints[joint].limits;
   const limits = Array.from({ length: freedoms }, (_, i) => old?.[i] ?? null);
   const { [bound]: _, ...rest } = limits[freedom] ?? {};
   const limit = value === undefined ? rest : { ...rest, [bound]: value };
   limits[freedom] = Object.values(limit).some((v) => v !== null) ? limit : null;
   const path = `chains[${chain}].joints[${joint}].limits`;
-  return withValueAt(document, path, limits.every((l) => l === null) ? undefined : limits);
+  return withValueAt(doc, path, limits.every((l) => l === null) ? undefined : limits);
 }
 
-/** @param {MechanismDocument} document @param {KeyFrame[]} keys */
-const withKeys = (document, keys) => ({ ...document, motion: { ...document.motion, key_frames: keys } });
+/** @param {MechanismDocument} doc @param {KeyFrame[]} keys */
+const withKeys = (doc, keys) => ({ ...doc, motion: { ...doc.motion, key_frames: keys } });
 
 /**
  * A new key frame at a place among the others; where they have times it comes between its neighbours, or one unit
  * after the last.
- * @param {MechanismDocument} document
+ * @param {MechanismDocument} doc
  * @param {KeyFrame} fresh
  * @param {number} [at] at the end unless told
  */
-export function addKeyFrame(document, fresh, at = document.motion.key_frames.length) {
-  const keys = document.motion.key_frames;
-  return duplicateTime(withKeys(document, insert(keys, at, { ...fresh, name: freshName('key', keys) })), at);
+export function addKeyFrame(doc, fresh, at = doc.motion.key_frames.length) {
+  const keys = doc.motion.key_frames;
+  return duplicateTime(withKeys(doc, insert(keys, at, { ...fresh, name: freshName('key', keys) })), at);
 }
 
 /**
  * Moves a pose among the key frames; the times stay where they are, since they grow along the list.
- * @param {MechanismDocument} document
+ * @param {MechanismDocument} doc
  * @param {number} from
  * @param {number} to
  */
-export function moveKeyFrame(document, from, to) {
-  const keys = document.motion.key_frames;
+export function moveKeyFrame(doc, from, to) {
+  const keys = doc.motion.key_frames;
   const timed = moved(keys, from, to).map(({ time: _, ...pose }, index) => ({
     ...pose,
     ...(keys[index].time === undefined ? {} : { time: keys[index].time }),
   }));
-  return withKeys(document, timed);
+  return withKeys(doc, timed);
 }
 
-/** @param {MechanismDocument} document @param {number} key */
-export function duplicateKeyFrame(document, key) {
-  const keys = document.motion.key_frames;
-  return duplicateTime(withKeys(document, insert(keys, key + 1, { ...keys[key], name: freshName('key', keys) })), key + 1);
+/** @param {MechanismDocument} doc @param {number} key */
+export function duplicateKeyFrame(doc, key) {
+  const keys = doc.motion.key_frames;
+  return duplicateTime(withKeys(doc, insert(keys, key + 1, { ...keys[key], name: freshName('key', keys) })), key + 1);
 }
 
 /**
  * Gives the new key frame at `index` a time between its neighbours, if key frames have times.
- * @param {MechanismDocument} document
+ * @param {MechanismDocument} doc
  * @param {number} index
  */
-function duplicateTime(document, index) {
-  const keys = document.motion.key_frames;
+function duplicateTime(doc, index) {
+  const keys = doc.motion.key_frames;
   const before = keys[index - 1]?.time;
-  if (typeof before !== 'number') return document;
+  if (typeof before !== 'number') return doc;
   const after = keys[index + 1]?.time;
   const time = typeof after === 'number' ? (before + after) / 2 : before + 1;
-  return withValueAt(document, `motion.key_frames[${index}].time`, time);
+  return withValueAt(doc, `motion.key_frames[${index}].time`, time);
 }
 
 /**
  * Moves a key frame; coordinates that are not given stay.
- * @param {MechanismDocument} document
+ * @param {MechanismDocument} doc
  * @param {number} key
  * @param {import('./types.js').Frame} frame
  */
-export const setKeyFramePose = (document, key, frame) =>
-  withKeys(document, document.motion.key_frames.map((old, index) => (index === key ? { ...old, ...frame } : old)));
+export const setKeyFramePose = (doc, key, frame) =>
+  withKeys(doc, doc.motion.key_frames.map((old, index) => (index === key ? { ...old, ...frame } : old)));
 
-/** @param {MechanismDocument} document @param {number} key */
-export const removeKeyFrame = (document, key) => withKeys(document, without(document.motion.key_frames, key));
+/** @param {MechanismDocument} doc @param {number} key */
+export const removeKeyFrame = (doc, key) => withKeys(doc, without(doc.motion.key_frames, key));
 
 /**
  * Sets one key frame's time. Either all have a time or none: the first one typed gives the others even steps,
  * and clearing one clears all.
- * @param {MechanismDocument} document
+ * @param {MechanismDocument} doc
  * @param {number} key
  * @param {Entry | undefined} value
  */
-export function setTime(document, key, value) {
+export function setTime(doc, key, value) {
   // Steps of 1 after the first key frame, else so that the first is at 0.
   const even = (/** @type {number} */ index) => {
     if (typeof value !== 'number') return index;
     return key === 0 ? value + index : (value / key) * index;
   };
-  const keys = document.motion.key_frames.map(({ time, ...rest }, index) => {
+  const keys = doc.motion.key_frames.map(({ time, ...rest }, index) => {
     if (value === undefined) return rest;
     return { ...rest, time: index === key ? value : (time ?? even(index)) };
   });
-  return withKeys(document, keys);
+  return withKeys(doc, keys);
 }

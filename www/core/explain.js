@@ -26,7 +26,7 @@ export function createInsight({ store, planner }) {
     asked = question;
     last = performance.now();
     try {
-      const insight = await planner.explain(textOf(what.document), groupAt(what.joints, what).slice(), groupAt(what.goal, what).slice());
+      const insight = await planner.explain(textOf(what.doc), groupAt(what.joints, what).slice(), groupAt(what.goal, what).slice());
       if (asked === question) store.setInsight(insight);
     } catch (error) {
       if (error instanceof Superseded) return;

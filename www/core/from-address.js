@@ -7,7 +7,7 @@ import { sampleOf, sampleText, samples } from './samples.js';
 /**
  * @param {ReturnType<typeof import('./address.js').readAddress>} asked
  * @param {import('./linkage.js').Linkage['whole']} whole
- * @returns {Promise<{document: import('./types.js').MechanismDocument, title: string, problems: string[]}>} with what
+ * @returns {Promise<{doc: import('./types.js').MechanismDocument, title: string, problems: string[]}>} with what
  *   was wrong with the address; something is always shown
  */
 export async function answerTo({ payload, sample, sets }, whole) {
@@ -19,12 +19,12 @@ export async function answerTo({ payload, sample, sets }, whole) {
   } catch (error) {
     problems.push(reason(error));
   }
-  let document = await whole(await sampleText(found));
+  let doc = await whole(await sampleText(found));
   let title = found.file;
   if (payload !== null) {
     try {
       const { decode } = await import('./link-codec.js');
-      document = await whole(await decode(payload));
+      doc = await whole(await decode(payload));
       title = '';
     } catch (error) {
       problems.push(`This link cannot be opened: a sample is shown in its place. ${reason(error)}`);
@@ -33,10 +33,10 @@ export async function answerTo({ payload, sample, sets }, whole) {
   try {
     if (sets.length) {
       const { applyOverrides, parseOverrides } = await import('./overrides.js');
-      document = await whole(JSON.stringify(applyOverrides(document, parseOverrides(sets))));
+      doc = await whole(JSON.stringify(applyOverrides(doc, parseOverrides(sets))));
     }
   } catch (error) {
     problems.push(`The changes in the address (set=…) were left out. ${reason(error)}`);
   }
-  return { document, title, problems };
+  return { doc, title, problems };
 }

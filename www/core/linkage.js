@@ -35,4 +35,4 @@ export function createLinkage() {
 }
 
 /** Whether a linkage has been given a document. @param {import('./store.js').Store} store */
-export const isEmpty = (store) => store.document === NOTHING;
+export const isEmpty = (store) => store.doc === NOTHING;

@@ -12,14 +12,14 @@ export function createOpening({ store, planner, player, say }) {
   /** The document with every default written out. @param {string} text @returns {Promise<MechanismDocument>} */
   const whole = async (text) => JSON.parse(await planner.normalise(text));
 
-  /** A step that undo takes back. @param {MechanismDocument} document @param {string} [title] @param {FileSystemFileHandle | null} [handle] */
-  function show(document, title = '', handle = null) {
-    const { document: former, unsaved } = store;
+  /** A step that undo takes back. @param {MechanismDocument} doc @param {string} [title] @param {FileSystemFileHandle | null} [handle] */
+  function show(doc, title = '', handle = null) {
+    const { doc: former, unsaved } = store;
     player.currentTime = 0;
     store.setView({ selected: '', hovered: '' });
-    store.open(document, { title, handle, saved: document });
+    store.open(doc, { title, handle, saved: doc });
     const name = former.name || 'the linkage';
-    if (unsaved) say(`Opened ${document.name || title || 'a linkage'} in place of ${name}, which has changes that are in no file.`, { label: 'Undo', act: () => store.backTo(former) });
+    if (unsaved) say(`Opened ${doc.name || title || 'a linkage'} in place of ${name}, which has changes that are in no file.`, { label: 'Undo', act: () => store.backTo(former) });
   }
 
   /**

@@ -42,11 +42,11 @@ function valueOf(text) {
 
 /**
  * @template T
- * @param {T} document with every default written out
+ * @param {T} doc with every default written out
  * @param {Override[]} overrides
  * @returns {T}
  */
-export function applyOverrides(document, overrides) {
+export function applyOverrides(doc, overrides) {
   return overrides.reduce((changed, { path, value }) => {
     const keys = parsePath(path);
     const last = keys[keys.length - 1];
@@ -59,7 +59,7 @@ export function applyOverrides(document, overrides) {
       throw new BadOverride(`There is no ${path} in this document. Accepted: ${offered}.`);
     }
     return withValueAt(changed, path, value);
-  }, document);
+  }, doc);
 }
 
 /** @param {(string | number)[]} keys @returns {string} */

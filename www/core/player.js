@@ -130,13 +130,13 @@ export class Player {
 
   /** Seconds that one pass takes at the present speed. */
   get passSeconds() {
-    return (isTimed(this.#store.result.document) ? this.duration : UNTIMED_SECONDS) / this.playbackRate;
+    return (isTimed(this.#store.result.doc) ? this.duration : UNTIMED_SECONDS) / this.playbackRate;
   }
 
   /** @param {number} seconds */
   #advance(seconds) {
     const [from, to] = this.#range();
-    const rate = isTimed(this.#store.result.document) ? 1 : (to - from) / UNTIMED_SECONDS;
+    const rate = isTimed(this.#store.result.doc) ? 1 : (to - from) / UNTIMED_SECONDS;
     const at = { time: this.#time, forwards: this.#forwards };
     const { time, forwards, ended } = advance(at, seconds * this.playbackRate * rate, { from, to, loop: this.loop });
     this.#time = time;

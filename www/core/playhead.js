@@ -38,8 +38,8 @@ export function frameAt(times, time) {
   return time - times[low] <= times[high] - time ? low : high;
 }
 
-/** @param {import('./types.js').MechanismDocument | null} document */
-export const isTimed = (document) => document?.motion.key_frames[0]?.time != null;
+/** @param {import('./types.js').MechanismDocument | null} doc */
+export const isTimed = (doc) => doc?.motion.key_frames[0]?.time != null;
 
 /**
  * The times of all frames of the goal motion, which are equally spaced: those that are not planned come after the others.
@@ -53,10 +53,10 @@ export function allTimes({ time, frames, goal_frames, partial }) {
 
 /**
  * The frame of each key frame; those without times are equally spaced.
- * @param {import('./types.js').MechanismDocument} document @param {ArrayLike<number>} times of the frames
+ * @param {import('./types.js').MechanismDocument} doc @param {ArrayLike<number>} times of the frames
  */
-export function keyFrameFrames(document, times) {
-  const { key_frames: keys } = document.motion;
+export function keyFrameFrames(doc, times) {
+  const { key_frames: keys } = doc.motion;
   const [from, to] = [times[0], times[times.length - 1]];
   return keys.map(({ time }, key) => frameAt(times, time == null ? from + ((to - from) * key) / Math.max(1, keys.length - 1) : Number(time)));
 }

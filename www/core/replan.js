@@ -11,9 +11,9 @@ const LONG = 500;
 
 /** @param {Pick<import('./linkage.js').Parts, 'store' | 'planner'>} app */
 export function createReplanning({ store, planner }) {
-  /** What the page says when the planner fails or the document is at fault. @param {unknown} error @param {unknown} document */
-  function report(error, document) {
-    if (error instanceof DocumentFault && document === store.document) store.setResult({ fault: error.fault, trouble: '' });
+  /** What the page says when the planner fails or the document is at fault. @param {unknown} error @param {unknown} doc */
+  function report(error, doc) {
+    if (error instanceof DocumentFault && doc === store.doc) store.setResult({ fault: error.fault, trouble: '' });
     if (error instanceof PlannerFailure) {
       store.setResult({ trouble: `The planner failed on this document and was started afresh (${error.message}). Your document is safe: undo the last edit or change it.` });
     }
@@ -24,13 +24,13 @@ export function createReplanning({ store, planner }) {
 
   /** Plans the present document, on from where its plan was stopped; while it is at fault, the last good motion stays. */
   async function replan() {
-    const { document } = store;
+    const { doc } = store;
     const began = performance.now();
     const mine = new AbortController();
     stop = mine;
     store.setPlanning(null);
     try {
-      const motion = await planner.plan(textOf(document), {
+      const motion = await planner.plan(textOf(doc), {
         stop: mine.signal,
         onProgress: (progress) => {
           if (stop !== mine) return;
@@ -39,9 +39,9 @@ export function createReplanning({ store, planner }) {
           if (performance.now() - began > LONG) store.setPlanning({ ...progress, stop: () => mine.abort() });
         },
       });
-      store.setResult({ motion, document, fault: null, trouble: '' });
+      store.setResult({ motion, doc, fault: null, trouble: '' });
     } catch (error) {
-      report(error, document);
+      report(error, doc);
     } finally {
       if (stop === mine) store.setPlanning(null);
     }
@@ -49,12 +49,12 @@ export function createReplanning({ store, planner }) {
 
   /** Writes start values that close the loops into the document. */
   async function findStart() {
-    const { document } = store;
+    const { doc } = store;
     try {
-      const { chains } = JSON.parse(await planner.findStart(textOf(document)));
+      const { chains } = JSON.parse(await planner.findStart(textOf(doc)));
       store.edit((present) => takeStarts(present, chains));
     } catch (error) {
-      report(error, document);
+      report(error, doc);
     }
   }
 

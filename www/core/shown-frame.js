@@ -11,13 +11,13 @@ const DECIMALS = 9;
 export const plain = (value) => Number(value.toFixed(DECIMALS)) || 0;
 
 /**
- * @param {Parameters<typeof shown>[0] & {document: import('./types.js').MechanismDocument}} store
+ * @param {Parameters<typeof shown>[0] & {doc: import('./types.js').MechanismDocument}} store
  * @param {'pose' | 'goal'} which the reached pose or its goal
  * @returns {import('./types.js').KeyFrame | null} null where nothing is shown
  */
 export function shownFrame(store, which) {
   const now = shown(store);
   if (!now) return null;
-  const frame = frameOf(groupAt(now[which], now), store.document.motion.key_frames.at(-1));
+  const frame = frameOf(groupAt(now[which], now), store.doc.motion.key_frames.at(-1));
   return Object.fromEntries(Object.entries(frame).map(([name, value]) => [name, plain(value)]));
 }

@@ -7,14 +7,14 @@
  * the motion belongs to.
  * @param {{result: import('./types.js').Result, view: import('./types.js').View}} store
  */
-export function shown({ result: { motion, document }, view: { frame, posture } }) {
-  if (!motion || !document) return null;
+export function shown({ result: { motion, doc }, view: { frame, posture } }) {
+  if (!motion || !doc) return null;
   if (posture) {
     const { joints, pose, rows, goal } = posture;
-    return { document, index: 0, frames: 1, joints, pose, rows, goal };
+    return { doc, index: 0, frames: 1, joints, pose, rows, goal };
   }
   const { frames, joints, pose, rows, goal } = motion;
-  return { document, index: Math.min(frame, frames - 1), frames, joints, pose, rows, goal };
+  return { doc, index: Math.min(frame, frames - 1), frames, joints, pose, rows, goal };
 }
 
 /** One frame's group of a column. @param {Float64Array} column @param {{index: number, frames: number}} at */

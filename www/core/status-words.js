@@ -92,12 +92,12 @@ export function singularSentence(here, start) {
 
 /** The frame at the playhead in one sentence. @param {import('./store.js').Store} store */
 export function frameSentence(store) {
-  const { motion, document } = store.result;
+  const { motion, doc } = store.result;
   if (!motion) return '';
   const { frame, posture } = store.view;
-  if (posture) return postureSentence(posture, document?.length_unit);
+  if (posture) return postureSentence(posture, doc?.length_unit);
   const { word } = statusWords(statusName(motion, frame));
-  const gap = `${length(motion.translation_gap[frame], document?.length_unit)} and ${angle(motion.rotation_gap[frame])}`;
+  const gap = `${length(motion.translation_gap[frame], doc?.length_unit)} and ${angle(motion.rotation_gap[frame])}`;
   return `Frame ${frame + 1} of ${motion.frames}: ${word.toLowerCase()}, ${gap} from the goal.`;
 }
 
@@ -113,11 +113,11 @@ export function describeScene(store) {
   const { motion } = store.result;
   const now = shown(store);
   if (!motion || !now) return '';
-  const { document } = now;
+  const { doc } = now;
   const at = (/** @type {Float64Array} */ column) => Array.from(groupAt(column, now).subarray(0, 3), (value) => short(value, 3)).join(', ');
   const types = motion.report.chains.map((chain) => chain.type).join(', ');
   return (
-    `${document.name || 'A linkage'}: ${plural(motion.report.chains.length, 'chain')} (${types}) carry one workpiece. ` +
+    `${doc.name || 'A linkage'}: ${plural(motion.report.chains.length, 'chain')} (${types}) carry one workpiece. ` +
     `${frameSentence(store)} Workpiece at ${at(now.pose)}; goal at ${at(now.goal)}.`
   );
 }

@@ -10,7 +10,7 @@
  * @typedef {import('./types.js').Origin} Origin
  * @typedef {import('./types.js').Planning} Planning
  * @typedef {'document' | 'origin' | 'result' | 'view' | 'insight' | 'planning'} Part
- * @typedef {{document: MechanismDocument, past: MechanismDocument[], future: MechanismDocument[]}} History
+ * @typedef {{doc: MechanismDocument, past: MechanismDocument[], future: MechanismDocument[]}} History
  * @typedef {ReturnType<typeof createStore>} Store
  */
 
@@ -19,7 +19,7 @@ const MAX_UNDO = 500;
 
 /** @param {MechanismDocument} first */
 export function createStore(first) {
-  let document = first;
+  let doc = first;
   /** Where every document came from; an edit hands it on. @type {WeakMap<MechanismDocument, Origin>} */
   const origins = new WeakMap([[first, { title: '', handle: null, saved: first }]]);
   const originOf = (/** @type {MechanismDocument} */ one) => /** @type {Origin} */ (origins.get(one));
@@ -30,7 +30,7 @@ export function createStore(first) {
   /** Edits with the same mark make one undo step. */
   let mark = '';
   /** @type {Result} */
-  let result = { motion: null, document: null, fault: null, trouble: '' };
+  let result = { motion: null, doc: null, fault: null, trouble: '' };
   /** @type {View} */
   let view = {
     frame: 0, playing: false, posture: null, selected: '', hovered: '',
@@ -52,13 +52,13 @@ export function createStore(first) {
 
   /** @param {MechanismDocument} next */
   const show = (next) => {
-    document = next;
+    doc = next;
     tell('document');
   };
 
   return {
-    get document() {
-      return document;
+    get doc() {
+      return doc;
     },
     get result() {
       return result;
@@ -74,16 +74,16 @@ export function createStore(first) {
     },
     /** The present document with the ones before and after it. @returns {History} */
     get history() {
-      return { document, past, future };
+      return { doc, past, future };
     },
     originOf,
     get origin() {
-      return originOf(document);
+      return originOf(doc);
     },
     /** Whether something is in the document that its file has not. */
     get unsaved() {
-      const { saved } = originOf(document);
-      return !saved || !same(saved, document);
+      const { saved } = originOf(doc);
+      return !saved || !same(saved, doc);
     },
     /** Whether edits are refused: the document is there to be looked at. */
     get readonly() {
@@ -106,26 +106,26 @@ export function createStore(first) {
     },
 
     /**
-     * @param {(document: MechanismDocument) => MechanismDocument} change
+     * @param {(doc: MechanismDocument) => MechanismDocument} change
      * @param {string} [merge] edits in a row with the same mark are undone together
      */
     edit(change, merge = '') {
       if (readonly) return;
-      const next = change(document);
-      if (next === document || same(next, document)) return;
+      const next = change(doc);
+      if (next === doc || same(next, doc)) return;
       if (!merge || merge !== mark) {
-        past = [...past.slice(1 - MAX_UNDO), document];
+        past = [...past.slice(1 - MAX_UNDO), doc];
       } else if (same(next, past[past.length - 1])) {
         // Typed and taken back: nothing is left to undo.
         past = past.slice(0, -1);
         mark = '';
         future = [];
-        origins.set(next, originOf(document));
+        origins.set(next, originOf(doc));
         return show(next);
       }
       mark = merge;
       future = [];
-      origins.set(next, originOf(document));
+      origins.set(next, originOf(doc));
       show(next);
     },
 
@@ -133,7 +133,7 @@ export function createStore(first) {
       const previous = past.at(-1);
       if (!previous || readonly) return;
       past = past.slice(0, -1);
-      future = [document, ...future];
+      future = [doc, ...future];
       mark = '';
       show(previous);
     },
@@ -142,7 +142,7 @@ export function createStore(first) {
       const [next, ...rest] = future;
       if (!next || readonly) return;
       future = rest;
-      past = [...past, document];
+      past = [...past, doc];
       mark = '';
       show(next);
     },
@@ -153,8 +153,8 @@ export function createStore(first) {
      * @param {Origin} origin
      */
     open(next, origin) {
-      if (!same(next, document)) {
-        past = [...past.slice(1 - MAX_UNDO), document];
+      if (!same(next, doc)) {
+        past = [...past.slice(1 - MAX_UNDO), doc];
         future = [];
       }
       mark = '';
@@ -166,13 +166,13 @@ export function createStore(first) {
     restore(work, origin) {
       ({ past, future } = work);
       mark = '';
-      for (const one of [work.document, ...past, ...future]) if (!origins.has(one)) origins.set(one, origin);
-      show(work.document);
+      for (const one of [work.doc, ...past, ...future]) if (!origins.has(one)) origins.set(one, origin);
+      show(work.doc);
     },
 
     /** Undoes until that document is shown again. @param {MechanismDocument} former */
     backTo(former) {
-      while (document !== former && past.length) this.undo();
+      while (doc !== former && past.length) this.undo();
     },
 
     /** The document is in its file now. @param {MechanismDocument} saved @param {Partial<Origin>} file */

@@ -10,13 +10,13 @@ import { angle, length } from './format.js';
 import { JOINT_TYPES, chainType } from './joint-types.js';
 import { covers, parsePath } from './path.js';
 
-/** Every thing that can be chosen, in the order in which the keyboard goes through them. @param {MechanismDocument} document */
-export function thingsOf(document) {
-  const chains = document.chains.flatMap(({ joints }, chain) => {
+/** Every thing that can be chosen, in the order in which the keyboard goes through them. @param {MechanismDocument} doc */
+export function thingsOf(doc) {
+  const chains = doc.chains.flatMap(({ joints }, chain) => {
     const place = `chains[${chain}]`;
     return [`${place}.base`, ...joints.map((_, joint) => `${place}.joints[${joint}]`), `${place}.gripper`];
   });
-  return ['workpiece', ...chains, ...document.motion.key_frames.map((_, key) => `motion.key_frames[${key}]`), 'goal', 'closest', 'gap'];
+  return ['workpiece', ...chains, ...doc.motion.key_frames.map((_, key) => `motion.key_frames[${key}]`), 'goal', 'closest', 'gap'];
 }
 
 /**
@@ -42,19 +42,19 @@ export function belongs(thing, chosen) {
  * @returns {string} empty if there is no such thing
  */
 export function nameOf(place, { result, view }) {
-  const { document } = result;
+  const { doc } = result;
   const [head, first, part, second, inner] = parsePath(place);
-  if (!document) return '';
+  if (!doc) return '';
   if (place === 'workpiece') return 'workpiece';
   if (place === 'goal') return 'goal motion';
   if (place === 'closest') return 'closest motion';
   if (head === 'gap') return gapName(typeof first === 'number' ? first : null, { result, view });
   if (head === 'ghost') return `ghost of the workpiece at frame ${Number(first) + 1}`;
   if (head === 'motion' && first === 'key_frames' && typeof part === 'number') {
-    const key = document.motion.key_frames[part];
+    const key = doc.motion.key_frames[part];
     return key ? `key frame ${key.name ? `“${key.name}”` : part + 1}` : '';
   }
-  const chain = head === 'chains' && typeof first === 'number' ? document.chains[first] : undefined;
+  const chain = head === 'chains' && typeof first === 'number' ? doc.chains[first] : undefined;
   if (!chain) return '';
   const number = Number(first) + 1;
   if (part === 'base' || part === 'gripper') return `${part} of chain ${number}`;
@@ -66,9 +66,9 @@ export function nameOf(place, { result, view }) {
 }
 
 /** @param {number | null} frame null for what is shown now @param {Shown} shown */
-function gapName(frame, { result: { motion, document }, view }) {
+function gapName(frame, { result: { motion, doc }, view }) {
   if (!motion) return '';
-  const unit = document?.length_unit;
+  const unit = doc?.length_unit;
   const size = (/** @type {number} */ shift, /** @type {number} */ turn) => `${length(shift, unit)}, ${angle(turn)}`;
   if (frame === null && view.posture) return `gap: ${size(view.posture.translation_gap, view.posture.rotation_gap)}`;
   const at = Math.min(frame ?? view.frame, motion.frames - 1);

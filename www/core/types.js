@@ -36,7 +36,7 @@
  *
  * The last good motion with the document that it belongs to; the fault, if the present document has one;
  * `trouble`, if the planner itself failed.
- * @typedef {{motion: Motion | null, document: MechanismDocument | null, fault: Fault | null, trouble: string}} Result
+ * @typedef {{motion: Motion | null, doc: MechanismDocument | null, fault: Fault | null, trouble: string}} Result
  *
  * A plan that takes long: how far it is; `stop` ends it with what there is so far.
  * @typedef {Progress & {stop: () => void}} Planning

@@ -7,19 +7,19 @@ import { JOINT_TYPES } from './joint-types.js';
 
 /**
  * Multiplies every length by a factor. The metric length stays: it is a choice, not a size.
- * @param {MechanismDocument} document
+ * @param {MechanismDocument} doc
  * @param {number} factor
  * @param {string} unit
  * @returns {MechanismDocument}
  */
-export function convertLengths(document, factor, unit) {
+export function convertLengths(doc, factor, unit) {
   // What is no number is at fault, and stays as typed.
   const times = (/** @type {any} */ value) => (typeof value === 'number' ? Number((value * factor).toPrecision(12)) : value);
   /** @template {object} T @param {T} from @param {string[]} keys @returns {T} */
   const scaled = (from, keys) => /** @type {T} */ (Object.fromEntries(Object.entries(from).map(([key, value]) => [key, keys.includes(key) ? times(value) : value])));
   const place = (/** @type {any} */ frame) => frame && scaled(frame, ['x', 'y', 'z']);
 
-  const chains = document.chains.map((chain) => {
+  const chains = doc.chains.map((chain) => {
     const slides = chain.joints.flatMap(({ type }) => JOINT_TYPES[type]?.rows.flat() ?? []).map((variable) => variable === 'd');
     let variable = 0;
     const joints = chain.joints.map((joint) => {
@@ -31,16 +31,16 @@ export function convertLengths(document, factor, unit) {
     const start = chain.start?.map((value, i) => (slides[i] ? times(value) : value));
     return { ...chain, joints, ...(chain.base && { base: place(chain.base) }), ...(chain.gripper && { gripper: place(chain.gripper) }), ...(start && { start }) };
   });
-  const { reference } = document.motion;
+  const { reference } = doc.motion;
   const motion = {
-    ...scaled(document.motion, ['radius']),
+    ...scaled(doc.motion, ['radius']),
     ...(Array.isArray(reference) && { reference: reference.map(times) }),
-    key_frames: document.motion.key_frames.map(place),
+    key_frames: doc.motion.key_frames.map(place),
   };
-  const { planner } = document;
+  const { planner } = doc;
   const origin = planner?.metric_origin;
   return {
-    ...document,
+    ...doc,
     length_unit: unit,
     chains,
     motion,

@@ -31,11 +31,11 @@ export function createStage({ find, store, player, signal }) {
   if (!scene) tell('This browser shows no 3D graphics (WebGL 2). Tables and numbers work without them.');
 
   function show() {
-    const { motion, document } = store.result;
-    if (!motion || !document || motion === drawn) return;
+    const { motion, doc } = store.result;
+    if (!motion || !doc || motion === drawn) return;
     drawn = motion;
-    const afresh = store.originOf(document) !== origin;
-    origin = store.originOf(document);
+    const afresh = store.originOf(doc) !== origin;
+    origin = store.originOf(doc);
     find('fallback').hidden = true;
     scene?.show(store.result, afresh);
     if (afresh && side) scene?.turnTo(side, false);
@@ -50,7 +50,7 @@ export function createStage({ find, store, player, signal }) {
   });
   const describe = () => {
     if (!store.view.playing) setText(find('canvas-text'), describeScene(store));
-    find('stage').setAttribute('aria-label', `${store.document.name || 'Linkage'}, with its animation`);
+    find('stage').setAttribute('aria-label', `${store.doc.name || 'Linkage'}, with its animation`);
   };
   store.subscribe('result', describe);
   store.subscribe('view', describe);

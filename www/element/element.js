@@ -113,7 +113,7 @@ export class SyntheticaLinkage extends LinkageWords {
    */
   get document() {
     const { store } = this.linkage;
-    return isEmpty(store) ? null : structuredClone(store.document);
+    return isEmpty(store) ? null : structuredClone(store.doc);
   }
 
   /** @param {MechanismDocument | string | null} next */
@@ -186,10 +186,10 @@ export class SyntheticaLinkage extends LinkageWords {
   async #open(text, title, load) {
     const { store, whole } = this.linkage;
     try {
-      const document = await whole(text);
+      const doc = await whole(text);
       if (load !== this.#loads) return;
       this.#fresh = this.#opening = true;
-      store.restore({ document, past: [], future: [] }, { title, handle: null, saved: document });
+      store.restore({ doc, past: [], future: [] }, { title, handle: null, saved: doc });
       this.#opening = false;
     } catch (error) {
       if (!(error instanceof DocumentFault)) throw error;
@@ -199,9 +199,9 @@ export class SyntheticaLinkage extends LinkageWords {
 
   /** The document that the motion belongs to. */
   #planned() {
-    const { document } = this.linkage.store.result;
-    if (!document) throw new Refusal('There is no motion yet: wait for the event “ready”.');
-    return document;
+    const { doc } = this.linkage.store.result;
+    if (!doc) throw new Refusal('There is no motion yet: wait for the event “ready”.');
+    return doc;
   }
 
   // --- telling ---

@@ -40,12 +40,12 @@ export function announce(element, { isEdit, isFirst, begin, fail }) {
       fail(error);
       if (error) tell('error', error);
     }
-    if (planned && isFirst() && store.result.document === store.document) {
+    if (planned && isFirst() && store.result.doc === store.doc) {
       begin();
       tell('ready');
     }
     clearTimeout(settling);
-    if (!edited || fault || store.result.document !== store.document) return;
+    if (!edited || fault || store.result.doc !== store.doc) return;
     settling = setTimeout(() => {
       edited = false;
       tell('change');

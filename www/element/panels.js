@@ -36,9 +36,9 @@ export async function createPanels(bare, banners) {
   createDock(app, createTabs(find('dock-tabs')));
   app.explain();
   const goToKey = (/** @type {number} */ key) => {
-    const { motion, document } = store.result;
+    const { motion, doc } = store.result;
     player.pause();
-    if (motion && document) player.frame = keyFrameFrames(document, allTimes(motion))[key];
+    if (motion && doc) player.frame = keyFrameFrames(doc, allTimes(motion))[key];
   };
   const places = { root: find('tables'), mechanism: find('mechanism'), motion: find('motion') };
   const compareMetrics = (/** @type {string} */ text, /** @type {AbortSignal} */ signal) => planner.compareMetrics(text, signal);

@@ -40,7 +40,7 @@ export function startFrame() {
     // The element waits for its document.
     element.document = null;
     answerTo(asked, linkage.whole).then(
-      ({ document: shown, problems }) => {
+      ({ doc: shown, problems }) => {
         element.document = shown;
         for (const problem of problems) linkage.say(problem, { stays: true });
       },

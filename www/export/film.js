@@ -21,7 +21,7 @@ const LAST = 100;
 
 /** @param {App} app */
 export async function exportFilm({ store, scene, player, say }) {
-  const { motion, document: mechanism } = store.result;
+  const { motion, doc: mechanism } = store.result;
   const type = filmType();
   if (!scene || !motion || !mechanism || !type) return;
   const { frame, playing } = store.view;

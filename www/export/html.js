@@ -8,15 +8,15 @@ import { inert } from './inert.js';
 
 /** @param {import('../element/workbench.js').App} app */
 export async function exportHtml({ store, say }) {
-  const { motion, document } = store.result;
-  if (!motion || !document) return;
-  const name = fileName(document, 'html');
-  saveFile(name, new Blob([await page(document, await pack(motion, document))], { type: 'text/html' }));
+  const { motion, doc } = store.result;
+  if (!motion || !doc) return;
+  const name = fileName(doc, 'html');
+  saveFile(name, new Blob([await page(doc, await pack(motion, doc))], { type: 'text/html' }));
   say(`Saved ${name}: it plays in any browser, also without a network.`);
 }
 
-/** @param {import('../core/types.js').MechanismDocument} document @param {string} motion packed */
-async function page(document, motion) {
+/** @param {import('../core/types.js').MechanismDocument} doc @param {string} motion packed */
+async function page(doc, motion) {
   const code = inert(script);
   // The file may run this one script and use this one style sheet, by their hashes, and load nothing at all.
   const [scripts, styles] = await Promise.all([allowed(code), allowed(style)]);
@@ -27,7 +27,7 @@ async function page(document, motion) {
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <meta name="color-scheme" content="light dark">
 <meta http-equiv="Content-Security-Policy" content="default-src 'none'; script-src ${scripts}; style-src ${styles}; base-uri 'none'; form-action 'none'">
-<title>${escaped(document.name || 'Linkage')} – Synthetica</title>
+<title>${escaped(doc.name || 'Linkage')} – Synthetica</title>
 <style>${style}</style>
 </head>
 <body>

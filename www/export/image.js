@@ -16,7 +16,7 @@ const SIZE = { width: 640, height: 480 };
  */
 export async function imageOf({ scene, store }, { type = 'png', width, height, scale = 2 }) {
   if (!scene) throw new Refusal('This browser shows no 3D graphics (WebGL 2), so there is no picture.');
-  if (type === 'svg') return new Blob([drawing(scene, store.document.name || 'Linkage', describeScene(store))], { type: 'image/svg+xml' });
+  if (type === 'svg') return new Blob([drawing(scene, store.doc.name || 'Linkage', describeScene(store))], { type: 'image/svg+xml' });
   if (type !== 'png') throw new Refusal(`There are no pictures of type “${type}”. Accepted: png, svg.`);
   const { clientWidth, clientHeight } = scene.canvas;
   const size = { width: width ?? (clientWidth || SIZE.width), height: height ?? (clientHeight || SIZE.height), ratio: scale };

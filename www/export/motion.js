@@ -12,11 +12,11 @@ const FILES = {
 
 /** @param {import('../element/workbench.js').App} app @param {keyof typeof FILES} format */
 export async function exportMotion({ store, planner, say }, format) {
-  const { document } = store.result;
-  if (!document) return;
-  const text = await planner.exportMotion(textOf(document), format);
+  const { doc } = store.result;
+  if (!doc) return;
+  const text = await planner.exportMotion(textOf(doc), format);
   const { ending, type } = FILES[format];
-  const name = fileName(document, ending);
+  const name = fileName(doc, ending);
   saveFile(name, new Blob([text], { type }));
   say(`Saved ${name}.`);
 }

@@ -33,7 +33,7 @@ export async function exportPng({ store, scene, say }) {
   save.addEventListener('click', async () => {
     const picture = drawPicture(scene, { ...sizes[Number(size.value)][1], transparent: transparent.checked, names: names.checked, shadows: true });
     const content = await new Promise((resolve) => picture.toBlob(resolve, 'image/png'));
-    const name = fileName(store.result.document, 'png');
+    const name = fileName(store.result.doc, 'png');
     if (content) saveFile(name, content);
     dialog.close();
     say(content ? `Saved ${name}.` : 'The browser has no room for a picture of this size. Choose a smaller one.');

@@ -15,11 +15,11 @@ export function saveFile(name, content) {
 
 /**
  * A file's name for a document: 3rps.csv.
- * @param {{name?: string} | null} document
+ * @param {{name?: string} | null} doc
  * @param {string} ending
  */
-export function fileName(document, ending) {
-  const plain = (document?.name ?? '')
+export function fileName(doc, ending) {
+  const plain = (doc?.name ?? '')
     .normalize('NFKD')
     .toLowerCase()
     .replace(/[’'\u0300-\u036f]/g, '')

@@ -17,8 +17,8 @@ const FADES = 8;
 /** @param {import('../element/workbench.js').App} app */
 export async function exportSvg({ store, scene, say }) {
   if (!scene) return;
-  const { name } = store.result.document ?? {};
-  const file = fileName(store.result.document, 'svg');
+  const { name } = store.result.doc ?? {};
+  const file = fileName(store.result.doc, 'svg');
   saveFile(file, new Blob([drawing(scene, name || 'Linkage', describeScene(store))], { type: 'image/svg+xml' }));
   say(`Saved ${file}.`);
 }

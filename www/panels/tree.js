@@ -7,7 +7,7 @@
 import { element, focusBeside } from '../ui/dom.js';
 import { JOINT_TYPES, chainType } from '../core/joint-types.js';
 
-/** @param {import('../core/types.js').MechanismDocument} document @returns {Item[]} */
+/** @param {import('../core/types.js').MechanismDocument} doc @returns {Item[]} */
 function itemsOf({ chains, motion }) {
   return [
     ...chains.map((chain, c) => {
@@ -141,7 +141,7 @@ export function createTree(place, { store, narrow }, enter) {
   });
 
   function build() {
-    const items = itemsOf(store.document);
+    const items = itemsOf(store.doc);
     const next = JSON.stringify(items);
     if (next === shape) return;
     shape = next;

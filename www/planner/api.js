@@ -26,8 +26,8 @@ export { DocumentFault, PlannerFailure } from './errors.js';
 /** A program may ask for what takes minutes, and waits for all that it asked for. */
 const desk = new Desk(Infinity);
 
-/** Written anew each time: a program may have changed it. @param {MechanismDocument | string} document */
-const written = (document) => (typeof document === 'string' ? document : JSON.stringify(document));
+/** Written anew each time: a program may have changed it. @param {MechanismDocument | string} doc */
+const written = (doc) => (typeof doc === 'string' ? doc : JSON.stringify(doc));
 
 /** @param {ArrayLike<number>} numbers */
 const column = (numbers) => Float64Array.from(numbers);
@@ -148,39 +148,39 @@ export class Session {
   }
 }
 
-/** @param {MechanismDocument | string} document */
-const once = (document) => new Session(written(document), desk);
+/** @param {MechanismDocument | string} doc */
+const once = (doc) => new Session(written(doc), desk);
 
 /**
  * A document that is asked about more than once.
- * @param {MechanismDocument | string} document an object or its text
+ * @param {MechanismDocument | string} doc an object or its text
  * @returns {Promise<Session>}
  * @throws {DocumentFault} where the document is at fault
  */
-export async function open(document) {
-  const session = new Session(written(document));
+export async function open(doc) {
+  const session = new Session(written(doc));
   await session.normalise();
   return session;
 }
 
 /**
  * The closest reachable motion.
- * @param {MechanismDocument | string} document an object or its text
+ * @param {MechanismDocument | string} doc an object or its text
  * @param {PlanOptions} [options]
  * @returns {Promise<Motion>}
  * @throws {DocumentFault} where the document is at fault; so do all functions that take one
  */
-export async function plan(document, options) {
-  return once(document).plan(options);
+export async function plan(doc, options) {
+  return once(doc).plan(options);
 }
 
 /**
  * What is wrong with a document; null where nothing is.
- * @param {MechanismDocument | string} document @returns {Promise<DocumentFault | null>}
+ * @param {MechanismDocument | string} doc @returns {Promise<DocumentFault | null>}
  */
-export async function check(document) {
+export async function check(doc) {
   try {
-    await normalise(document);
+    await normalise(doc);
     return null;
   } catch (error) {
     if (error instanceof DocumentFault) return error;
@@ -188,87 +188,87 @@ export async function check(document) {
   }
 }
 
-/** The document with every default written out. @param {MechanismDocument | string} document @returns {Promise<MechanismDocument>} */
-export async function normalise(document) {
-  return once(document).normalise();
+/** The document with every default written out. @param {MechanismDocument | string} doc @returns {Promise<MechanismDocument>} */
+export async function normalise(doc) {
+  return once(doc).normalise();
 }
 
-/** The document with the start that the planner uses written into it. @param {MechanismDocument | string} document @returns {Promise<MechanismDocument>} */
-export async function findStart(document) {
-  return once(document).findStart();
+/** The document with the start that the planner uses written into it. @param {MechanismDocument | string} doc @returns {Promise<MechanismDocument>} */
+export async function findStart(doc) {
+  return once(doc).findStart();
 }
 
 /**
  * The closest reachable pose to one goal, from joint values along their branch.
- * @param {MechanismDocument | string} document
+ * @param {MechanismDocument | string} doc
  * @param {ArrayLike<number>} joints rad or lengths, chain by chain
  * @param {ArrayLike<number>} goal x y z, then the rotation's quaternion x y z w
  * @returns {Promise<Posture>}
  */
-export async function pull(document, joints, goal) {
-  return once(document).pull(joints, goal);
+export async function pull(doc, joints, goal) {
+  return once(doc).pull(joints, goal);
 }
 
 /**
  * One joint variable driven to a value; the loops stay closed and the other joints follow.
- * @param {MechanismDocument | string} document
+ * @param {MechanismDocument | string} doc
  * @param {ArrayLike<number>} joints rad or lengths, chain by chain
  * @param {number} variable counted from 0 through all chains
  * @param {number} value rad or length
  * @returns {Promise<Posture>}
  */
-export async function drive(document, joints, variable, value) {
-  return once(document).drive(joints, variable, value);
+export async function drive(doc, joints, variable, value) {
+  return once(doc).drive(joints, variable, value);
 }
 
 /**
  * What holds the workpiece at a position against the pull of a goal, and what leaves it free.
- * @param {MechanismDocument | string} document
+ * @param {MechanismDocument | string} doc
  * @param {ArrayLike<number>} joints rad or lengths, chain by chain
  * @param {ArrayLike<number>} goal x y z, then the rotation's quaternion x y z w
  * @returns {Promise<Insight>}
  */
-export async function explain(document, joints, goal) {
-  return once(document).explain(joints, goal);
+export async function explain(doc, joints, goal) {
+  return once(doc).explain(joints, goal);
 }
 
 /**
  * The iterations of both methods at one frame.
- * @param {MechanismDocument | string} document
+ * @param {MechanismDocument | string} doc
  * @param {number} frame counted from 0
  * @param {ArrayLike<number>} [joints] those of the frame before; without them the document's start
  * @returns {Promise<Trace>}
  */
-export async function trace(document, frame, joints = []) {
-  return once(document).trace(frame, joints);
+export async function trace(doc, frame, joints = []) {
+  return once(doc).trace(frame, joints);
 }
 
 /**
  * The matrix [A] at a position, with its singular values.
- * @param {MechanismDocument | string} document @param {ArrayLike<number>} joints rad or lengths, chain by chain
+ * @param {MechanismDocument | string} doc @param {ArrayLike<number>} joints rad or lengths, chain by chain
  * @returns {Promise<Matrix>}
  */
-export async function matrix(document, joints) {
-  return once(document).matrix(joints);
+export async function matrix(doc, joints) {
+  return once(doc).matrix(joints);
 }
 
 /**
  * The largest gaps of the motion planned with the metric `pose` and with `dual-quaternion`.
- * @param {MechanismDocument | string} document @param {Options} [options] @returns {Promise<[MetricGaps, MetricGaps]>}
+ * @param {MechanismDocument | string} doc @param {Options} [options] @returns {Promise<[MetricGaps, MetricGaps]>}
  */
-export async function compareMetrics(document, options) {
-  return once(document).compareMetrics(options);
+export async function compareMetrics(doc, options) {
+  return once(doc).compareMetrics(options);
 }
 
 /**
  * The planned motion as text for other programs.
- * @param {MechanismDocument | string} document
+ * @param {MechanismDocument | string} doc
  * @param {'csv' | 'json' | 'mjcf'} format `mjcf` is a model for MuJoCo
  * @param {Pick<PlanOptions, 'signal' | 'onProgress'>} [options]
  * @returns {Promise<string>}
  */
-export async function exportMotion(document, format, options) {
-  return once(document).exportMotion(format, options);
+export async function exportMotion(doc, format, options) {
+  return once(doc).exportMotion(format, options);
 }
 
 /**

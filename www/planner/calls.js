@@ -7,9 +7,9 @@
  *
  * A question of a document names it by a number of the asker's choice; its text comes with the first question. `stop`
  * asks for what there is so far of a plan, `cancel` for nothing more; `close` frees a document.
- * @typedef {{kind: 'ask', id: number, call: Call, args: unknown[], document?: number, text?: string}
+ * @typedef {{kind: 'ask', id: number, call: Call, args: unknown[], doc?: number, text?: string}
  *   | {kind: 'stop' | 'cancel', id: number}
- *   | {kind: 'close', document: number}} Message
+ *   | {kind: 'close', doc: number}} Message
  * @typedef {{id: number, kind: 'value', value: unknown}
  *   | {id: number, kind: 'fault', fault: Fault}
  *   | {id: number, kind: 'failure', message: string}
@@ -60,7 +60,7 @@ export function createAnswers(send) {
   /** @param {Message} message */
   function receive(message) {
     if (message.kind === 'ask') return answer(message);
-    if (message.kind === 'close') return close(message.document);
+    if (message.kind === 'close') return close(message.doc);
     const question = asked.get(message.id);
     if (!question) return;
     if (message.kind === 'stop') question.stopped = true;
@@ -71,13 +71,13 @@ export function createAnswers(send) {
   }
 
   /** @param {Message & {kind: 'ask'}} question */
-  async function answer({ id, call, args, document: number, text }) {
+  async function answer({ id, call, args, doc: number, text }) {
     if (number !== undefined && text !== undefined) documents.set(number, { text, sessions: new Map(), users: 0, closed: false });
-    const document = number === undefined ? undefined : documents.get(number);
+    const doc = number === undefined ? undefined : documents.get(number);
     const question = { stopped: false };
     asked.set(id, question);
     const isWanted = () => asked.get(id) === question;
-    if (document) document.users += 1;
+    if (doc) doc.users += 1;
     /** @type {Answer | null} */
     let last = null;
     try {
@@ -86,8 +86,8 @@ export function createAnswers(send) {
       const module = FIRST.includes(call) ? first : await (whole ??= loadWhole());
       if (!isWanted()) return;
       send({ id, kind: 'begun' });
-      if (document) {
-        const session = sessionOf(document, module);
+      if (doc) {
+        const session = sessionOf(doc, module);
         const done = await prepare(call, session, { id, question, isWanted });
         if (done) last = { id, kind: 'value', value: call === 'plan' ? session.plan_so_far() : session[call](...args) };
       } else last = { id, kind: 'value', value: module[call](...args) };
@@ -96,9 +96,9 @@ export function createAnswers(send) {
     } finally {
       const wanted = isWanted();
       if (wanted) asked.delete(id);
-      if (document) document.users -= 1;
+      if (doc) doc.users -= 1;
       // After a failure the memory of wasm is in no known state, and is given up as a whole.
-      if (document && last?.kind !== 'failure') free(document);
+      if (doc && last?.kind !== 'failure') free(doc);
       if (wanted && last) send(last);
     }
   }
@@ -144,24 +144,24 @@ export function createAnswers(send) {
 
   /** @param {number} number */
   function close(number) {
-    const document = documents.get(number);
+    const doc = documents.get(number);
     documents.delete(number);
-    if (!document) return;
-    document.closed = true;
-    free(document);
+    if (!doc) return;
+    doc.closed = true;
+    free(doc);
   }
 
   return { receive };
 }
 
-/** The document in one of the packages, opened there if it is not yet. @param {Open} document @param {Module} module */
+/** The document in one of the packages, opened there if it is not yet. @param {Open} doc @param {Module} module */
 function sessionOf({ text, sessions }, { Session: kind }) {
   const open = sessions.get(kind) ?? kind.open(text);
   sessions.set(kind, open);
   return open;
 }
 
-/** Frees the memory of a document that is closed, after its last question is answered. @param {Open} document */
+/** Frees the memory of a document that is closed, after its last question is answered. @param {Open} doc */
 function free({ sessions, users, closed }) {
   if (!closed || users > 0) return;
   for (const session of sessions.values()) session.free();

@@ -114,7 +114,7 @@ export class Desk {
     const key = text === undefined ? '' : this.#keyOf(job.asker, text);
     if (text !== undefined) {
       const known = this.#open.get(key);
-      message.document = known ?? ++this.#lastDocument;
+      message.doc = known ?? ++this.#lastDocument;
       if (known === undefined) message.text = text;
     }
     try {
@@ -125,7 +125,7 @@ export class Desk {
       job.reject(error);
       return;
     }
-    if (message.document !== undefined) this.#keepOpen(key, message.document);
+    if (message.doc !== undefined) this.#keepOpen(key, message.doc);
     if (job.stop?.aborted) this.#port.post({ kind: 'stop', id });
     if (isLong(job) && job.latest) {
       job.timer = setTimeout(() => {
@@ -207,19 +207,19 @@ export class Desk {
     return `${number} ${text}`;
   }
 
-  /** @param {string} key @param {number} document */
-  #keepOpen(key, document) {
+  /** @param {string} key @param {number} doc */
+  #keepOpen(key, doc) {
     this.#open.delete(key);
-    this.#open.set(key, document);
+    this.#open.set(key, doc);
     const [oldest] = this.#open.keys();
     if (this.#open.size > MAX_OPEN) this.#close(oldest);
   }
 
   /** @param {string} key */
   #close(key) {
-    const document = this.#open.get(key);
+    const doc = this.#open.get(key);
     this.#open.delete(key);
-    if (document !== undefined) this.#port?.post({ kind: 'close', document });
+    if (doc !== undefined) this.#port?.post({ kind: 'close', doc });
   }
 }
 

@@ -14,7 +14,7 @@ import { createStore } from '../core/store.js';
 import { countStatuses, describeScene, statusName, statusWords } from '../core/status-words.js';
 import { unpack } from './pack.js';
 
-const { motion, document: mechanism } = await unpack(byId('motion').textContent ?? '');
+const { motion, doc: mechanism } = await unpack(byId('motion').textContent ?? '');
 const store = createStore(mechanism);
 
 const canvas = element('canvas', {
@@ -82,7 +82,7 @@ document.addEventListener('keydown', (event) => {
 });
 
 store.subscribe('view', tell);
-store.setResult({ motion, document: mechanism });
+store.setResult({ motion, doc: mechanism });
 scene?.show(store.result, true);
 tell();
 if (!matchMedia('(prefers-reduced-motion: reduce)').matches) player.play();

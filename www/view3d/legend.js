@@ -10,12 +10,12 @@ export function createLegend(list, { store, scene }) {
   let written = '';
 
   function show() {
-    const { motion, document } = store.result;
+    const { motion, doc } = store.result;
     if (!motion || !scene) return;
     const { goal, closest, gaps } = store.view.show;
     const steps = scene.gapSteps;
     const seen = new Set(gapFrames(motion, scene.linkRadius).map((frame) => gapClass(motion.translation_gap[frame], steps)));
-    const size = (/** @type {number} */ step) => length(step, document?.length_unit);
+    const size = (/** @type {number} */ step) => length(step, doc?.length_unit);
     /** @type {[string, string][]} */
     const items = [];
     if (goal) items.push(['goal', 'goal motion']);

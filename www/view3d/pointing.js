@@ -89,9 +89,9 @@ export function createPointing({ find, store, player, scene }) {
 
   /** @param {number} step */
   function goOn(step) {
-    const { document } = store.result;
-    if (!document) return;
-    const things = thingsOf(document);
+    const { doc } = store.result;
+    if (!doc) return;
+    const things = thingsOf(doc);
     const at = things.indexOf(store.view.hovered || store.view.selected);
     const next = at < 0 ? (step > 0 ? 0 : things.length - 1) : (at + step + things.length) % things.length;
     leave();

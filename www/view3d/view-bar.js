@@ -53,8 +53,8 @@ export function createViewBar({ find, store, scene, say }) {
   ]);
   const parts = menuButton('Show', () => {
     const { show, ghosts, frame } = store.view;
-    const { motion, document } = store.result;
-    const frames = motion && document ? ghostFrames(ghosts, motion, document) : [];
+    const { motion, doc } = store.result;
+    const frames = motion && doc ? ghostFrames(ghosts, motion, doc) : [];
     const here = frames.includes(frame);
     const others = here ? frames.filter((other) => other !== frame) : [...frames, frame].sort((a, b) => a - b);
     const choose = (/** @type {import('../core/types.js').View['ghosts']} */ next) => () => store.setView({ ghosts: next });

@@ -48,7 +48,7 @@ export function createActs(app, chooser) {
     if (handle && !another) return handle;
     const { showSaveFilePicker } = pickers();
     if (!showSaveFilePicker) return null;
-    const suggestedName = title || fileName(store.document, 'json');
+    const suggestedName = title || fileName(store.doc, 'json');
     return showSaveFilePicker.call(window, { suggestedName, types: TYPES }).catch((error) => (isAbort(error) ? undefined : null));
   }
 
@@ -56,9 +56,9 @@ export function createActs(app, chooser) {
   async function save(another = false) {
     const handle = await target(another);
     if (handle === undefined) return;
-    const { document } = store;
-    const { text, whole } = await textOf(document);
-    const title = handle?.name ?? fileName(document, 'json');
+    const { doc } = store;
+    const { text, whole } = await textOf(doc);
+    const title = handle?.name ?? fileName(doc, 'json');
     try {
       if (handle) {
         const stream = await handle.createWritable();
@@ -69,18 +69,18 @@ export function createActs(app, chooser) {
       say(`“${title}” could not be written (${/** @type {Error} */ (error).message}).`, { label: 'Save to another file', act: () => save(true), stays: true });
       return;
     }
-    store.markSaved(document, { title, handle });
+    store.markSaved(doc, { title, handle });
     const done = handle ? `Saved as ${title}.` : `Downloaded as ${title}.`;
     say(whole ? done : `${done} It is at fault, and opens again only after that is mended.`);
   }
 
-  /** @param {import('../../core/types.js').MechanismDocument} document @returns {Promise<{text: string, whole: boolean}>} `whole` if it is without a fault */
-  async function textOf(document) {
+  /** @param {import('../../core/types.js').MechanismDocument} doc @returns {Promise<{text: string, whole: boolean}>} `whole` if it is without a fault */
+  async function textOf(doc) {
     try {
-      return { text: await planner.normalise(JSON.stringify(document)), whole: true };
+      return { text: await planner.normalise(JSON.stringify(doc)), whole: true };
     } catch {
       // The work is the person's, with its fault too.
-      return { text: `${JSON.stringify(document, null, 2)}\n`, whole: false };
+      return { text: `${JSON.stringify(doc, null, 2)}\n`, whole: false };
     }
   }
 
@@ -88,7 +88,7 @@ export function createActs(app, chooser) {
 
   async function share() {
     try {
-      const text = JSON.stringify(JSON.parse(await planner.normalise(JSON.stringify(store.document))));
+      const text = JSON.stringify(JSON.parse(await planner.normalise(JSON.stringify(store.doc))));
       openShare(app, text, await encode(text));
     } catch (error) {
       if (!(error instanceof DocumentFault)) throw error;

@@ -19,7 +19,7 @@ export function createAutosave({ store, say }, keeper) {
     clearTimeout(waiting);
     waiting = undefined;
     const { result, unsaved, origin } = store;
-    const good = result.fault && result.document !== store.document ? result.document : null;
+    const good = result.fault && result.doc !== store.doc ? result.doc : null;
     kept = keeper.save({ ...store.history, good, title: origin.title, unsaved });
     if (kept || told) return;
     told = true;

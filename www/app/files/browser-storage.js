@@ -6,10 +6,10 @@
  * stamp; work of another page, or from before a link was opened, goes onto the shelf first.
  *
  * @typedef {import('../../core/types.js').MechanismDocument} MechanismDocument
- * @typedef {{document: MechanismDocument, past: MechanismDocument[], future: MechanismDocument[],
+ * @typedef {{doc: MechanismDocument, past: MechanismDocument[], future: MechanismDocument[],
  *   good: MechanismDocument | null, title: string, unsaved: boolean}} Work
  *   `good` is the last document without a fault, if the present one has one; `title` what its file is called
- * @typedef {{when: number, by: string, title: string, document: MechanismDocument}} Earlier
+ * @typedef {{when: number, by: string, title: string, doc: MechanismDocument}} Earlier
  */
 
 /** The 1 is the version of the form. */
@@ -53,7 +53,7 @@ export function createKeeper(storage, page) {
   const earlier = () => {
     try {
       const list = JSON.parse(read(SHELF) ?? '[]');
-      return Array.isArray(list) ? list.filter((entry) => isDocument(entry?.document)) : [];
+      return Array.isArray(list) ? list.map(fromStored).filter((entry) => isDocument(entry?.doc)) : [];
     } catch {
       return [];
     }
@@ -64,9 +64,9 @@ export function createKeeper(storage, page) {
     const work = parse(text);
     if (!work || !(work.unsaved || work.past.length)) return true;
     const by = text.slice(0, text.indexOf('\n')).split(' ')[0];
-    const { document, title } = work;
-    const others = earlier().filter((entry) => entry.by !== by && !same(entry.document, document));
-    return write(SHELF, JSON.stringify([{ when: Date.now(), by, title, document }, ...others].slice(0, MAX_EARLIER)));
+    const { doc, title } = work;
+    const others = earlier().filter((entry) => entry.by !== by && !same(entry.doc, doc));
+    return write(SHELF, JSON.stringify([{ when: Date.now(), by, title, doc }, ...others].slice(0, MAX_EARLIER).map(toStored)));
   }
 
   return {
@@ -110,7 +110,7 @@ export function createKeeper(storage, page) {
       for (const steps of STEPS) {
         const { past, future } = work;
         const kept = { ...work, past: steps ? past.slice(-steps) : [], future: future.slice(0, steps) };
-        if (write(KEPT, `${stamp}\n${JSON.stringify(kept)}`)) {
+        if (write(KEPT, `${stamp}\n${JSON.stringify(toStored(kept))}`)) {
           known = stamp;
           return true;
         }
@@ -123,16 +123,22 @@ export function createKeeper(storage, page) {
   };
 }
 
+/** In the stored form, which earlier versions of the page wrote too, a document is called so. @template T @param {T & {doc: MechanismDocument}} entry */
+const toStored = ({ doc, ...rest }) => ({ document: doc, ...rest });
+
+/** @param {any} entry @returns {any} */
+const fromStored = ({ document: doc, ...rest }) => ({ doc, ...rest });
+
 /** @param {string} text */
 const stampOf = (text) => text.slice(0, Math.max(0, text.indexOf('\n')));
 
 /** @param {string} text @returns {Work | null} */
 function parse(text) {
   try {
-    const { document, past, future, good, title, unsaved } = JSON.parse(text.slice(text.indexOf('\n') + 1));
-    if (!isDocument(document)) return null;
+    const { doc, past, future, good, title, unsaved } = fromStored(JSON.parse(text.slice(text.indexOf('\n') + 1)));
+    if (!isDocument(doc)) return null;
     const documents = (/** @type {unknown} */ list) => (Array.isArray(list) && list.every(isDocument) ? list : []);
-    return { document, past: documents(past), future: documents(future), good: isDocument(good) ? good : null, title: String(title ?? ''), unsaved: unsaved === true };
+    return { doc, past: documents(past), future: documents(future), good: isDocument(good) ? good : null, title: String(title ?? ''), unsaved: unsaved === true };
   } catch {
     return null;
   }

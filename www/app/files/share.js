@@ -22,7 +22,7 @@ const LEAST_HEIGHT = 160;
  */
 export function openShare({ store }, text, payload) {
   const home = location.href.replace(/[?#].*$/s, '');
-  const name = store.document.name || 'Linkage';
+  const name = store.doc.name || 'Linkage';
   const link = shareAddress(location.href, payload);
 
   const box = (/** @type {string} */ label, checked = false) => {
@@ -68,7 +68,7 @@ export function openShare({ store }, text, payload) {
     try {
       const answer = await fetch(new URL('inline.js', home));
       if (!answer.ok) throw new Error(`${answer.status} ${answer.statusText}`);
-      saveFile(fileName(store.document, 'html'), new Blob([fileCode(name, text, await answer.text(), wish())], { type: 'text/html' }));
+      saveFile(fileName(store.doc, 'html'), new Blob([fileCode(name, text, await answer.text(), wish())], { type: 'text/html' }));
       said.textContent = 'The file is saved.';
     } catch (error) {
       said.textContent = `The file could not be made (${/** @type {Error} */ (error).message}). Try again with a network.`;

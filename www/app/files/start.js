@@ -20,24 +20,24 @@ export function start({ store, player, say, whole, show }, keeper) {
     const { history } = store;
     player.currentTime = 0;
     store.setView({ selected: '', hovered: '' });
-    const past = [...history.past, history.document, ...work.past];
-    store.restore({ document: work.document, past, future: work.future }, originOf(work));
+    const past = [...history.past, history.doc, ...work.past];
+    store.restore({ doc: work.doc, past, future: work.future }, originOf(work));
   }
 
   /** @param {Work} work @returns {Promise<boolean>} false if there is no motion to show with it */
   async function showKept(work) {
     const origin = originOf(work);
-    if (!(await isGood(work.document))) {
+    if (!(await isGood(work.doc))) {
       if (!work.good || !(await isGood(work.good))) return false;
       // While the document is at fault, the last good motion is shown.
-      store.restore({ document: work.good, past: [], future: [] }, origin);
+      store.restore({ doc: work.good, past: [], future: [] }, origin);
       await firstMotion();
     }
     store.restore(work, origin);
     return true;
   }
 
-  const isGood = (/** @type {MechanismDocument} */ document) => whole(JSON.stringify(document)).then(() => true, () => false);
+  const isGood = (/** @type {MechanismDocument} */ doc) => whole(JSON.stringify(doc)).then(() => true, () => false);
 
   const firstMotion = () =>
     new Promise((resolve) => {
@@ -57,8 +57,8 @@ export function start({ store, player, say, whole, show }, keeper) {
     if (unreadable && !broken) keeper.setAside();
     if (unreadable) tellBroken();
     if (!shown) {
-      const { document, title, problems } = await answerTo(asked, whole);
-      store.restore({ document, past: [], future: [] }, { title, handle: null, saved: document });
+      const { doc, title, problems } = await answerTo(asked, whole);
+      store.restore({ doc, past: [], future: [] }, { title, handle: null, saved: doc });
       for (const problem of problems) say(problem, { stays: true });
       if (explicit && work) {
         keeper.disown();
@@ -79,10 +79,10 @@ export function start({ store, player, say, whole, show }, keeper) {
 
   /** An address describes its document until the first edit; another one may be put in while the page is open. */
   function watchAddress() {
-    let { document } = store;
+    let { doc } = store;
     store.subscribe('document', () => {
-      if (store.document === document) return;
-      document = store.document;
+      if (store.doc === doc) return;
+      doc = store.doc;
       const plain = plainAddress(location.href);
       if (plain !== location.href) history.replaceState(null, '', plain);
     });
@@ -92,8 +92,8 @@ export function start({ store, player, say, whole, show }, keeper) {
       const shared = await answerTo(asked, whole);
       if (shared.problems.length) say(shared.problems[0].replace(': a sample is shown in its place', ''), { stays: true });
       else {
-        document = shared.document;
-        show(shared.document);
+        doc = shared.doc;
+        show(shared.doc);
       }
     });
   }
@@ -102,4 +102,4 @@ export function start({ store, player, say, whole, show }, keeper) {
 }
 
 /** @param {Work} work @returns {import('../../core/types.js').Origin} */
-const originOf = ({ document, title, unsaved }) => ({ title, handle: null, saved: unsaved ? null : document });
+const originOf = ({ doc, title, unsaved }) => ({ title, handle: null, saved: unsaved ? null : doc });

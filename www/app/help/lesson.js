@@ -2,7 +2,7 @@
  * A lesson beside the linkage: its text, its buttons that act on the page, and numbers that follow the motion.
  *
  * @typedef {import('../../element/workbench.js').AppWithPanels} App
- * @typedef {{id: string, title: string, text: string, document: string}} Lesson
+ * @typedef {{id: string, title: string, text: string, doc: string}} Lesson
  */
 import { element, setText } from '../../ui/dom.js';
 import { setValue } from '../../core/edits.js';
@@ -50,7 +50,7 @@ export function showLesson(app, lesson) {
 
   /** What a button does, by its attributes. @type {Record<string, (data: DOMStringMap) => void | Promise<unknown>>} */
   const acts = {
-    restart: () => app.open(lesson.document),
+    restart: () => app.open(lesson.doc),
     sample: async ({ sample }) => app.open(await sampleText(sampleOf(sample ?? ''))),
     play: () => player.play(),
     worst: () => {
@@ -65,27 +65,27 @@ export function showLesson(app, lesson) {
       target.classList.add('look-here');
       setTimeout(() => target.classList.remove('look-here'), 1500);
     },
-    set: ({ set, to }) => change(set ?? '', (document) => setValue(document, set ?? '', JSON.parse(to ?? 'null'))),
+    set: ({ set, to }) => change(set ?? '', (doc) => setValue(doc, set ?? '', JSON.parse(to ?? 'null'))),
     remove: ({ remove }) => {
       const [list, index] = parsePath(remove ?? '');
-      change(String(list), (document) => {
-        const kept = /** @type {unknown[]} */ (valueAt(document, String(list))).filter((_, i) => i !== index);
-        return setValue(document, String(list), kept);
+      change(String(list), (doc) => {
+        const kept = /** @type {unknown[]} */ (valueAt(doc, String(list))).filter((_, i) => i !== index);
+        return setValue(doc, String(list), kept);
       }, remove);
     },
     unit: ({ unit, times }) => {
-      if (store.document.length_unit !== unit) store.edit((document) => convertLengths(document, Number(times), unit ?? ''));
+      if (store.doc.length_unit !== unit) store.edit((doc) => convertLengths(doc, Number(times), unit ?? ''));
     },
   };
 
   /**
    * Edits the lesson's linkage; where another one is open it says so.
    * @param {string} parent
-   * @param {(document: import('../../core/types.js').MechanismDocument) => import('../../core/types.js').MechanismDocument} edit
+   * @param {(doc: import('../../core/types.js').MechanismDocument) => import('../../core/types.js').MechanismDocument} edit
    * @param {string} [needed] place that must exist
    */
   function change(parent, edit, needed = parent) {
-    if (valueAt(store.document, needed) === undefined) say('The lesson’s linkage is not open.', { label: 'Open it', act: () => app.open(lesson.document) });
+    if (valueAt(store.doc, needed) === undefined) say('The lesson’s linkage is not open.', { label: 'Open it', act: () => app.open(lesson.doc) });
     else store.edit(edit);
   }
 
@@ -96,18 +96,18 @@ export function showLesson(app, lesson) {
   });
 
   function show() {
-    const { motion, document, fault } = store.result;
-    if (!motion || !document) return;
+    const { motion, doc, fault } = store.result;
+    if (!motion || !doc) return;
     const { frame } = store.view;
     const worst = worstFrame(motion.metric);
-    const gap = (/** @type {number} */ at) => `${length(motion.translation_gap[at], document.length_unit)} and ${angle(motion.rotation_gap[at])}`;
+    const gap = (/** @type {number} */ at) => `${length(motion.translation_gap[at], doc.length_unit)} and ${angle(motion.rotation_gap[at])}`;
     /** @type {Record<string, string>} */
     const values = {
       count: String(motion.report.mobility_count).replace('-', '−'),
       rank: String(motion.report.mobility_rank),
       warnings: fault ? fault.message : (motion.report.warnings.find(({ code }) => code === 'start-open')?.message ?? ''),
       frame: String(frame + 1),
-      shift: length(motion.translation_gap[frame], document.length_unit),
+      shift: length(motion.translation_gap[frame], doc.length_unit),
       turn: angle(motion.rotation_gap[frame]),
       status: statusWords(statusName(motion, frame)).word.toLowerCase(),
       worst: gap(worst),

@@ -25,14 +25,14 @@ export async function openLesson(app, id) {
     app.say(`There is no lesson “${id}”. There are: ${lessons.map((known) => known.id).join(', ')}.`);
     return;
   }
-  const [{ showLesson }, text, document] = await Promise.all([
+  const [{ showLesson }, text, doc] = await Promise.all([
     import('./lesson.js'),
     texts[`../../lessons/${id}.html`](),
     documents[`../../lessons/${id}.json`](),
   ]);
   open?.close();
-  await app.open(document);
-  open = showLesson(app, { ...lesson, text, document });
+  await app.open(doc);
+  open = showLesson(app, { ...lesson, text, doc });
 }
 
 /** The lesson that the page's address asks for. */

@@ -25,8 +25,8 @@ export function createAlgorithm({ root, store, planner, player, signal }, panel)
   wear(root, look);
   /** @type {Trace | null} */
   let trace = null;
-  /** What the trace was made for. @type {{document: unknown, frame: number}} */
-  let made = { document: null, frame: -1 };
+  /** What the trace was made for. @type {{doc: unknown, frame: number}} */
+  let made = { doc: null, frame: -1 };
   /** @type {Method} */
   let method = 'gradient';
   let at = 0;
@@ -88,24 +88,24 @@ export function createAlgorithm({ root, store, planner, player, signal }, panel)
 
   /** Traces the shown frame, if that is not what is there. */
   async function refresh() {
-    const { motion, document } = store.result;
-    if (!seen || !motion || !document) return;
+    const { motion, doc } = store.result;
+    if (!seen || !motion || !doc) return;
     if (store.view.playing) {
       steps.stop();
       mine = null;
       body.hidden = true;
-      made = { document: null, frame: -1 };
+      made = { doc: null, frame: -1 };
       return say('The motion plays. Pause it to look into the iterations of one frame.');
     }
     const frame = Math.min(store.view.frame, motion.frames - 1);
-    if (made.document === document && made.frame === frame) return;
+    if (made.doc === doc && made.frame === frame) return;
     steps.stop();
-    made = { document, frame };
+    made = { doc, frame };
     const width = motion.joints.length / motion.frames;
     const before = frame > 0 ? motion.joints.slice((frame - 1) * width, frame * width) : new Float64Array();
     try {
-      const answer = await planner.trace(textOf(document), frame, before);
-      if (made.document !== document || made.frame !== frame) return;
+      const answer = await planner.trace(textOf(doc), frame, before);
+      if (made.doc !== doc || made.frame !== frame) return;
       trace = answer;
     } catch (error) {
       if (error instanceof Superseded) return;
@@ -126,8 +126,8 @@ export function createAlgorithm({ root, store, planner, player, signal }, panel)
 
   /** @param {number} index of an iterate that is kept */
   function show(index) {
-    const { motion, document } = store.result;
-    if (!trace || !motion || !document || !seen) return;
+    const { motion, doc } = store.result;
+    if (!trace || !motion || !doc || !seen) return;
     const history = trace[method];
     const last = kept(history) - 1;
     at = Math.min(last, Math.max(0, index));
@@ -142,7 +142,7 @@ export function createAlgorithm({ root, store, planner, player, signal }, panel)
     mine = postureOf(trace, method, at, motion.report.bounds);
     store.setView({ posture: mine });
     player.invalidate();
-    planner.matrix(textOf(document), mine.joints.slice()).then(
+    planner.matrix(textOf(doc), mine.joints.slice()).then(
       (answer) => {
         matrix.show(answer);
         sayStep(answer.columns - answer.rank);

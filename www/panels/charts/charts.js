@@ -70,16 +70,16 @@ export function createCharts({ root, store, player, signal }, panel) {
 
   /** The charts that are chosen, made where they are new or have other series. */
   function refresh() {
-    const { motion, document } = store.result;
+    const { motion, doc } = store.result;
     if (!motion) return;
-    const timed = document?.motion.key_frames[0]?.time != null;
+    const timed = doc?.motion.key_frames[0]?.time != null;
     const time = timed ? 'time, s' : 't, 0 to 1';
     scale.options[1].text = time;
     along = {
       x: scale.value === 'time' ? motion.time : Float64Array.from({ length: motion.frames }, (_, frame) => frame + 1),
       heads: [[time, motion.time, timed ? 2 : 4]],
     };
-    const wanted = chartsOf(motion, document?.length_unit).filter(({ group }) => store.view.charts.includes(group));
+    const wanted = chartsOf(motion, doc?.length_unit).filter(({ group }) => store.view.charts.includes(group));
     for (const [id, { card, chart }] of entries) {
       const still = wanted.find((one) => one.id === id);
       if (still && shape(still) === shape(chart)) continue;

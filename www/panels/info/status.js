@@ -31,7 +31,7 @@ export function createStatus({ find, store, player }) {
     setText(find('frame-sign'), sign);
     setText(find('frame-word'), word);
     setText(find('frame-meaning'), (posture && !posture.note && PULLED[name]) || meaning);
-    setText(numbers.translation, length(end.translation_gap, store.result.document?.length_unit));
+    setText(numbers.translation, length(end.translation_gap, store.result.doc?.length_unit));
     setText(numbers.rotation, angle(end.rotation_gap));
     setText(numbers.metric, scientific(end.metric));
     setText(numbers.closure, scientific(end.closure));
@@ -65,17 +65,17 @@ export function createStatus({ find, store, player }) {
   }
 
   function showMotion() {
-    const { motion, document } = store.result;
+    const { motion, doc } = store.result;
     if (!motion) return;
     const { report } = motion;
     const part = partSentence(motion);
     const worst = worstFrame(motion.metric);
     find('motion-summary').replaceChildren(
       `${plural(motion.frames, 'frame')}: ${countStatuses(motion)}. Farthest from the goal in frame ${worst + 1}: `,
-      jump(`${length(motion.translation_gap[worst], document?.length_unit)}, ${angle(motion.rotation_gap[worst])}`, worst),
+      jump(`${length(motion.translation_gap[worst], doc?.length_unit)}, ${angle(motion.rotation_gap[worst])}`, worst),
       `.${part && ` ${part}`}`,
     );
-    setText(find('motion-metric'), metricSentence(report.metric, document?.length_unit));
+    setText(find('motion-metric'), metricSentence(report.metric, doc?.length_unit));
     setText(find('mobility-count'), short(report.mobility_count));
     setText(find('mobility-difference'), unknownsLessEquations(report.chains));
     setText(find('mobility-rank'), String(report.mobility_rank));

@@ -90,15 +90,15 @@ export function certificate({ projected_gradient: slope, stationary, least_curva
   return `Certified closest: no small motion of the linkage comes nearer (${numbers(stationary)}).`;
 }
 
-/** What a chain is called. @param {MechanismDocument} document @param {number} index */
-export const chainName = (document, index) => document.chains[index]?.name || `chain ${index + 1}`;
+/** What a chain is called. @param {MechanismDocument} doc @param {number} index */
+export const chainName = (doc, index) => doc.chains[index]?.name || `chain ${index + 1}`;
 
 /**
  * Joint variables that stand at a limit.
- * @param {MechanismDocument} document @param {Motion['report']} report @param {ArrayLike<number>} joints rad or lengths
+ * @param {MechanismDocument} doc @param {Motion['report']} report @param {ArrayLike<number>} joints rad or lengths
  * @returns {{chain: number, joint: number, text: string}[]}
  */
-export function atLimits(document, report, joints) {
+export function atLimits(doc, report, joints) {
   /** @type {{chain: number, joint: number, text: string}[]} */
   const found = [];
   let k = 0;
@@ -107,11 +107,11 @@ export function atLimits(document, report, joints) {
       const value = unit === 'rad' ? degrees(joints[k]) : joints[k];
       k += 1;
       const first = variables.findIndex((other) => other.joint === joint);
-      const limit = document.chains[chain]?.joints[joint]?.limits?.[i - first];
+      const limit = doc.chains[chain]?.joints[joint]?.limits?.[i - first];
       for (const [bound, word] of [[limit?.min, 'smallest'], [limit?.max, 'largest']]) {
         if (bound == null || bound === '' || Math.abs(value - Number(bound)) > 1e-6 * Math.max(1, Math.abs(value))) continue;
-        const shown = unit === 'rad' ? `${short(value, 2)}°` : length(value, document.length_unit);
-        found.push({ chain, joint, text: `${label} of ${chainName(document, chain)} is at its ${word} value, ${shown}.` });
+        const shown = unit === 'rad' ? `${short(value, 2)}°` : length(value, doc.length_unit);
+        found.push({ chain, joint, text: `${label} of ${chainName(doc, chain)} is at its ${word} value, ${shown}.` });
       }
     });
   });
@@ -120,14 +120,14 @@ export function atLimits(document, report, joints) {
 
 /**
  * The chain that holds the workpiece back most, in a sentence; '' where nothing is held back.
- * @param {Insight} insight @param {MechanismDocument} document @param {number} metricLength weighs moments against forces
+ * @param {Insight} insight @param {MechanismDocument} doc @param {number} metricLength weighs moments against forces
  */
-export function mostHolding(insight, document, metricLength) {
+export function mostHolding(insight, doc, metricLength) {
   const shares = percentages(insight.chains.map(({ share }) => share));
   const most = shares.indexOf(Math.max(...shares));
   if (!(shares[most] > 0)) return '';
   const { wrench } = insight.chains[most];
-  const name = chainName(document, most);
+  const name = chainName(doc, most);
   const equal = shares.filter((share) => share >= shares[most] - 1).length;
   const head =
     shares.length === 1

@@ -51,10 +51,10 @@ export function createWhy({ find, store }) {
 
   /** Of which motion, frame and posture the words are. */
   function show() {
-    const { motion, document } = store.result;
+    const { motion, doc } = store.result;
     const what = shown(store);
     root.hidden = !motion;
-    if (!motion || !document || !what) return;
+    if (!motion || !doc || !what) return;
     const status = store.view.posture?.status ?? statusName(motion, what.index);
     const { insight } = store;
     root.classList.toggle('waiting', insight === null);
@@ -73,23 +73,23 @@ export function createWhy({ find, store }) {
     if (!met) {
       const { metric, bounds } = motion.report;
       const shares = percentages(insight.chains.map(({ share }) => share));
-      setText(sentence, mostHolding(insight, document, metric.length) || 'No chain holds it back here: the linkage could still come nearer.');
+      setText(sentence, mostHolding(insight, doc, metric.length) || 'No chain holds it back here: the linkage could still come nearer.');
       const focused = items.findIndex((item) => item.contains(focusBeside(root)));
-      items = insight.chains.map(({ wrench }, i) => bar(i, chainName(document, i), shares[i], `withstands ${wrenchInWords(wrench, metric.length)}`));
+      items = insight.chains.map(({ wrench }, i) => bar(i, chainName(doc, i), shares[i], `withstands ${wrenchInWords(wrench, metric.length)}`));
       bars.replaceChildren(...items);
       if (focused >= 0) items[focused]?.querySelector('button')?.focus();
-      limits.replaceChildren(...atLimits(document, motion.report, groupAt(what.joints, what)).map(({ text }) => element('li', {}, text)));
+      limits.replaceChildren(...atLimits(doc, motion.report, groupAt(what.joints, what)).map(({ text }) => element('li', {}, text)));
       setText(proof, certificate(insight, status, bounds));
       gap.replaceChildren(
         ...[['The gap', insight.gap], ['in free directions', insight.free_part], ['in blocked directions', insight.blocked_part]].flatMap(([name, twist]) => [
           element('dt', {}, String(name)),
-          element('dd', {}, twistInWords(/** @type {number[]} */ (twist), document.length_unit)),
+          element('dd', {}, twistInWords(/** @type {number[]} */ (twist), doc.length_unit)),
         ]),
       );
     }
     setText(freedomHead, `Freedoms here: ${insight.freedoms.length}`);
     freedoms.replaceChildren(
-      ...(insight.freedoms.length ? insight.freedoms.map((screw) => freedomInWords(screw, document.length_unit)) : ['None: the workpiece is held.']).map((text) => element('li', {}, text)),
+      ...(insight.freedoms.length ? insight.freedoms.map((screw) => freedomInWords(screw, doc.length_unit)) : ['None: the workpiece is held.']).map((text) => element('li', {}, text)),
     );
     mark();
   }

@@ -43,7 +43,7 @@ export function gridBlock(root, store, cells, say) {
 
   /** Writes texts into fields, as one edit. @param {[HTMLInputElement, string][]} texts */
   const write = (texts) =>
-    store.edit((document) => texts.reduce((next, [field, text]) => cells.written(next, field.dataset.path ?? '', text), document));
+    store.edit((doc) => texts.reduce((next, [field, text]) => cells.written(next, field.dataset.path ?? '', text), doc));
 
   root.addEventListener('paste', (event) => {
     if (store.readonly) return;
@@ -67,7 +67,7 @@ export function gridBlock(root, store, cells, say) {
 
   root.addEventListener('copy', (event) => {
     if (!block) return;
-    const text = (/** @type {HTMLInputElement} */ { dataset }) => String(valueAt(store.document, dataset.path ?? '') ?? '');
+    const text = (/** @type {HTMLInputElement} */ { dataset }) => String(valueAt(store.doc, dataset.path ?? '') ?? '');
     event.clipboardData?.setData('text/plain', blockText(chosen().map((row) => row.map(text))));
     event.preventDefault();
   });

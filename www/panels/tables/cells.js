@@ -11,7 +11,7 @@
  * @property {boolean} [text] any text, not a number
  * @property {number} [decimals] of the short number; 4 unless told
  * @property {() => number | undefined} [fallback] what holds where the document gives nothing; shown as a hint
- * @property {(document: MechanismDocument, value: import('../../core/types.js').Entry | undefined) => MechanismDocument} [write]
+ * @property {(doc: MechanismDocument, value: import('../../core/types.js').Entry | undefined) => MechanismDocument} [write]
  */
 import { entry, setValue } from '../../core/edits.js';
 import { short } from '../../core/format.js';
@@ -20,7 +20,7 @@ import { element, focusBeside } from '../../ui/dom.js';
 
 /** @param {Store} store */
 export function createCells(store) {
-  /** @typedef {(document: MechanismDocument, text: string) => MechanismDocument} Put writes a text as if it were typed */
+  /** @typedef {(doc: MechanismDocument, text: string) => MechanismDocument} Put writes a text as if it were typed */
   /** @type {Map<string, {input: HTMLInputElement | HTMLSelectElement, show: () => void, put?: Put}>} */
   const cells = new Map();
   let visits = 0;
@@ -47,8 +47,8 @@ export function createCells(store) {
     let seen;
     let writing = false;
 
-    const value = () => valueAt(store.document, spec.path);
-    const write = spec.write ?? ((document, next) => setValue(document, spec.path, next));
+    const value = () => valueAt(store.doc, spec.path);
+    const write = spec.write ?? ((doc, next) => setValue(doc, spec.path, next));
     const editing = () => focusBeside(field) === field;
     /** @param {string} text */
     const read = (text) => {
@@ -82,7 +82,7 @@ export function createCells(store) {
       const next = typed();
       if (!final && !spec.text && typeof next !== 'number') return;
       writing = true;
-      store.edit((document) => write(document, next), visit);
+      store.edit((doc) => write(doc, next), visit);
       writing = false;
       seen = value();
     };
@@ -111,19 +111,19 @@ export function createCells(store) {
       if (event.key !== 'Escape') return;
       // A cell that was already at fault when it was entered goes back to its last good value.
       const faulty = field.getAttribute('aria-invalid') === 'true' && value() === before;
-      const good = faulty ? valueAt(store.result.document, spec.path) : before;
+      const good = faulty ? valueAt(store.result.doc, spec.path) : before;
       touched = false;
-      store.edit((document) => write(document, good ?? undefined), visit);
+      store.edit((doc) => write(doc, good ?? undefined), visit);
       show();
       field.select();
     });
-    cells.set(spec.path, { input: field, show, put: (document, text) => write(document, read(text)) });
+    cells.set(spec.path, { input: field, show, put: (doc, text) => write(doc, read(text)) });
     show();
     return field;
   }
 
   /**
-   * @param {{path: string, label: string, options: [string, string][], write?: (document: MechanismDocument, value: string) => MechanismDocument}} spec
+   * @param {{path: string, label: string, options: [string, string][], write?: (doc: MechanismDocument, value: string) => MechanismDocument}} spec
    */
   function select({ path, label, options, write }) {
     const field = element(
@@ -132,10 +132,10 @@ export function createCells(store) {
       ...options.map(([value, text]) => element('option', { value }, text)),
     );
     const show = () => {
-      field.value = String(valueAt(store.document, path) ?? '');
+      field.value = String(valueAt(store.doc, path) ?? '');
     };
     field.addEventListener('change', () => {
-      store.edit((document) => (write ?? ((d, value) => setValue(d, path, value)))(document, field.value));
+      store.edit((doc) => (write ?? ((d, value) => setValue(d, path, value)))(doc, field.value));
     });
     cells.set(path, { input: field, show });
     show();
@@ -153,8 +153,8 @@ export function createCells(store) {
     },
     /** @param {string} path */
     find: (path) => cells.get(path)?.input,
-    /** The document with a text written into a cell as if it were typed there. @param {MechanismDocument} document @param {string} path @param {string} text */
-    written: (document, path, text) => cells.get(path)?.put?.(document, text) ?? document,
+    /** The document with a text written into a cell as if it were typed there. @param {MechanismDocument} doc @param {string} path @param {string} text */
+    written: (doc, path, text) => cells.get(path)?.put?.(doc, text) ?? doc,
     all: () => [...cells.values()].map((cell) => cell.input),
   };
 }

@@ -34,11 +34,11 @@ export function createChainTables(panel, store, cells, defaults, arrange, findSt
   /** Chains whose start values are unfolded, kept over a rebuild. @type {Set<number>} */
   const unfolded = new Set();
 
-  const unit = () => store.document.length_unit;
+  const unit = () => store.doc.length_unit;
 
   /** @param {number} chain */
   function dhTable(chain) {
-    const { joints } = store.document.chains[chain];
+    const { joints } = store.doc.chains[chain];
     /** @type {HTMLElement[]} */
     const body = [];
     let number = 0;
@@ -104,17 +104,17 @@ export function createChainTables(panel, store, cells, defaults, arrange, findSt
       path: `chains[${chain}].joints[${joint}].type`,
       label: `chain ${chain + 1}, joint ${joint + 1}, type`,
       options: JOINT_LETTERS.map((letter) => [letter, `${letter}  ${JOINT_TYPES[letter].name}`]),
-      write: (document, letter) => edits.setJoint(document, chain, joint, defaults.joints[/** @type {JointType} */ (letter)]),
+      write: (doc, letter) => edits.setJoint(doc, chain, joint, defaults.joints[/** @type {JointType} */ (letter)]),
     });
   }
 
   /** @param {number} chain @param {number} joint */
   function jointMenu(chain, joint) {
-    const insert = (/** @type {number} */ at) => () => store.edit((document) => edits.insertJoint(document, chain, at, defaults.joints.R));
+    const insert = (/** @type {number} */ at) => () => store.edit((doc) => edits.insertJoint(doc, chain, at, defaults.joints.R));
     return arrange.menu(`chains[${chain}].joints[${joint}]`, `joint ${joint + 1} of chain ${chain + 1}`, () => [
       { label: 'Insert a joint before', act: insert(joint) },
       { label: 'Insert a joint after', act: insert(joint + 1) },
-      { label: 'Remove', act: () => store.edit((document) => edits.removeJoint(document, chain, joint)) },
+      { label: 'Remove', act: () => store.edit((doc) => edits.removeJoint(doc, chain, joint)) },
     ]);
   }
 
@@ -146,7 +146,7 @@ export function createChainTables(panel, store, cells, defaults, arrange, findSt
 
   /** @param {number} chain */
   function startTable(chain) {
-    const variables = chainVariables(store.document.chains[chain]);
+    const variables = chainVariables(store.doc.chains[chain]);
     const freedoms = (/** @type {number} */ joint) => variables.filter((v) => v.joint === joint).length;
     nows[chain] = [];
     const rows = variables.map(({ variable, joint, freedom, row }, index) => {
@@ -162,8 +162,8 @@ export function createChainTables(panel, store, cells, defaults, arrange, findSt
         optional: true,
         decimals: variable === 'theta' ? ANGLE_DECIMALS : undefined,
         fallback: () => current()[index],
-        write: (document, value) =>
-          value === undefined ? edits.clearStart(document, chain) : edits.setStart(document, chain, index, value, filled(current(), variables.length)),
+        write: (doc, value) =>
+          value === undefined ? edits.clearStart(doc, chain) : edits.setStart(doc, chain, index, value, filled(current(), variables.length)),
       });
       const bounds = /** @type {const} */ (['min', 'max']).map((bound) =>
         cells.input({
@@ -171,7 +171,7 @@ export function createChainTables(panel, store, cells, defaults, arrange, findSt
           label: `${label}, ${bound === 'min' ? 'lower' : 'upper'} limit`,
           optional: true,
           decimals: variable === 'theta' ? ANGLE_DECIMALS : undefined,
-          write: (document, value) => edits.setLimit(document, { chain, joint, freedom, freedoms: freedoms(joint) }, bound, value),
+          write: (doc, value) => edits.setLimit(doc, { chain, joint, freedom, freedoms: freedoms(joint) }, bound, value),
         }),
       );
       const fields = [start, ...bounds];
@@ -200,7 +200,7 @@ export function createChainTables(panel, store, cells, defaults, arrange, findSt
   /** @param {number} chain */
   function chainSection(chain) {
     const name = cells.input({ path: `chains[${chain}].name`, label: `name of chain ${chain + 1}`, text: true });
-    const { chains } = store.document;
+    const { chains } = store.doc;
     const details = element(
       'details',
       {
@@ -223,9 +223,9 @@ export function createChainTables(panel, store, cells, defaults, arrange, findSt
         {},
         element('h3', {}, name, element('span', { class: 'type' }, chainType(chains[chain]))),
         arrange.menu(`chains[${chain}]`, `chain ${chain + 1}`, () => [
-          { label: 'Add a joint', act: () => store.edit((document) => edits.insertJoint(document, chain, chains[chain].joints.length, defaults.joints.R)) },
-          { label: 'Duplicate', act: () => store.edit((document) => edits.duplicateChain(document, chain)) },
-          { label: 'Remove', disabled: chains.length === 1, act: () => store.edit((document) => edits.removeChain(document, chain)) },
+          { label: 'Add a joint', act: () => store.edit((doc) => edits.insertJoint(doc, chain, chains[chain].joints.length, defaults.joints.R)) },
+          { label: 'Duplicate', act: () => store.edit((doc) => edits.duplicateChain(doc, chain)) },
+          { label: 'Remove', disabled: chains.length === 1, act: () => store.edit((doc) => edits.removeChain(doc, chain)) },
         ]),
       ),
       dhTable(chain),
@@ -254,7 +254,7 @@ export function createChainTables(panel, store, cells, defaults, arrange, findSt
     /** Builds the tables anew: the document has another shape. */
     rebuild() {
       nows = [];
-      const { chains } = store.document;
+      const { chains } = store.doc;
       panel.replaceChildren(
         element(
           'div',
@@ -264,7 +264,7 @@ export function createChainTables(panel, store, cells, defaults, arrange, findSt
         ),
         element('h2', { class: 'sr' }, 'Chains'),
         element('div', { 'data-path': 'chains' }, ...chains.map((_, index) => chainSection(index))),
-        element('button', { class: 'wide', click: () => store.edit((document) => edits.addChain(document, defaults.chain)) }, '+ chain'),
+        element('button', { class: 'wide', click: () => store.edit((doc) => edits.addChain(doc, defaults.chain)) }, '+ chain'),
       );
     },
     showNow,

@@ -47,35 +47,35 @@ export function createMetricComparison(store, ask) {
   }
 
   function follow() {
-    const { motion, document, fault, trouble } = store.result;
+    const { motion, doc, fault, trouble } = store.result;
     for (const { name, mark } of parts) setText(mark, name === motion?.report.metric.kind ? 'in use' : '');
     if (!seen) return;
-    if (document === shown) {
+    if (doc === shown) {
       root.classList.remove('waiting');
       setText(note, '');
       return;
     }
-    const planned = motion && document === store.document && !fault && !trouble;
+    const planned = motion && doc === store.doc && !fault && !trouble;
     leave();
     root.classList.add('waiting');
     setText(note, planned && motion.partial ? 'Planned only in part; the metrics are not compared.' : shown ? 'The numbers are of the document before.' : '');
-    if (planned && !motion.partial) resting = setTimeout(() => compare(document), REST);
+    if (planned && !motion.partial) resting = setTimeout(() => compare(doc), REST);
   }
 
-  /** @param {import('../../core/types.js').MechanismDocument} document */
-  async function compare(document) {
+  /** @param {import('../../core/types.js').MechanismDocument} doc */
+  async function compare(doc) {
     asking = new AbortController();
     const { signal } = asking;
     root.setAttribute('aria-busy', 'true');
     try {
-      const both = await ask(textOf(document), signal);
+      const both = await ask(textOf(doc), signal);
       if (signal.aborted) return;
-      shown = document;
+      shown = doc;
       root.classList.remove('waiting');
       setText(note, '');
       for (const { name, gaps } of parts) {
         const own = both.find(({ metric }) => metric === name);
-        setText(gaps, own ? gapsInWords(own, document.length_unit) : '–');
+        setText(gaps, own ? gapsInWords(own, doc.length_unit) : '–');
       }
     } catch (error) {
       if (signal.aborted || error instanceof Superseded) return;

@@ -23,10 +23,10 @@ import { pointCells, setting } from './settings.js';
  *   the playhead to a key frame; `compareMetrics` asks the planner
  */
 export function createMotionTables(panel, store, cells, defaults, arrange, { goTo, compareMetrics }) {
-  const unit = () => store.document.length_unit;
+  const unit = () => store.doc.length_unit;
 
   function keyTable() {
-    const keys = store.document.motion.key_frames;
+    const keys = store.doc.motion.key_frames;
     const rows = keys.map((_, index) => {
       const path = `motion.key_frames[${index}]`;
       const label = `key frame ${index + 1}`;
@@ -35,7 +35,7 @@ export function createMotionTables(panel, store, cells, defaults, arrange, { goT
         path: `${path}.time`,
         label: `${label}, time in seconds`,
         optional: true,
-        write: (document, value) => edits.setTime(document, index, value),
+        write: (doc, value) => edits.setTime(doc, index, value),
       });
       name.dataset.column = 'name';
       time.dataset.column = 'time';
@@ -52,10 +52,10 @@ export function createMotionTables(panel, store, cells, defaults, arrange, { goT
             { colspan: 2, class: 'act' },
             element('button', { class: 'quiet', 'aria-label': `Go to ${label}`, title: 'Go to its moment in the motion', click: () => goTo(index) }, 'go to'),
             arrange.menu(path, label, () => [
-              { label: 'Duplicate', act: () => store.edit((document) => edits.duplicateKeyFrame(document, index)) },
+              { label: 'Duplicate', act: () => store.edit((doc) => edits.duplicateKeyFrame(doc, index)) },
               { label: 'Insert the shown pose after it', act: () => addShown('pose', index + 1) },
               { label: 'Take the shown pose', act: () => takeShown(index) },
-              { label: 'Remove', disabled: keys.length <= 2, act: () => store.edit((document) => edits.removeKeyFrame(document, index)) },
+              { label: 'Remove', disabled: keys.length <= 2, act: () => store.edit((doc) => edits.removeKeyFrame(doc, index)) },
             ]),
           ),
         ),
@@ -87,7 +87,7 @@ export function createMotionTables(panel, store, cells, defaults, arrange, { goT
           'div',
           { class: 'title' },
           element('h2', {}, 'Key frames'),
-          element('span', {}, plural(store.document.motion.key_frames.length, 'pose')),
+          element('span', {}, plural(store.doc.motion.key_frames.length, 'pose')),
         ),
         keyTable(),
         element(
@@ -96,7 +96,7 @@ export function createMotionTables(panel, store, cells, defaults, arrange, { goT
           ...[
             ['+ at the shown pose', 'A key frame where the workpiece is now', () => addShown('pose')],
             ['+ at the shown goal', 'A key frame where the goal is now', () => addShown('goal')],
-            ['+ like the last', 'A copy of the last key frame, to be changed', () => store.edit((document) => edits.addKeyFrame(document, lastKey()))],
+            ['+ like the last', 'A copy of the last key frame, to be changed', () => store.edit((doc) => edits.addKeyFrame(doc, lastKey()))],
           ].map(([text, title, click]) => element('button', /** @type {any} */ ({ class: 'wide', title, click }), /** @type {string} */ (text))),
         ),
         element('div', { class: 'title' }, element('h2', {}, 'Goal motion')),
@@ -120,7 +120,7 @@ export function createMotionTables(panel, store, cells, defaults, arrange, { goT
             label: 'Reference point',
             title: 'The point, x y z in the fixed frame, about which the double quaternions interpolate',
             note: `${lengths}; empty: the mean of the key frames`,
-            control: pointCells(cells, { path: 'motion.reference', label: `point about which double quaternions interpolate, in ${lengths}`, fallback: () => meanPosition(store.document) }),
+            control: pointCells(cells, { path: 'motion.reference', label: `point about which double quaternions interpolate, in ${lengths}`, fallback: () => meanPosition(store.doc) }),
           }),
           setting({
             label: 'Radius R',
@@ -142,24 +142,24 @@ export function createMotionTables(panel, store, cells, defaults, arrange, { goT
   /** @param {'pose' | 'goal'} which @param {number} [at] */
   function addShown(which, at) {
     const fresh = shownFrame(store, which);
-    if (fresh) store.edit((document) => edits.addKeyFrame(document, fresh, at));
+    if (fresh) store.edit((doc) => edits.addKeyFrame(doc, fresh, at));
   }
 
   /** @param {number} key */
   function takeShown(key) {
-    const { time, name } = store.document.motion.key_frames[key];
+    const { time, name } = store.doc.motion.key_frames[key];
     const frame = shownFrame(store, 'pose');
-    if (frame) store.edit((document) => edits.setValue(document, `motion.key_frames[${key}]`, { name, ...frame, ...(time === undefined ? {} : { time }) }));
+    if (frame) store.edit((doc) => edits.setValue(doc, `motion.key_frames[${key}]`, { name, ...frame, ...(time === undefined ? {} : { time }) }));
   }
 
   /** A new key frame begins where the last one is, so that it can be seen and moved from there. */
   function lastKey() {
-    const { time: _, ...last } = store.document.motion.key_frames.at(-1) ?? defaults.key_frame;
+    const { time: _, ...last } = store.doc.motion.key_frames.at(-1) ?? defaults.key_frame;
     return last;
   }
 }
 
-/** The mean of the key frames' positions; what is no number counts as 0, and is at fault. @param {import('../../core/types.js').MechanismDocument} document */
+/** The mean of the key frames' positions; what is no number counts as 0, and is at fault. @param {import('../../core/types.js').MechanismDocument} doc */
 function meanPosition({ motion: { key_frames: keys } }) {
   return /** @type {const} */ (['x', 'y', 'z']).map((axis) => keys.reduce((sum, key) => sum + (Number(key[axis]) || 0), 0) / keys.length);
 }

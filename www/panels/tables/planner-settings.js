@@ -21,8 +21,8 @@ const MEANINGS = {
  * @param {Defaults} defaults
  */
 export function createPlannerSettings(store, cells, defaults) {
-  const unit = () => store.document.length_unit;
-  const metric = () => store.document.planner?.metric ?? 'pose';
+  const unit = () => store.doc.length_unit;
+  const metric = () => store.doc.planner?.metric ?? 'pose';
   /** What follows document and motion. @type {(() => void)[]} */
   let live = [];
 
@@ -35,8 +35,8 @@ export function createPlannerSettings(store, cells, defaults) {
 
   /** The metric's length of the shown motion, where it was planned in the metric that the document names. */
   const used = () => {
-    const { motion, document } = store.result;
-    return motion && document === store.document ? motion.report.metric : null;
+    const { motion, doc } = store.result;
+    return motion && doc === store.doc ? motion.report.metric : null;
   };
 
   function lengthInWords() {

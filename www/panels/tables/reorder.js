@@ -21,7 +21,7 @@ export function createArrange(root, store) {
   function canMove(path, step) {
     const [, list, , index] = THING.exec(path) ?? [];
     const to = Number(index) + step;
-    return !store.readonly && list !== undefined && to >= 0 && to < valueAt(store.document, list).length;
+    return !store.readonly && list !== undefined && to >= 0 && to < valueAt(store.doc, list).length;
   }
 
   /** @param {string} path @param {number} step */
@@ -30,10 +30,10 @@ export function createArrange(root, store) {
     if (!canMove(path, step)) return;
     const from = Number(index);
     const to = from + step;
-    store.edit((document) => {
-      if (list === 'chains') return edits.moveChain(document, from, to);
-      if (list === 'motion.key_frames') return edits.moveKeyFrame(document, from, to);
-      return edits.moveJoint(document, Number(chain), from, to);
+    store.edit((doc) => {
+      if (list === 'chains') return edits.moveChain(doc, from, to);
+      if (list === 'motion.key_frames') return edits.moveKeyFrame(doc, from, to);
+      return edits.moveJoint(doc, Number(chain), from, to);
     });
     store.setView({ selected: `${list}[${to}]` });
   }

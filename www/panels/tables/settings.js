@@ -23,7 +23,7 @@ export function pointCells(cells, { path, label, fallback }) {
       label: `${name} of the ${label}`,
       optional: true,
       fallback: () => fallback()[axis],
-      write: (document, value) => edits.setCoordinate(document, path, axis, value, fallback()),
+      write: (doc, value) => edits.setCoordinate(doc, path, axis, value, fallback()),
     }),
   );
   return element('div', { class: 'point', role: 'group', 'aria-label': label, 'data-path': path }, ...coordinates);

@@ -40,7 +40,7 @@ export function createTables({ root, mechanism, motion }, store, defaults, { mar
   }
 
   function show() {
-    const next = shapeOf(store.document);
+    const next = shapeOf(store.doc);
     if (next === shape) {
       cells.refresh();
       keys.showNow();
@@ -80,7 +80,7 @@ export function createTables({ root, mechanism, motion }, store, defaults, { mar
   };
 }
 
-/** What the tables' elements depend on; all else is only shown in them. @param {import('../../core/types.js').MechanismDocument} document */
+/** What the tables' elements depend on; all else is only shown in them. @param {import('../../core/types.js').MechanismDocument} doc */
 function shapeOf({ chains, motion, length_unit }) {
   return JSON.stringify([chains.map((chain) => chain.joints.map((joint) => joint.type)), motion.key_frames.length, length_unit]);
 }

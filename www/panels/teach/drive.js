@@ -21,14 +21,14 @@ import { groupAt, shown } from '../../core/shown.js';
 /** A slider without limits may go this far beyond the motion, as a share of the motion's largest length. */
 const ROOM = 0.5;
 
-/** @param {Motion} motion @param {MechanismDocument} document @returns {Variable[]} */
-export function variablesOf(motion, document) {
+/** @param {Motion} motion @param {MechanismDocument} doc @returns {Variable[]} */
+export function variablesOf(motion, doc) {
   const width = motion.joints.length / motion.frames;
   const column = (/** @type {number} */ index) => Array.from({ length: motion.frames }, (_, frame) => motion.joints[frame * width + index]);
   let reach = 0;
   for (let i = 0; i < motion.pose.length; i++) if (i % 7 < 3) reach = Math.max(reach, Math.abs(motion.pose[i]));
   let index = 0;
-  return document.chains.flatMap((chain, number) =>
+  return doc.chains.flatMap((chain, number) =>
     chainVariables(chain).map(({ variable, joint, freedom, row }) => {
       const turns = variable === 'theta';
       const limit = chain.joints[joint].limits?.[freedom];
@@ -66,8 +66,8 @@ export async function driveShown({ store, planner }, { index, turns }, value) {
   if (!now) return null;
   const wanted = turns ? (value * Math.PI) / 180 : value;
   try {
-    const posture = await planner.drive(textOf(now.document), groupAt(now.joints, now).slice(), index, wanted);
-    if (store.result.document !== now.document) return null;
+    const posture = await planner.drive(textOf(now.doc), groupAt(now.joints, now).slice(), index, wanted);
+    if (store.result.doc !== now.doc) return null;
     store.setView({ posture, playing: false });
     return posture.obstacle ?? '';
   } catch (error) {

@@ -15,8 +15,8 @@ export function postureActions({ store }) {
   function addKey() {
     const fresh = shownFrame(store, 'pose');
     if (!fresh) return;
-    store.edit((document) => addKeyFrame(document, fresh));
-    store.setView({ selected: `motion.key_frames[${store.document.motion.key_frames.length - 1}]` });
+    store.edit((doc) => addKeyFrame(doc, fresh));
+    store.setView({ selected: `motion.key_frames[${store.doc.motion.key_frames.length - 1}]` });
   }
 
   function useAsStart() {
@@ -27,7 +27,7 @@ export function postureActions({ store }) {
     const starts = result.motion.report.chains.map(({ variables }) =>
       variables.map(({ unit }) => plain(unit === 'rad' ? degrees(joints[at++]) : joints[at++])),
     );
-    store.edit((document) => takeStarts(document, document.chains.map((chain, index) => ({ ...chain, start: starts[index] }))));
+    store.edit((doc) => takeStarts(doc, doc.chains.map((chain, index) => ({ ...chain, start: starts[index] }))));
   }
 
   if (store.readonly) return [];

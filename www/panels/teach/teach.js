@@ -32,7 +32,7 @@ export function createTeach(app, panel) {
   const body = element('div', {});
   panel.replaceChildren(element('h2', {}, 'Joints'), intro, actions, body);
 
-  const unitOf = (/** @type {Variable} */ { turns }) => (turns ? '°' : lengthUnit(store.result.document?.length_unit));
+  const unitOf = (/** @type {Variable} */ { turns }) => (turns ? '°' : lengthUnit(store.result.doc?.length_unit));
   const text = (/** @type {Variable} */ variable, /** @type {number} */ value) => short(value, variable.turns ? ANGLE_DECIMALS : undefined);
 
   /** As a number is typed. @param {string} shown */
@@ -106,10 +106,10 @@ export function createTeach(app, panel) {
   }
 
   function build() {
-    const { motion, document } = store.result;
-    if (!motion || !document) return;
-    const variables = variablesOf(motion, document);
-    const next = JSON.stringify([variables, motion.report.chains.map(({ name, type }) => [name, type]), document.length_unit]);
+    const { motion, doc } = store.result;
+    if (!motion || !doc) return;
+    const variables = variablesOf(motion, doc);
+    const next = JSON.stringify([variables, motion.report.chains.map(({ name, type }) => [name, type]), doc.length_unit]);
     if (next === shape) return;
     shape = next;
     rows = [];

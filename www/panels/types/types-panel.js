@@ -22,7 +22,7 @@ export async function createTypes(app, panel) {
   /** @param {string} type such as RPS */
   const jointsOf = (type) => Array.from(type, (letter) => defaults.joints[/** @type {JointType} */ (letter)]);
 
-  /** @param {string} what @param {(document: import('../../core/types.js').MechanismDocument) => import('../../core/types.js').MechanismDocument} change */
+  /** @param {string} what @param {(doc: import('../../core/types.js').MechanismDocument) => import('../../core/types.js').MechanismDocument} change */
   function make(what, change) {
     store.edit(change);
     say(what, { label: 'Undo', act: () => store.undo() });
@@ -41,10 +41,10 @@ export async function createTypes(app, panel) {
     const button = menuButton(type, () => [
       { label: `New linkage ${linkageOf(type)}`, act: () => fresh(linkageOf(type)) },
       'line',
-      { label: 'Add as a new chain', act: () => make(`A chain ${type} is added.`, (document) => addChain(document, { ...defaults.chain, joints: jointsOf(type) })) },
-      ...store.document.chains.map(({ name }, index) => ({
+      { label: 'Add as a new chain', act: () => make(`A chain ${type} is added.`, (doc) => addChain(doc, { ...defaults.chain, joints: jointsOf(type) })) },
+      ...store.doc.chains.map(({ name }, index) => ({
         label: `Replace ${name || `chain ${index + 1}`}`,
-        act: () => make(`${name || `chain ${index + 1}`} is ${type} now.`, (document) => setJoints(document, index, jointsOf(type))),
+        act: () => make(`${name || `chain ${index + 1}`} is ${type} now.`, (doc) => setJoints(doc, index, jointsOf(type))),
       })),
     ]);
     button.classList.add('chip');

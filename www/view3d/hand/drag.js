@@ -88,7 +88,7 @@ function connect(app, scene) {
     }
     if (!target) return bar.show(null);
     const { length, angle } = steps();
-    const unit = lengthUnit(store.document.length_unit);
+    const unit = lengthUnit(store.doc.length_unit);
     bar.show({
       name: target.name,
       how: target === workpiece || how.mode !== 'freedoms' ? how : { ...how, mode: 'move' },

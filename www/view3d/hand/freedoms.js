@@ -38,7 +38,7 @@ export function createFreedoms({ store }, scene) {
       else handles.clear();
     },
     /** In words; null while they are not known. */
-    words: () => store.insight?.freedoms.map((screw) => freedomWords(screw, store.document.length_unit)) ?? null,
+    words: () => store.insight?.freedoms.map((screw) => freedomWords(screw, store.doc.length_unit)) ?? null,
     /**
      * @param {number} index @param {Pointer} at @param {Target} held the workpiece
      * @param {() => void} done

@@ -30,16 +30,16 @@ let drags = 0;
  * @returns {Target}
  */
 export function keyFrameTarget({ store, player }, index, size) {
-  const key = () => store.document.motion.key_frames[index];
+  const key = () => store.doc.motion.key_frames[index];
   /** Edits with one mark are one step of undo. */
   let mark = '';
   let before = key();
 
   /** Shows the moment of this key frame: the linkage answers under the hand. */
   function goThere() {
-    const { motion, document } = store.result;
-    if (!motion || !document) return;
-    const keys = document.motion.key_frames;
+    const { motion, doc } = store.result;
+    if (!motion || !doc) return;
+    const keys = doc.motion.key_frames;
     const { time } = keys[index] ?? {};
     const first = motion.time[0];
     const last = motion.time[motion.frames - 1];
@@ -71,13 +71,13 @@ export function keyFrameTarget({ store, player }, index, size) {
       const coordinates = turned ? ANGLES : LENGTHS;
       const digits = turned ? ANGLE_DIGITS : lengthDigits(size());
       const change = Object.fromEntries(coordinates.map((name) => [name, value(name, digits)]));
-      store.edit((document) => setKeyFramePose(document, index, change), mark);
+      store.edit((doc) => setKeyFramePose(doc, index, change), mark);
     },
     cancel() {
-      store.edit((document) => setValue(document, `motion.key_frames[${index}]`, before), mark);
+      store.edit((doc) => setValue(doc, `motion.key_frames[${index}]`, before), mark);
     },
     tell() {
-      const unit = store.document.length_unit ?? '';
+      const unit = store.doc.length_unit ?? '';
       const at = (/** @type {unknown} */ value) => (typeof value === 'number' ? value : 0);
       const { x, y, z, longitude, latitude, roll } = key() ?? {};
       const turn = [longitude, latitude, roll].map((value) => angle((at(value) * Math.PI) / 180));

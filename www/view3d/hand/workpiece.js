@@ -22,17 +22,17 @@ export function workpieceTarget({ store, planner }) {
   async function pull(goal) {
     const now = shown(store);
     if (!now) return;
-    const { document } = now;
+    const { doc } = now;
     const mine = stay;
     asked++;
-    const answer = await planner.pull(textOf(document), groupAt(now.joints, now), goal).catch((error) => {
+    const answer = await planner.pull(textOf(doc), groupAt(now.joints, now), goal).catch((error) => {
       if (error instanceof PlannerFailure) {
         store.setResult({ trouble: `The planner failed while the workpiece was pulled and was started afresh (${error.message}).` });
       } else if (!(error instanceof Superseded || error instanceof DocumentFault)) throw error;
       return null;
     });
     asked--;
-    if (answer && mine === stay && store.result.document === document) store.setView({ posture: answer, playing: false });
+    if (answer && mine === stay && store.result.doc === doc) store.setView({ posture: answer, playing: false });
   }
 
   return {
@@ -57,7 +57,7 @@ export function workpieceTarget({ store, planner }) {
     tell() {
       const now = shown(store);
       if (!now) return '';
-      const unit = now.document.length_unit;
+      const unit = now.doc.length_unit;
       const at = Array.from(groupAt(now.pose, now).subarray(0, 3), (value) => short(value, 3));
       const place = `x ${at[0]}, y ${at[1]}, z ${at[2]}${unit ? ` ${unit}` : ''}`;
       const { posture } = store.view;

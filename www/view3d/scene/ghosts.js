@@ -19,13 +19,13 @@ export const ghostStep = (frames) => Math.max(1, Math.round((frames - 1) / SPREA
  * The frames that have a ghost.
  * @param {import('../../core/types.js').View['ghosts']} ghosts
  * @param {Motion} motion
- * @param {import('../../core/types.js').MechanismDocument} document
+ * @param {import('../../core/types.js').MechanismDocument} doc
  * @returns {number[]}
  */
-export function ghostFrames(ghosts, motion, document) {
+export function ghostFrames(ghosts, motion, doc) {
   const { frames } = motion;
   if (ghosts === 'none') return [];
-  if (ghosts === 'keys') return [...new Set(document.motion.key_frames.map((key) => nearestFrame(motion, key)))].slice(0, MOST);
+  if (ghosts === 'keys') return [...new Set(doc.motion.key_frames.map((key) => nearestFrame(motion, key)))].slice(0, MOST);
   if (ghosts === 'spread') return Array.from({ length: Math.floor((frames - 1) / ghostStep(frames)) + 1 }, (_, i) => i * ghostStep(frames));
   return ghosts.filter((frame) => frame < frames).slice(0, MOST);
 }

@@ -40,16 +40,16 @@ export class Linkage {
 
   /**
    * @param {Motion} motion
-   * @param {MechanismDocument} document
+   * @param {MechanismDocument} doc
    * @param {number} r radius of a link
    * @param {number} ground height of the ground plane
    * @returns {boolean} whether bodies were built anew
    */
-  update(motion, document, r, ground) {
+  update(motion, doc, r, ground) {
     let anew = this.#chains.length !== motion.report.chains.length;
     let firstRow = 0;
     motion.report.chains.forEach((chain, index) => {
-      const { joints, base } = document.chains[index];
+      const { joints, base } = doc.chains[index];
       const shape = JSON.stringify([r, firstRow, base, joints.map(({ type, rows }) => [type, rows])]);
       if (this.#chains[index]?.shape !== shape) {
         anew = true;

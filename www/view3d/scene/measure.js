@@ -20,11 +20,11 @@ export function createMeasure() {
     size,
     /**
      * @param {import('../../core/types.js').Motion} motion
-     * @param {import('../../core/types.js').MechanismDocument} document
+     * @param {import('../../core/types.js').MechanismDocument} doc
      * @param {boolean} afresh
      * @returns {boolean} whether the proportions are new
      */
-    take(motion, document, afresh) {
+    take(motion, doc, afresh) {
       const low = new Vector3(Infinity, Infinity, Infinity);
       const high = low.clone().negate();
       for (const column of [motion.rows, motion.pose, motion.goal]) {
@@ -38,7 +38,7 @@ export function createMeasure() {
           if (z > high.z) high.z = z;
         }
       }
-      const lowest = Math.min(low.z, ...document.chains.map((chain) => Number(chain.base?.z) || 0));
+      const lowest = Math.min(low.z, ...doc.chains.map((chain) => Number(chain.base?.z) || 0));
       const radius = Math.max(high.distanceTo(low) / 2, 1e-6);
       const ratio = radius / size.radius;
       const anew = afresh || !(ratio < KEEP_SIZE && ratio > 1 / KEEP_SIZE);

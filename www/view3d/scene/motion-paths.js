@@ -64,12 +64,12 @@ export class MotionPaths {
 
   /**
    * @param {Motion} motion
-   * @param {import('../../core/types.js').MechanismDocument} document
+   * @param {import('../../core/types.js').MechanismDocument} doc
    * @param {{link: number, radius: number}} size radii of a link and of the scene
    * @param {BufferGeometry | null} body the workpiece's shape
    * @param {number[]} ghosts frames
    */
-  update(motion, document, { link: r, radius }, body, ghosts) {
+  update(motion, doc, { link: r, radius }, body, ghosts) {
     this.#gaps.lay(motion, r, radius);
     if (body) this.#ghosts.lay(motion, ghosts, body);
     this.#goal.lay(motion.goal, motion.frames, PATH * r);
@@ -81,7 +81,7 @@ export class MotionPaths {
     shaft.scale.set(GAP * r, 1, GAP * r);
     for (const end of ends) end.scale.setScalar(GAP * r);
 
-    const keys = document.motion.key_frames;
+    const keys = doc.motion.key_frames;
     while (this.#keys.length > keys.length) this.#keys.pop()?.removeFromParent();
     this.labels = keys.map((key, index) => {
       const mark = (this.#keys[index] ??= this.#addKey(index));

@@ -89,8 +89,8 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
 
   /** @type {Pick<import('../../core/types.js').View, 'show' | 'ghosts'>} */
   let options = { show: { goal: true, closest: true, gaps: true, names: true, ground: true, axes: true }, ghosts: 'none' };
-  /** @type {Pick<Result, 'motion' | 'document'>} */
-  let shown = { motion: null, document: null };
+  /** @type {Pick<Result, 'motion' | 'doc'>} */
+  let shown = { motion: null, doc: null };
 
   let built = false;
   let draws = 0;
@@ -151,8 +151,8 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
       options = { show, ghosts };
       materials.show(show);
       ground.group.visible = show.ground;
-      const { motion, document } = shown;
-      if (motion && document) paths.showGhosts(motion, ghostFrames(ghosts, motion, document), linkage.body);
+      const { motion, doc } = shown;
+      if (motion && doc) paths.showGhosts(motion, ghostFrames(ghosts, motion, doc), linkage.body);
       setLabels();
       changed();
     },
@@ -206,17 +206,17 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
      * @param {Result} result with a motion
      * @param {boolean} afresh another mechanism: look at it from the front again
      */
-    show({ motion, document }, afresh) {
-      if (!motion || !document) return;
+    show({ motion, doc }, afresh) {
+      if (!motion || !doc) return;
       built = true;
-      shown = { motion, document };
-      if (take(motion, document, afresh)) {
+      shown = { motion, doc };
+      if (take(motion, doc, afresh)) {
         view.setHome(size.centre, size.radius * 1.03);
         light.aim(size.centre, size.radius);
       }
       ground.lay(size.centre, size.radius, size.ground);
-      linkage.update(motion, document, size.link, size.ground);
-      paths.update(motion, document, size, linkage.body, ghostFrames(options.ghosts, motion, document));
+      linkage.update(motion, doc, size.link, size.ground);
+      paths.update(motion, doc, size, linkage.body, ghostFrames(options.ghosts, motion, doc));
       highlight.set(chosen.place, pointed.place);
       setLabels();
       if (afresh) view.begin();
