@@ -4,7 +4,7 @@ use crate::math::pose::Pose;
 use crate::model::mechanism::Mechanism;
 use crate::motion::goal::Goal;
 use crate::motion::trajectory::Trajectory;
-use crate::plan::follow::close_start;
+use crate::plan::given::close_start;
 use crate::plan::record::{begin, measure_singular, record};
 use crate::plan::settings::{Method, Settings};
 use crate::solve::drive::{self, Obstacle};

@@ -11,13 +11,15 @@ use crate::plan::given;
 use crate::plan::leaps::{self, Leap};
 use crate::plan::record::{begin, measure_singular, record};
 use crate::plan::settings::{Method, Settings, extent};
-use crate::solve::close_start::Start;
 use crate::solve::gradient;
 use crate::solve::solver::{End, Solved, Solver};
 
 /// How far f may be above the minimum in a certified answer of the gradient planner: twice what its
 /// stopping rule leaves in the flattest directions met.
 const GRADIENT_FALL: f64 = 2e-8;
+
+/// Most gradient steps before other questions are let in between: at 24 chains 0.1 s.
+const GRADIENT_PORTION: usize = 50;
 
 /// Frames at which a misfit is looked into: one alone may be explained by a number that has nothing to do with it.
 const LOOKED_AT: usize = 9;
@@ -69,6 +71,8 @@ pub struct Planning {
     /// The first frame at which the next search for a finite pose may be made: searches are slow, and get rarer.
     search_from: usize,
     searches: usize,
+    /// The gradient method at a frame that takes long.
+    descent: Option<gradient::Running>,
 }
 
 impl Planning {
@@ -87,7 +91,7 @@ impl Planning {
         let mut t = begin(mechanism, &solver, extent, settings);
         let mut joints = start.to_vec();
         given::move_within_limits(mechanism, &mut joints, extent, &mut t.warnings);
-        let mut closed = close_start(&mut solver, &mut joints, settings, &mut t.warnings);
+        let mut closed = given::close_start(&mut solver, &mut joints, settings, &mut t.warnings);
         t.mobility_rank = solver.mobility(&joints).0;
         if closed && t.mobility_rank.cast_signed() != t.mobility_count {
             let (count, rank) = (t.mobility_count, t.mobility_rank);
@@ -117,6 +121,7 @@ impl Planning {
             runaways: Vec::new(),
             search_from: 0,
             searches: 0,
+            descent: None,
         }
     }
 
@@ -136,12 +141,15 @@ impl Planning {
         self.t.frames()
     }
 
-    /// Plans one more frame; false when there is none left. The last frames may be taken back and planned again where a
-    /// leap shows, so that [`Planning::done`] falls.
+    /// Plans one more frame, or a portion of one by the gradient method; false when there is none left. The last frames
+    /// may be taken back and planned again where a leap shows, so that [`Planning::done`] falls.
     pub fn advance(&mut self) -> bool {
         let frame = self.done();
         if frame == self.frames() {
             return self.check_leaps() && self.done() < self.frames();
+        }
+        if self.settings.method == Method::Gradient && self.closed && self.descend(frame) {
+            return true;
         }
         predict(&self.t.joints, frame, &self.joints, &mut self.predicted);
         let before = self.joints.clone();
@@ -177,18 +185,11 @@ impl Planning {
                 }
             }
             Method::Gradient => {
+                let Some(running) = self.descent.take() else {
+                    return Solved::OPEN;
+                };
                 let before = self.joints.clone();
-                let metric = self.t.metric_used;
-                let rotation = self.mechanism.chains()[0].pose(&before).rotation;
-                let target = metric.target(&goal, &rotation);
-                let most = self.settings.iterations();
-                let descent = gradient::descend(
-                    &self.mechanism,
-                    &target,
-                    &mut self.joints,
-                    most,
-                    &mut |_| {},
-                );
+                let descent = running.leave(&mut self.joints);
                 let certified = self
                     .solver
                     .certify(&goal, &before, &self.joints, GRADIENT_FALL);
@@ -205,6 +206,18 @@ impl Planning {
                 }
             }
         }
+    }
+
+    /// A portion of the gradient method's steps at a frame; true where there are more to take.
+    fn descend(&mut self, frame: usize) -> bool {
+        let running = self.descent.get_or_insert_with(|| {
+            let rotation = self.mechanism.chains()[0].pose(&self.joints).rotation;
+            let target = (self.t.metric_used).target(&self.goals[frame].pose, &rotation);
+            gradient::Running::new(&self.mechanism, &target, &self.joints)
+        });
+        let most = self.settings.iterations();
+        let portion = most.min(running.iterations() + GRADIENT_PORTION);
+        running.advance(portion, &mut |_| {}) && portion < most
     }
 
     fn keep(&mut self, frame: usize, before: &[f64], solved: &Solved) {
@@ -338,36 +351,6 @@ impl Planning {
     }
 }
 
-/// Closes the loops at the start; warns if that moved it, or failed.
-pub(super) fn close_start(
-    solver: &mut Solver,
-    joints: &mut [f64],
-    settings: &Settings,
-    warnings: &mut Vec<Warning>,
-) -> bool {
-    let given = joints.to_vec();
-    match solver.close_start(joints, settings.dimension_tolerance) {
-        Start::Rigid { error, leap } => {
-            warnings.push(Warning::StartRigid { error, leap });
-            false
-        }
-        Start::Open { error } => {
-            warnings.push(Warning::StartOpen { error });
-            false
-        }
-        Start::Closed | Start::Rounded => {
-            let leap = Leap::between(solver.scaled(), &given, joints);
-            if leap.moved_scaled > given::PRINTED {
-                warnings.push(Warning::StartMoved {
-                    moved: leap.moved,
-                    variable: leap.variable,
-                });
-            }
-            true
-        }
-    }
-}
-
 /// Where the joints of frame `frame` are expected, extrapolated from the joint values `history` of up
 /// to four frames before it: cubically where there are four.
 pub fn predict(history: &[f64], frame: usize, joints: &[f64], predicted: &mut [f64]) {
@@ -388,5 +371,32 @@ pub fn predict(history: &[f64], frame: usize, joints: &[f64], predicted: &mut [f
         for (p, x) in predicted.iter_mut().zip(past) {
             *p += c * x;
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::document::{problem::Problem, text};
+    use crate::plan::follow::GRADIENT_PORTION;
+    use crate::plan::settings::Method;
+
+    /// That they end where the method in one go ends is a test of tests/trace.rs.
+    #[test]
+    fn gradient_steps_of_one_frame_go_in_portions() {
+        let text = include_str!("../../www/mechanisms/3rps.json");
+        let mut problem = Problem::new(&text::parse(text).expect("a document")).expect("a problem");
+        problem.settings.method = Method::Gradient;
+        problem.goals.truncate(20);
+        let mut planning = problem.planning(&problem.find_start());
+        let (mut portions, mut longest, mut before) = (0, 0, 0);
+        while planning.advance() {
+            portions += 1;
+            let steps = planning.descent.as_ref().map_or(0, |d| d.iterations());
+            longest = longest.max(steps.saturating_sub(before));
+            before = steps;
+        }
+        assert_eq!(planning.done(), 20);
+        assert!(portions > 20, "{portions} portions");
+        assert_eq!(longest, GRADIENT_PORTION);
     }
 }

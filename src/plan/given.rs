@@ -2,6 +2,10 @@
 
 use crate::model::mechanism::Mechanism;
 use crate::motion::trajectory::Warning;
+use crate::plan::leaps::Leap;
+use crate::plan::settings::Settings;
+use crate::solve::close_start::Start;
+use crate::solve::solver::Solver;
 
 /// Motion, rad or sizes, that the last digits of a printed table explain: no warning speaks of it.
 pub(super) const PRINTED: f64 = 1e-6;
@@ -59,5 +63,35 @@ pub(crate) fn move_within_limits(
             limit,
         });
         start[variable] = limit;
+    }
+}
+
+/// Closes the loops at the start; warns if that moved it, or failed.
+pub(super) fn close_start(
+    solver: &mut Solver,
+    joints: &mut [f64],
+    settings: &Settings,
+    warnings: &mut Vec<Warning>,
+) -> bool {
+    let given = joints.to_vec();
+    match solver.close_start(joints, settings.dimension_tolerance) {
+        Start::Rigid { error, leap } => {
+            warnings.push(Warning::StartRigid { error, leap });
+            false
+        }
+        Start::Open { error } => {
+            warnings.push(Warning::StartOpen { error });
+            false
+        }
+        Start::Closed | Start::Rounded => {
+            let leap = Leap::between(solver.scaled(), &given, joints);
+            if leap.moved_scaled > PRINTED {
+                warnings.push(Warning::StartMoved {
+                    moved: leap.moved,
+                    variable: leap.variable,
+                });
+            }
+            true
+        }
     }
 }

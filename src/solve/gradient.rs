@@ -88,78 +88,130 @@ pub fn descend(
     max_iterations: usize,
     observe: &mut dyn FnMut(&Iteration<'_>),
 ) -> Descent {
-    let n = joints.len();
-    let scaled = Scaled::about(mechanism, target.length, &target.about);
-    let chains = scaled.chains();
-    let start = target.measured(&mechanism.chains()[0].pose(joints));
-    let start = pose::dual_quaternion(&start, target.length);
-    let mut r: Vec<f64> = scaled.entered(joints);
-    r.extend(start.iter());
-    let g = pose::dual_quaternion(&target.goal, target.length);
-    let toward = |q: &DualQuaternion| match target.kind {
-        MetricKind::DualQuaternion => g - q,
-        MetricKind::Pose => nearer_rotation(q, g) - q,
-    };
-    let mut descent = Descent {
-        converged: false,
-        projected_gradient: f64::INFINITY,
-        iterations: 0,
-    };
-    let mut share = 1.0;
-    let mut linearised = linearise_at(chains, &r);
-    let mut arrival = Arrival::default();
-    loop {
-        let qr = factor(&linearised, usize::MAX);
-        let q = workpiece(&r);
-        // Eq. 30–31: [W][W]ᵀ (g − q) is what the row space of [A] leaves of it.
-        let gap = toward(&q);
-        let mut step: Vec<f64> = std::iter::repeat_n(0.0, n)
-            .chain(gap.iter().copied())
-            .collect();
-        qr.apply_qt(&mut step);
-        step[..qr.rank()].fill(0.0);
-        qr.apply_q(&mut step);
-        let metric = 0.5 * gap.norm_squared();
-        descent.projected_gradient = dot(&step, &step).sqrt();
-        observe(&Iteration {
-            scaled: &scaled,
-            theta: &r[..n],
-            q: &q,
-            metric,
-            projected_gradient: descent.projected_gradient,
-            linearised: &linearised,
-            arrival,
-        });
-        descent.converged = descent.projected_gradient <= STATIONARY;
-        if descent.converged || descent.iterations >= max_iterations {
-            break;
+    let mut running = Running::new(mechanism, target, joints);
+    running.advance(max_iterations, observe);
+    running.leave(joints)
+}
+
+/// A descent in portions, which takes the same steps as one in one go.
+#[derive(Clone, Debug)]
+pub struct Running {
+    scaled: Scaled,
+    kind: MetricKind,
+    g: DualQuaternion,
+    /// Joint values and q.
+    r: Vec<f64>,
+    linearised: Linearised,
+    arrival: Arrival,
+    share: f64,
+    descent: Descent,
+}
+
+impl Running {
+    /// At the joint values, which must close the loops, in the mechanism's own unit.
+    pub fn new(mechanism: &Mechanism, target: &Target, joints: &[f64]) -> Self {
+        let scaled = Scaled::about(mechanism, target.length, &target.about);
+        let start = target.measured(&mechanism.chains()[0].pose(joints));
+        let start = pose::dual_quaternion(&start, target.length);
+        let mut r: Vec<f64> = scaled.entered(joints);
+        r.extend(start.iter());
+        Self {
+            linearised: linearise_at(scaled.chains(), &r),
+            scaled,
+            kind: target.kind,
+            g: pose::dual_quaternion(&target.goal, target.length),
+            r,
+            arrival: Arrival::default(),
+            share: 1.0,
+            descent: Descent {
+                converged: false,
+                projected_gradient: f64::INFINITY,
+                iterations: 0,
+            },
         }
-        descent.iterations += 1;
-        let next = loop {
-            let mut next: Vec<f64> = r.iter().zip(&step).map(|(r, s)| r + share * s).collect();
-            let mut way = Arrival {
-                share,
-                ..Arrival::default()
-            };
-            if let Some(closed) = close(chains, &mut next, qr.rank(), &mut way) {
-                let q = workpiece(&next);
-                let after = 0.5 * toward(&q).norm_squared();
-                // At rounding level a fall cannot be told from a rise.
-                if after <= metric + 1e-15 {
-                    break Some((next, closed, way));
-                }
-            }
-            share *= 0.5;
-            if share * descent.projected_gradient < STATIONARY * STATIONARY {
-                break None;
-            }
-        };
-        let Some(next) = next else { break };
-        (r, linearised, arrival) = next;
-        share = (2.0 * share).min(1.0);
     }
-    scaled.leave(&r[..n], joints);
-    descent
+
+    /// Gradient steps until there have been `most` since the start; false where there is nothing more to do.
+    pub fn advance(&mut self, most: usize, observe: &mut dyn FnMut(&Iteration<'_>)) -> bool {
+        let n = self.r.len() - 8;
+        loop {
+            let qr = factor(&self.linearised, usize::MAX);
+            let q = workpiece(&self.r);
+            // Eq. 30–31: [W][W]ᵀ (g − q) is what the row space of [A] leaves of it.
+            let gap = self.toward(&q);
+            let mut step: Vec<f64> = std::iter::repeat_n(0.0, n)
+                .chain(gap.iter().copied())
+                .collect();
+            qr.apply_qt(&mut step);
+            step[..qr.rank()].fill(0.0);
+            qr.apply_q(&mut step);
+            let metric = 0.5 * gap.norm_squared();
+            self.descent.projected_gradient = dot(&step, &step).sqrt();
+            observe(&Iteration {
+                scaled: &self.scaled,
+                theta: &self.r[..n],
+                q: &q,
+                metric,
+                projected_gradient: self.descent.projected_gradient,
+                linearised: &self.linearised,
+                arrival: self.arrival,
+            });
+            self.descent.converged = self.descent.projected_gradient <= STATIONARY;
+            if self.descent.converged {
+                return false;
+            }
+            if self.descent.iterations >= most {
+                return true;
+            }
+            self.descent.iterations += 1;
+            let next = loop {
+                let mut next: Vec<f64> = self
+                    .r
+                    .iter()
+                    .zip(&step)
+                    .map(|(r, s)| r + self.share * s)
+                    .collect();
+                let mut way = Arrival {
+                    share: self.share,
+                    ..Arrival::default()
+                };
+                let closed = close(self.scaled.chains(), &mut next, qr.rank(), &mut way);
+                if let Some(closed) = closed {
+                    let after = 0.5 * self.toward(&workpiece(&next)).norm_squared();
+                    // At rounding level a fall cannot be told from a rise.
+                    if after <= metric + 1e-15 {
+                        break Some((next, closed, way));
+                    }
+                }
+                self.share *= 0.5;
+                if self.share * self.descent.projected_gradient < STATIONARY * STATIONARY {
+                    break None;
+                }
+            };
+            let Some(next) = next else { return false };
+            (self.r, self.linearised, self.arrival) = next;
+            self.share = (2.0 * self.share).min(1.0);
+        }
+    }
+
+    /// Gradient steps so far.
+    pub fn iterations(&self) -> usize {
+        self.descent.iterations
+    }
+
+    /// Writes the joint values, in the mechanism's own unit, and says how it ended.
+    pub fn leave(&self, joints: &mut [f64]) -> Descent {
+        self.scaled.leave(&self.r[..joints.len()], joints);
+        self.descent
+    }
+
+    /// g − q, in the sense of the metric.
+    fn toward(&self, q: &DualQuaternion) -> DualQuaternion {
+        match self.kind {
+            MetricKind::DualQuaternion => self.g - q,
+            MetricKind::Pose => nearer_rotation(q, self.g) - q,
+        }
+    }
 }
 
 /// Eq. 28 with the sign that converges, r ← r − \[A\]⁺ E, until the loops are closed: \[A\] and E there,
