@@ -36,7 +36,7 @@ function inMillimetres(file) {
   return { ...doc, name: `${file} in mm`, length_unit: 'mm' };
 }
 
-for (const [name, options] of [['a desktop', { viewport: { width: 1280, height: 600 } }], ['a phone', PHONE]]) {
+for (const [name, options] of [['a desktop', {}], ['a phone', PHONE]]) {
   test(`no cell cuts a digit of a sample in millimetres on ${name}`, async () => {
     const opened = await browser.openPage(options);
     ({ problems } = opened);
