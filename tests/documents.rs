@@ -566,9 +566,14 @@ fn a_fault_is_a_plain_object() {
     assert_eq!(value["where"], "chains[1].joints");
     assert_eq!(
         value.as_object().map(serde_json::Map::len),
-        Some(4),
+        Some(5),
         "{value}"
     );
+    let text = with("/planner/metric_length", json!("1"));
+    let value = serde_json::to_value(read(&text).expect_err("a text")).expect("JSON");
+    let parts = (&value["what"], &value["accepted"], &value["optional"]);
+    let what = json!("Planner, metric length: this is the text \u{201c}1\u{201d}");
+    assert_eq!(parts, (&what, &json!("a number"), &json!(true)));
 }
 
 /// Mutilated documents, by a generator with a fixed seed: an answer or a fault, never a panic, and

@@ -46,8 +46,9 @@ export function createTables({ root, mechanism, motion }, store, defaults, { mar
     const same = (/** @type {Fault} */ { where }) => where !== fault?.where && valueAt(doc, where) === valueAt(told.doc, where);
     mark(fault ? [fault, ...told.faults.filter(same)] : [], doc);
     if (!fault) return;
-    const all = await allFaults(doc, fault, check);
-    if (store.doc === doc && store.result.fault === fault) mark(all, doc);
+    const newest = () => store.doc === doc && store.result.fault === fault;
+    const all = await allFaults(doc, fault, async (filled) => (newest() ? check(filled) : null));
+    if (newest()) mark(all, doc);
   }
 
   /** @param {Fault[]} faults @param {import('../../core/types.js').MechanismDocument} doc */
