@@ -60,10 +60,10 @@ pub struct Fault {
     pub optional: bool,
     /// The line of the text, from 1, if it could not be read that far.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub line: Option<usize>,
+    pub line: Option<u32>,
     /// The byte of that line, from 1.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub column: Option<usize>,
+    pub column: Option<u32>,
 }
 
 impl Fault {
@@ -97,7 +97,7 @@ impl Fault {
     /// Adds the line and the column of the text.
     pub(crate) fn at(mut self, line: usize, column: usize) -> Self {
         self.message = format!("Line {line}, column {column}. {}", self.message);
-        (self.line, self.column) = (Some(line), Some(column));
+        (self.line, self.column) = (u32::try_from(line).ok(), u32::try_from(column).ok());
         self
     }
 }
