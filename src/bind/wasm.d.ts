@@ -3,9 +3,14 @@ export interface Fault {
   code: string;
   /** A sentence: where, what, and what would be accepted. */
   message: string;
+  /** The first part of the sentence, where and what, without a stop at the end. */
+  what: string;
   /** JSON path such as chains[1].joints[0].rows[0].alpha; empty for the whole document. */
   where: string;
+  /** What would be accepted there, without a stop at the end. */
   accepted: string;
+  /** Null, an empty cell of the page, would be accepted too. */
+  optional?: true;
   line?: number;
   column?: number;
 }

@@ -48,17 +48,22 @@ pub struct Fault {
     pub code: FaultCode,
     /// A sentence for a person: where, what, and what would be accepted.
     pub message: String,
+    /// The first part of the sentence, where and what, without a stop at the end.
+    pub what: String,
     /// The JSON path, such as `chains[1].joints[0].rows[0].alpha`; empty for the whole document.
     #[serde(rename = "where")]
     pub place: String,
     /// What would be accepted there.
     pub accepted: String,
+    /// Whether null, an empty cell of a page, would be accepted too.
+    #[serde(skip_serializing_if = "is_false")]
+    pub optional: bool,
     /// The line of the text, from 1, if it could not be read that far.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub line: Option<usize>,
+    pub line: Option<u32>,
     /// The byte of that line, from 1.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub column: Option<usize>,
+    pub column: Option<u32>,
 }
 
 impl Fault {
@@ -66,22 +71,40 @@ impl Fault {
     #[cold]
     #[inline(never)]
     pub(crate) fn new(code: FaultCode, place: &Place<'_>, what: &str, accepted: &str) -> Self {
+        let what = format!("{place}: {what}");
         Self {
             code,
-            message: format!("{place}: {what}. Accepted: {accepted}."),
+            message: format!("{what}. Accepted: {accepted}."),
+            what,
             place: place.path(),
             accepted: accepted.to_owned(),
+            optional: false,
             line: None,
             column: None,
         }
     }
 
+    /// For a value that may be null.
+    #[cold]
+    #[inline(never)]
+    pub(crate) fn or_null(mut self) -> Self {
+        self.optional = true;
+        self.message.pop();
+        self.message += ", or null.";
+        self
+    }
+
     /// Adds the line and the column of the text.
     pub(crate) fn at(mut self, line: usize, column: usize) -> Self {
         self.message = format!("Line {line}, column {column}. {}", self.message);
-        (self.line, self.column) = (Some(line), Some(column));
+        (self.line, self.column) = (u32::try_from(line).ok(), u32::try_from(column).ok());
         self
     }
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "as serde calls it")]
+fn is_false(value: &bool) -> bool {
+    !value
 }
 
 impl fmt::Display for Fault {

@@ -51,10 +51,10 @@ pub(crate) fn goal_of(motion: &MotionEntry) -> Result<(Vec<Goal>, Vec<Warning>),
         }
         KeyFrameFault::Radius { radius, least } => {
             let accepted = format!(
-                "a positive length that is not below {}, half the distance of the farthest key frame from the reference point, or null",
+                "a positive length that is not below {}, half the distance of the farthest key frame from the reference point",
                 rounded_up(least)
             );
-            out_of_range(&MOTION.field("radius"), typed(radius), &accepted)
+            out_of_range(&MOTION.field("radius"), typed(radius), &accepted).or_null()
         }
         KeyFrameFault::FrameCount { found } => {
             let accepted = format!("a whole number from 2 to {MAX_FRAMES}");

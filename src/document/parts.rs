@@ -28,8 +28,8 @@ pub(crate) fn point(
         return Ok(None);
     };
     let &[x, y, z] = values else {
-        let accepted = "three lengths, those of x, y and z, or null";
-        return Err(wrong_count(place, values.len(), accepted));
+        let accepted = "three lengths, those of x, y and z";
+        return Err(wrong_count(place, values.len(), accepted).or_null());
     };
     let point = each(&[x, y, z], |i, &value| length(value, &place.item(i)))?;
     Ok(Some(Vector3::from_column_slice(&point)))

@@ -286,9 +286,9 @@ fn settings(document: &Document) -> Result<Settings, Fault> {
         .filter(|length| !(MIN_METRIC_LENGTH..=MAX_LENGTH).contains(length))
     {
         let (least, most) = (typed(MIN_METRIC_LENGTH), typed(MAX_LENGTH));
-        let accepted = format!("a length from {least} to {most}, or null");
+        let accepted = format!("a length from {least} to {most}");
         let place = PLACE.field("metric_length");
-        return Err(out_of_range(&place, typed(length), &accepted));
+        return Err(out_of_range(&place, typed(length), &accepted).or_null());
     }
     let tolerance = entry.dimension_tolerance;
     if !(0.0..=MAX_DIMENSION_TOLERANCE).contains(&tolerance) {
@@ -303,12 +303,8 @@ fn settings(document: &Document) -> Result<Settings, Fault> {
         .max_iterations
         .filter(|most| !(1..=MAX_ITERATIONS).contains(most))
     {
-        let accepted = format!("a whole number from 1 to {MAX_ITERATIONS}, or null");
-        return Err(out_of_range(
-            &PLACE.field("max_iterations"),
-            most,
-            &accepted,
-        ));
+        let accepted = format!("a whole number from 1 to {MAX_ITERATIONS}");
+        return Err(out_of_range(&PLACE.field("max_iterations"), most, &accepted).or_null());
     }
     let origin = point(
         entry.metric_origin.as_deref(),

@@ -10,6 +10,7 @@ pub(crate) struct Refusal {
     code: FaultCode,
     what: String,
     accepted: String,
+    optional: bool,
     way: Vec<Step>,
 }
 
@@ -27,6 +28,7 @@ impl Refusal {
             code,
             what,
             accepted: accepted.to_owned(),
+            optional: false,
             way: Vec::new(),
         }
     }
@@ -49,9 +51,7 @@ impl Refusal {
     #[cold]
     #[inline(never)]
     pub(super) fn or_null(mut self) -> Self {
-        if self.way.is_empty() {
-            self.accepted += ", or null";
-        }
+        self.optional |= self.way.is_empty();
         self
     }
 
@@ -60,7 +60,14 @@ impl Refusal {
         match self.way.pop() {
             Some(Step::Field(name)) => self.fault(&place.field(&name)),
             Some(Step::Item(index)) => self.fault(&place.item(index)),
-            None => Fault::new(self.code, place, &self.what, &self.accepted),
+            None => {
+                let fault = Fault::new(self.code, place, &self.what, &self.accepted);
+                if self.optional {
+                    fault.or_null()
+                } else {
+                    fault
+                }
+            }
         }
     }
 }

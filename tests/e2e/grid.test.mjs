@@ -70,6 +70,48 @@ test('frames and key frames take blocks too', async () => {
   assert.equal(await value('motion.key_frames[2].x'), '0.25');
 });
 
+test('more key frames than there are, with names and times under heads, are appended in one step of undo', async () => {
+  await page.getByRole('tab', { name: 'Motion' }).click();
+  const keys = page.locator('#motion tbody.key');
+  const row = (name, time, x) => [name, time, x, 0.2, 0.3, 10, 5, 0].join('\t');
+  const head = ['name', 'time [s]', 'x', 'y', 'z', 'lon', 'lat', 'roll'].join('\t');
+  await paste('motion.key_frames[1].name', [head, row('b', 1, 0.31), row('c', 2, 0.32), row('d', 3, 0.33), row('e', 4, 0.34)].join('\n'));
+  await keys.nth(4).waitFor();
+  assert.equal(await keys.count(), 5);
+  assert.deepEqual(await Promise.all(['name', 'time', 'x', 'longitude'].map((key) => value(`motion.key_frames[4].${key}`))), ['e', '4', '0.34', '10']);
+  assert.equal(await value('motion.key_frames[0].time'), '0');
+  await page.locator('#notices').filter({ hasText: '2 key frames added. The row of heads was skipped.' }).waitFor();
+  await noFault(page);
+  await page.keyboard.press('Control+z');
+  await keys.nth(4).waitFor({ state: 'detached' });
+  assert.equal(await keys.count(), 3);
+  assert.equal(await page.locator('#undo').isDisabled(), true);
+
+  // All bad cells are marked at once, each with what to write.
+  await paste('motion.key_frames[1].x', '1,8 mm\tabc\t0.4\n0.25\t0.2\t1.8 m');
+  const bad = page.locator('#motion [aria-invalid="true"]');
+  await bad.nth(2).waitFor();
+  assert.deepEqual(await bad.evaluateAll((all) => all.map((field) => field.dataset.path.slice(17))), ['[1].x', '[1].y', '[2].z']);
+  const note = async (index) => page.locator(`#${await bad.nth(index).getAttribute('aria-describedby')}`).textContent();
+  assert.match(await note(0), /Key frame 2.* x: this is the text “1,8 mm”\. Write the number alone, with a point: 1\.8\.$/);
+  assert.match(await note(1), / y: this is the text “abc”\. Accepted: a number\.$/);
+  assert.match(await note(2), /Key frame 3.* z: this is the text “1\.8 m”\. Write the number alone: 1\.8\.$/);
+  await cell(page, 'motion.key_frames[1].x').fill('0.3');
+  await bad.nth(2).waitFor({ state: 'detached' });
+  assert.equal(await bad.count(), 2, 'what is mended is marked no more, the others are');
+  await page.keyboard.press('Tab');
+  await page.keyboard.press('Control+z');
+  await page.keyboard.press('Control+z');
+  await noFault(page);
+
+  for (const [typed, said] of [['many', /Accepted: a number, or an empty cell\.$/], ['1,8', /“1,8”\. Write a point: 1\.8\.$/]]) {
+    await cell(page, 'motion.radius').fill(typed);
+    await page.keyboard.press('Enter');
+    await page.locator('#fault-note').filter({ hasText: typed }).waitFor();
+    assert.match(await faultBeside(page, 'motion.radius'), said);
+  }
+});
+
 test('a chosen block is copied in whole numbers and cleared at once', async () => {
   await cell(page, 'chains[0].base.x').focus();
   await page.keyboard.press('Shift+ArrowDown');

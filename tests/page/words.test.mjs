@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { degrees, length, scientific, short } from '../../www/core/format.js';
-import { parts } from '../../www/panels/tables/fault-note.js';
+import { faultParts, faultText } from '../../www/core/fault-text.js';
 import { mobilitySentence, partSentence, singularSentence, worstFrame } from '../../www/core/status-words.js';
 
 test('numbers are short, with a true minus, and never say −0', () => {
@@ -31,10 +31,12 @@ test('mobility is told plainly where count and rank differ', () => {
   assert.match(mobilitySentence(2, 1), /do not move it/);
 });
 
-test('a fault is parted into what is wrong and what would be accepted', () => {
-  const fault = { code: 'wrong-type', accepted: 'a number', where: 'chains[0]', message: 'Line 1, column 9. chain 1: this is the text "abc". Accepted: a number.' };
-  assert.deepEqual(parts(fault), { what: 'Chain 1: this is the text "abc".', remedy: 'Accepted: a number.' });
-  assert.match(parts({ ...fault, where: '' }).what, /^Line 1, column 9/);
+test('a fault says what is wrong and what would be accepted, from its own parts and with the word that the page has for null', () => {
+  // A sentence that is worded otherwise changes nothing: no part is cut out of it.
+  const fault = { code: 'wrong-type', what: 'Chain 1: this is the text "abc"', accepted: 'a number', where: 'chains[0]', message: 'Something else', line: 1, column: 9 };
+  assert.deepEqual(faultParts(fault), { what: 'Chain 1: this is the text "abc".', remedy: 'Accepted: a number.' });
+  assert.equal(faultParts({ ...fault, optional: true }).remedy, 'Accepted: a number, or an empty cell.');
+  assert.equal(faultText({ ...fault, where: '' }), 'Line 1, column 9. Chain 1: this is the text "abc". Accepted: a number.');
 });
 
 test('the worst frame is the one with the largest value', () => {

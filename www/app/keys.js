@@ -33,7 +33,7 @@ export const KEYS = [
   { keys: [',', '.'], does: 'one frame back or on', where: 'Animation bar, charts' },
   { keys: ['↑', '↓', 'Enter'], does: 'cell above or below', where: 'Tables' },
   { keys: ['Shift+arrows'], does: 'choose a block of cells; Ctrl+C copies it, Delete clears it', where: 'Tables' },
-  { keys: ['Ctrl+V'], does: 'fill cells with a block from a spreadsheet', where: 'Tables' },
+  { keys: ['Ctrl+V'], does: 'fill cells with a block from a spreadsheet; key frames are added as needed', where: 'Tables' },
   { keys: ['←', '→', '↑', '↓'], does: 'go through the objects, open and close branches', where: 'Object tree' },
   { keys: ['Space', 'Enter'], does: 'select; Enter goes to its table', where: 'Object tree' },
   { keys: ['Alt+↑', 'Alt+↓'], does: 'move this joint, chain or key frame up or down', where: 'Tables' },

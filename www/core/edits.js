@@ -214,6 +214,20 @@ export const setKeyFramePose = (doc, key, frame) =>
 export const removeKeyFrame = (doc, key) => withKeys(doc, without(doc.motion.key_frames, key));
 
 /**
+ * Sets some key frames' times at once, as given; those of the others are made up only where there are none yet. Without a
+ * single one given, no key frame has a time.
+ * @param {MechanismDocument} doc
+ * @param {[key: number, value: Entry | undefined][]} times
+ */
+export function setTimes(doc, times) {
+  const [first] = times.filter(([, value]) => typeof value === 'number');
+  const given = times.some(([, value]) => value !== undefined);
+  const [key, value] = first ?? times[0];
+  const all = setTime(doc, key, given ? value : undefined);
+  return given ? times.reduce((next, [at, time]) => withValueAt(next, `motion.key_frames[${at}].time`, time), all) : all;
+}
+
+/**
  * Sets one key frame's time. Either all have a time or none: the first one typed gives the others even steps,
  * and clearing one clears all.
  * @param {MechanismDocument} doc

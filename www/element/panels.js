@@ -6,12 +6,14 @@
  */
 import markup from './panels.html?raw';
 import { allTimes, keyFrameFrames } from '../core/playhead.js';
+import { textOf } from '../core/document-text.js';
 import { createDock } from '../panels/dock.js';
 import { whenSeen } from '../ui/lazy.js';
 import { createSelection } from '../panels/tables/selection.js';
 import { createStatus } from '../panels/info/status.js';
 import { createTables } from '../panels/tables/tables.js';
 import { createTabs } from '../ui/tabs.js';
+import { DocumentFault } from '../planner/planner.js';
 import { createTree } from '../panels/tree.js';
 import { createWhy } from '../panels/info/why.js';
 
@@ -42,8 +44,11 @@ export async function createPanels(bare, banners) {
   };
   const places = { root: find('tables'), mechanism: find('mechanism'), motion: find('motion') };
   const compareMetrics = (/** @type {string} */ text, /** @type {AbortSignal} */ signal) => planner.compareMetrics(text, signal);
-  const tables = createTables(places, store, defaults, { markFault: tabs.mark, findStart, goToKey, compareMetrics, say });
+  const check = (/** @type {import('../core/types.js').MechanismDocument} */ doc) =>
+    planner.normalise(textOf(doc)).then(() => null, (error) => (error instanceof DocumentFault ? error.fault : null));
+  const tables = createTables(places, store, defaults, { markFault: tabs.mark, findStart, goToKey, compareMetrics, check, say });
   const selection = createSelection(places.root, [places.mechanism, places.motion], app);
+  places.root.addEventListener('focusin', ({ target }) => bringOut(/** @type {Element} */ (target), app));
   createTree(/** @type {HTMLDetailsElement} */ (find('objects')), app, selection.enter);
   createStatus(app);
   createWhy(app);
@@ -53,6 +58,23 @@ export async function createPanels(bare, banners) {
   whenSeen(find('types'), 'The types', async () => (await import('../panels/types/types-panel.js')).createTypes(app, find('types')));
   whenSeen(find('teach'), 'The joints', async () => (await import('../panels/teach/teach.js')).createTeach(app, find('teach')));
   return app;
+}
+
+/** Room for the row above, in pixels. */
+const ABOVE = 32;
+
+/**
+ * What takes the focus comes out from under the view, which stays on top of the tables on a phone. Not by scroll-margin: the
+ * frame in which a wide table scrolls takes that for itself.
+ * @param {Element} target @param {Pick<App, 'find' | 'narrow'>} app
+ */
+function bringOut(target, { find, narrow }) {
+  const stage = find('stage');
+  const covered = () => stage.getBoundingClientRect().bottom + ABOVE - target.getBoundingClientRect().top;
+  if (!narrow() || covered() <= ABOVE) return;
+  // Either the element scrolls or the page around it.
+  find('bench').scrollBy(0, -covered());
+  if (covered() > ABOVE) window.scrollBy(0, -covered());
 }
 
 /** Beside the tables, one at a time. @type {import('./workbench.js').Panel[]} */

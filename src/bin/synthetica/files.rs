@@ -35,11 +35,14 @@ pub fn read(file: &Path) -> Result<String, Failure> {
 
 fn not_text(byte: usize) -> Fault {
     let accepted = "JSON text in UTF-8";
+    let what = format!("The document: byte {byte} is no text");
     Fault {
         code: FaultCode::Syntax,
-        message: format!("The document: byte {byte} is no text. Accepted: {accepted}."),
+        message: format!("{what}. Accepted: {accepted}."),
+        what,
         place: String::new(),
         accepted: accepted.to_owned(),
+        optional: false,
         line: None,
         column: None,
     }

@@ -9,7 +9,7 @@ import { readText, RefusedFile } from './reading.js';
 import { fileName, saveFile } from '../../export/save.js';
 import { openShare } from './share.js';
 import { DocumentFault } from '../../planner/planner.js';
-import { sentence } from '../../panels/tables/fault-note.js';
+import { faultText } from '../../core/fault-text.js';
 
 /** What not every browser has, and the page's types do not know. @typedef {{showOpenFilePicker?: (options: object) => Promise<FileSystemFileHandle[]>, showSaveFilePicker?: (options: object) => Promise<FileSystemFileHandle>}} Pickers */
 const pickers = () => /** @type {Window & Pickers} */ (window);
@@ -92,7 +92,7 @@ export function createActs(app, chooser) {
       openShare(app, text, await encode(text));
     } catch (error) {
       if (!(error instanceof DocumentFault)) throw error;
-      say(`A link is made of a document without faults. ${sentence(error.fault.message)}`, { stays: true });
+      say(`A link is made of a document without faults. ${faultText(error.fault)}`, { stays: true });
     }
   }
 

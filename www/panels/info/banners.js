@@ -5,7 +5,7 @@
  * @typedef {ReturnType<typeof createBanners>} Banners
  */
 import { setText } from '../../ui/dom.js';
-import { parts, sentence } from '../tables/fault-note.js';
+import { faultParts, faultText } from '../../core/fault-text.js';
 import { frameSentence, partSentence } from '../../core/status-words.js';
 
 /** Pause before the live region speaks, in milliseconds: while the motion plays it would never stop. */
@@ -20,7 +20,7 @@ export function createBanners({ find, store }) {
   function show() {
     const { motion, fault, trouble } = store.result;
     find('fault-banner').hidden = !fault;
-    setText(find('fault-text'), fault ? `${parts(fault).what}${motion ? ' The last good motion is still shown.' : ''}` : '');
+    setText(find('fault-text'), fault ? `${faultParts(fault).what}${motion ? ' The last good motion is still shown.' : ''}` : '');
     find('trouble').hidden = !trouble;
     setText(find('trouble'), trouble);
   }
@@ -32,7 +32,7 @@ export function createBanners({ find, store }) {
     speech = setTimeout(() => {
       const { motion, fault, trouble } = store.result;
       if (store.view.playing && !fault && !trouble) return;
-      setText(live, fault ? sentence(fault.message) : trouble || (motion ? `${partSentence(motion)} ${frameSentence(store)}`.trim() : ''));
+      setText(live, fault ? faultText(fault) : trouble || (motion ? `${partSentence(motion)} ${frameSentence(store)}`.trim() : ''));
     }, SPEAK_AFTER);
   }
 

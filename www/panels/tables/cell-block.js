@@ -3,10 +3,17 @@
  * chooses one, to be copied in whole numbers or cleared. Each is one step of undo.
  */
 import { blockText, parseBlock } from './block-text.js';
+import { addKeyFrame, entry, setTimes } from '../../core/edits.js';
 import { element, focusBeside, setText } from '../../ui/dom.js';
 import { plural } from '../../core/format.js';
 import { valueAt } from '../../core/path.js';
 import { gridAt } from './grid.js';
+import { placed } from './paste.js';
+
+/** @typedef {import('../../core/types.js').MechanismDocument} MechanismDocument */
+
+const KEY_FRAMES = 'motion.key_frames';
+const TIME = /^motion\.key_frames\[(\d+)\]\.time$/;
 
 /**
  * @param {HTMLElement} root holds the tables
@@ -41,9 +48,23 @@ export function gridBlock(root, store, cells, say) {
     setText(note, rows.length ? `${size(rows.length, rows[0].length)} chosen` : '');
   }
 
-  /** Writes texts into fields, as one edit. @param {[HTMLInputElement, string][]} texts */
-  const write = (texts) =>
-    store.edit((doc) => texts.reduce((next, [field, text]) => cells.written(next, field.dataset.path ?? '', text), doc));
+  /** The document with texts written into cells. @param {MechanismDocument} doc @param {[path: string, text: string][]} texts */
+  function written(doc, texts) {
+    // Times stand in all key frames or in none, so they are written together.
+    const times = texts.flatMap(([path, text]) => {
+      const key = TIME.exec(path)?.[1];
+      return key ? [/** @type {[number, import('../../core/types.js').Entry | undefined]} */ ([Number(key), text === '' ? undefined : entry(text)])] : [];
+    });
+    const rest = texts.reduce((next, [path, text]) => (TIME.test(path) ? next : cells.written(next, path, text)), doc);
+    return times.length ? setTimes(rest, times) : rest;
+  }
+
+  /** The document with more key frames, each like the last, for a pasted block to be written into. @param {MechanismDocument} doc @param {number} more */
+  function withMoreKeys(doc, more) {
+    let next = doc;
+    for (let i = 0; i < more; i++) next = addKeyFrame(next, next.motion.key_frames[next.motion.key_frames.length - 1]);
+    return next;
+  }
 
   root.addEventListener('paste', (event) => {
     if (store.readonly) return;
@@ -56,13 +77,26 @@ export function gridBlock(root, store, cells, say) {
     if (!at || (rows.length === 1 && columns === 1) || /^\s*[{[]/.test(text)) return;
     event.preventDefault();
     event.stopPropagation();
-    const room = { rows: at.rows.length - at.row, columns: at.rows[at.row].length - at.column };
-    if (rows.length > room.rows || columns > room.columns) {
-      say(`The pasted block has ${size(rows.length, columns)}; from this cell on there is room for ${size(room.rows, room.columns)}. Nothing was written: paste it further up or to the left, or make it smaller.`);
+    const path = field.dataset.path ?? '';
+    const own = at.rows[at.row];
+    const plan = placed(rows, {
+      columns: own.map((cell) => cell.dataset.column ?? ''),
+      rows: at.rows.length,
+      row: at.row,
+      column: at.column,
+      grows: path.startsWith(KEY_FRAMES),
+    });
+    const { room } = plan;
+    if (room) {
+      say(`The pasted block has ${size(plan.rows, plan.width)}; from this cell on there is room for ${size(room.rows, room.columns)}. Nothing was written: paste it further up or to the left, or make it smaller.`);
       return;
     }
-    write(rows.flatMap((row, r) => row.map((value, c) => /** @type {[HTMLInputElement, string]} */ ([at.rows[at.row + r][at.column + c], value]))));
-    say(`${size(rows.length, columns)} pasted.`, { label: 'Undo', act: () => store.undo() });
+    // In rows that are not there yet, cells have the names of those above them.
+    const place = (/** @type {import('./paste.js').Pasted} */ { row, column }) =>
+      at.rows[row]?.[column].dataset.path ?? (own[column].dataset.path ?? '').replace(/\[\d+\]/, `[${row}]`);
+    store.edit((doc) => written(withMoreKeys(doc, plan.more), plan.cells.map((cell) => [place(cell), cell.text])));
+    const added = plan.more ? ` ${plural(plan.more, 'key frame')} added.` : '';
+    say(`${size(plan.rows, plan.width)} pasted.${added}${plan.head ? ' The row of heads was skipped.' : ''}`, { label: 'Undo', act: () => store.undo() });
   });
 
   root.addEventListener('copy', (event) => {
@@ -83,7 +117,8 @@ export function gridBlock(root, store, cells, say) {
       const to = at?.rows[at.row + step[0]]?.[at.column + step[1]];
       if (to) choose(block?.from ?? field, to);
     } else if (block && (event.key === 'Delete' || event.key === 'Backspace')) {
-      write(chosen().flat().map((cell) => [cell, '']));
+      const texts = chosen().flat().map((cell) => /** @type {[string, string]} */ ([cell.dataset.path ?? '', '']));
+      store.edit((doc) => written(doc, texts));
       choose(null);
     } else if (block && event.key === 'Escape') {
       choose(null);

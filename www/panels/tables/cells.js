@@ -74,6 +74,13 @@ export function createCells(store) {
       put('value', text);
       put('title', typeof now === 'number' && text !== whole ? whole : '');
       put('placeholder', hint !== undefined ? short(hint, spec.decimals) : spec.optional ? '–' : '');
+      fit();
+    };
+
+    /** No digit of a number is cut: the style sheet gives the cell room for so many. */
+    const fit = () => {
+      const characters = String(Math.max(field.value.length, field.placeholder.length));
+      if (!spec.text && field.style.getPropertyValue('--characters') !== characters) field.style.setProperty('--characters', characters);
     };
 
     /** @param {boolean} final whether the person has finished: while "-" or "1e" is typed, nothing is wrong yet */
@@ -95,6 +102,7 @@ export function createCells(store) {
     });
     field.addEventListener('input', () => {
       touched = true;
+      fit();
       commit(false);
     });
     field.addEventListener('blur', () => {
@@ -153,8 +161,14 @@ export function createCells(store) {
     },
     /** @param {string} path */
     find: (path) => cells.get(path)?.input,
-    /** The document with a text written into a cell as if it were typed there. @param {MechanismDocument} doc @param {string} path @param {string} text */
-    written: (doc, path, text) => cells.get(path)?.put?.(doc, text) ?? doc,
+    /**
+     * The document with a text written into a cell as if it were typed there; the cell may be one that is not made yet.
+     * @param {MechanismDocument} doc @param {string} path @param {string} text
+     */
+    written(doc, path, text) {
+      const put = cells.get(path)?.put ?? ((next, typed) => setValue(next, path, path.endsWith('.name') ? typed : entry(typed)));
+      return put(doc, text);
+    },
     all: () => [...cells.values()].map((cell) => cell.input),
   };
 }

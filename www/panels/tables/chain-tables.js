@@ -9,6 +9,7 @@
 import * as edits from '../../core/edits.js';
 import { ANGLE_DECIMALS, degrees, lengthUnit, short } from '../../core/format.js';
 import { JOINT_LETTERS, JOINT_TYPES, chainType, chainVariables, variableName } from '../../core/joint-types.js';
+import { groupAt, shown } from '../../core/shown.js';
 import { element, setText } from '../../ui/dom.js';
 import { coordinateCells, coordinateHeads } from './frame-table.js';
 
@@ -29,7 +30,7 @@ const PARAMETERS = [
  * @param {() => void} findStart asks the planner for start values
  */
 export function createChainTables(panel, store, cells, defaults, arrange, findStart) {
-  /** Outputs that follow the playhead: one a joint variable. @type {HTMLOutputElement[][]} */
+  /** Outputs that follow what is shown: one a joint variable. @type {HTMLOutputElement[][]} */
   let nows = [];
   /** Chains whose start values are unfolded, kept over a rebuild. @type {Set<number>} */
   const unfolded = new Set();
@@ -176,7 +177,7 @@ export function createChainTables(panel, store, cells, defaults, arrange, findSt
       );
       const fields = [start, ...bounds];
       fields.forEach((field, column) => {
-        field.dataset.column = String(column);
+        field.dataset.column = ['start', 'min', 'max'][column];
       });
       return element(
         'tr',
@@ -234,16 +235,16 @@ export function createChainTables(panel, store, cells, defaults, arrange, findSt
     );
   }
 
-  /** The joint values at the playhead, where they are unfolded. */
+  /** The joint values that are shown, of the playhead's frame or of a posture in its place, where they are unfolded. */
   function showNow() {
     const { motion } = store.result;
-    if (!motion) return;
-    const { chains } = motion.report;
-    const width = motion.joints.length / motion.frames;
-    let at = store.view.frame * width;
-    chains.forEach(({ variables }, chain) => {
+    const now = shown(store);
+    if (!motion || !now) return;
+    const joints = groupAt(now.joints, now);
+    let at = 0;
+    motion.report.chains.forEach(({ variables }, chain) => {
       variables.forEach(({ unit: kind }, index) => {
-        const value = motion.joints[at++];
+        const value = joints[at++];
         const output = nows[chain]?.[index];
         if (output && unfolded.has(chain)) setText(output, kind === 'rad' ? short(degrees(value), ANGLE_DECIMALS) : short(value));
       });

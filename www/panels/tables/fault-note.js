@@ -1,59 +1,82 @@
 /**
- * The fault of the document, written beside the cell that caused it.
+ * The faults of the document, each written beside the cell that caused it.
  *
  * @typedef {import('../../core/types.js').Fault} Fault
  */
-import { covers } from '../../core/path.js';
+import { faultParts } from '../../core/fault-text.js';
+import { covers, valueAt } from '../../core/path.js';
 import { element } from '../../ui/dom.js';
+import { numberHint } from './number-hint.js';
 
 const ID = 'fault-note';
 
-/**
- * @param {HTMLElement} root holds the elements with a `data-path`
- * @returns {{show: (fault: Fault | null) => HTMLElement | null}} `show` gives the element at fault
- */
+/** @param {HTMLElement} root holds the elements with a `data-path` */
 export function createFaultNote(root) {
-  /** @type {Element | null} */
-  let note = null;
-  /** @type {Element | null} */
-  let marked = null;
+  /** @type {Element[]} */
+  let notes = [];
+  /** @type {Element[]} */
+  let marked = [];
 
   const clear = () => {
-    note?.remove();
-    note = null;
-    marked?.removeAttribute('aria-invalid');
-    marked?.removeAttribute('aria-describedby');
-    marked = null;
+    for (const note of notes) note.remove();
+    for (const place of marked) {
+      place.removeAttribute('aria-invalid');
+      place.removeAttribute('aria-describedby');
+    }
+    [notes, marked] = [[], []];
   };
 
-  return {
-    show(fault) {
-      clear();
-      if (!fault) return null;
-      const { what, remedy } = parts(fault);
-      const text = element('div', { id: ID, class: 'fault' }, element('strong', {}, what), ` ${remedy}`);
-      const place = closest(root, fault.where);
-      if (!place) {
-        note = text;
-        root.prepend(text);
-        return null;
-      }
-      const row = place.closest('tr');
-      if (row) {
-        note = element('tr', { class: 'fault-row' }, element('td', { colspan: row.cells.length }, text));
-        row.after(note);
-      } else {
-        note = text;
-        const container = place.closest('.field');
-        if (container) container.append(text);
-        else place.prepend(text);
-      }
+  /** @param {Fault} fault @param {string} id @param {import('../../core/types.js').MechanismDocument} doc */
+  function mark(fault, id, doc) {
+    const text = noteOf(fault, id, doc);
+    const place = closest(root, fault.where);
+    if (!place) {
+      notes.push(text);
+      root.prepend(text);
+      return null;
+    }
+    if (!marked.includes(place)) {
       if (place.matches('input, select')) place.setAttribute('aria-invalid', 'true');
-      place.setAttribute('aria-describedby', ID);
-      marked = place;
-      return place;
+      place.setAttribute('aria-describedby', id);
+      marked.push(place);
+    }
+    const row = place.closest('tr');
+    if (row) {
+      const note = element('tr', { class: 'fault-row' }, element('td', { colspan: row.cells.length }, text));
+      // Below the notes of the row's other cells.
+      let last = row;
+      while (last.nextElementSibling?.matches('.fault-row')) last = /** @type {HTMLTableRowElement} */ (last.nextElementSibling);
+      last.after(note);
+      notes.push(note);
+    } else {
+      const container = place.closest('.field');
+      if (container) container.append(text);
+      else place.prepend(text);
+      notes.push(text);
+    }
+    return place;
+  }
+
+  return {
+    /**
+     * @param {Fault[]} faults
+     * @param {import('../../core/types.js').MechanismDocument} doc that they are of
+     * @returns {HTMLElement | null} the element at the first fault
+     */
+    show(faults, doc) {
+      clear();
+      const places = faults.map((fault, index) => mark(fault, index ? `${ID}-${index + 1}` : ID, doc));
+      return places[0] ?? null;
     },
   };
+}
+
+/** @param {Fault} fault @param {string} id @param {import('../../core/types.js').MechanismDocument} doc */
+function noteOf(fault, id, doc) {
+  const { what, remedy } = faultParts(fault);
+  const typed = valueAt(doc, fault.where);
+  const hint = fault.code === 'wrong-type' && typeof typed === 'string' ? numberHint(typed) : '';
+  return element('div', { id, class: 'fault' }, element('strong', {}, what), ` ${hint || remedy}`);
 }
 
 /**
@@ -71,18 +94,3 @@ function closest(root, where) {
   }
   return best;
 }
-
-/**
- * What is wrong, and what would be accepted: the two parts of a fault's message. Where the place is known, line and
- * column of a text that the person never sees are left out.
- * @param {Fault} fault
- */
-export function parts({ message, accepted, where }) {
-  const remedy = `Accepted: ${accepted}.`;
-  const parted = message.endsWith(remedy);
-  const what = parted ? message.slice(0, -remedy.length).trim() : message;
-  return { what: sentence(where ? what.replace(/^Line \d+, column \d+\. /, '') : what), remedy: parted ? remedy : '' };
-}
-
-/** @param {string} text */
-export const sentence = (text) => text.charAt(0).toUpperCase() + text.slice(1) + (/[.!?]$/.test(text) ? '' : '.');

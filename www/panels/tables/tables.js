@@ -2,8 +2,11 @@
  * The editable panels: keeps both panels of tables in step with the document and shows its fault.
  *
  * @typedef {import('../../core/store.js').Store} Store
+ * @typedef {import('../../core/types.js').Fault} Fault
  */
+import { valueAt } from '../../core/path.js';
 import { focusBeside } from '../../ui/dom.js';
+import { allFaults } from './all-faults.js';
 import { createArrange } from './reorder.js';
 import { createCells } from './cells.js';
 import { createChainTables } from './chain-tables.js';
@@ -18,11 +21,12 @@ import { createMotionTables } from './motion-tables.js';
  * @param {import('../../core/types.js').Defaults} defaults
  * @param {{markFault: (panel: HTMLElement | null) => void, findStart: () => void, goToKey: (key: number) => void,
  *   compareMetrics: Parameters<typeof import('./metric-comparison.js').createMetricComparison>[1],
+ *   check: (doc: import('../../core/types.js').MechanismDocument) => Promise<Fault | null>,
  *   say: import('../../ui/notice.js').Say}} outside
  *   `markFault` is told which panel holds the fault; `findStart` asks the planner for start values; `goToKey` takes
- *   the playhead to a key frame; `compareMetrics` asks the planner for both metrics' gaps
+ *   the playhead to a key frame; `compareMetrics` asks the planner for both metrics' gaps, `check` for a document's fault
  */
-export function createTables({ root, mechanism, motion }, store, defaults, { markFault, findStart, goToKey, compareMetrics, say }) {
+export function createTables({ root, mechanism, motion }, store, defaults, { markFault, findStart, goToKey, compareMetrics, check, say }) {
   const arrange = createArrange(root, store);
   const cells = createCells(store);
   const chains = createChainTables(mechanism, store, cells, defaults, arrange, findStart);
@@ -32,8 +36,25 @@ export function createTables({ root, mechanism, motion }, store, defaults, { mar
   /** @type {HTMLElement | null} */
   let culprit = null;
 
-  function showFault() {
-    culprit = note.show(store.result.fault);
+  /** Shown now, and the document that they are of. @type {{faults: Fault[], doc: import('../../core/types.js').MechanismDocument}} */
+  let told = { faults: [], doc: store.doc };
+
+  /** The fault that the planner told, at once, then the others that the document has. */
+  async function showFault() {
+    const { doc, result: { fault } } = store;
+    // What was wrong and was not touched is wrong still: its mark does not go and come back.
+    const same = (/** @type {Fault} */ { where }) => where !== fault?.where && valueAt(doc, where) === valueAt(told.doc, where);
+    mark(fault ? [fault, ...told.faults.filter(same)] : [], doc);
+    if (!fault) return;
+    const newest = () => store.doc === doc && store.result.fault === fault;
+    const all = await allFaults(doc, fault, async (filled) => (newest() ? check(filled) : null));
+    if (newest()) mark(all, doc);
+  }
+
+  /** @param {Fault[]} faults @param {import('../../core/types.js').MechanismDocument} doc */
+  function mark(faults, doc) {
+    told = { faults, doc };
+    culprit = note.show(faults, doc);
     const fold = culprit?.closest('details');
     if (fold) fold.open = true;
     markFault(culprit && (mechanism.contains(culprit) ? mechanism : motion));
