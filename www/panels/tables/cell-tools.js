@@ -17,16 +17,19 @@ export function cellTools(root, store, cells, say) {
   /**
    * @param {string} what
    * @param {(target: Element) => boolean | undefined} isWanted
-   * @param {() => Promise<(event: Event) => void>} load gives what is done with such an event from then on
+   * @param {() => Promise<(cell: Element) => void>} load begins it, and gives what shows it at a cell
    */
   function atFirst(what, isWanted, load) {
     /** @param {Event} event */
     const come = async (event) => {
+      // Of an event in a shadow tree the target is known only while it is dispatched.
       const target = /** @type {Element} */ (event.target);
       if (!isWanted(target)) return;
       leave();
       try {
-        (await load())(event);
+        const show = await load();
+        // In the meantime one may be elsewhere.
+        if (target.matches(':hover, :focus')) show(target);
       } catch (error) {
         say(`${what} could not be loaded (${error instanceof Error ? error.message : error}). The next cell that is entered tries again.`);
         root.addEventListener('focusin', come);

@@ -20,7 +20,7 @@ import { pointCells, setting } from './settings.js';
  * @param {Defaults} defaults
  * @param {ReturnType<typeof import('./reorder.js').createArrange>} arrange
  * @param {{goTo: (key: number) => void, compareMetrics: Parameters<typeof createMetricComparison>[1]}} outside `goTo` takes
- * *   the playhead to a key frame; `compareMetrics` asks the planner
+ *   the playhead to a key frame; `compareMetrics` asks the planner
  * @param {ReturnType<typeof import('./forms.js').createForms>} forms
  */
 export function createMotionTables(panel, store, cells, defaults, arrange, { goTo, compareMetrics }, forms) {
@@ -56,7 +56,7 @@ export function createMotionTables(panel, store, cells, defaults, arrange, { goT
               { label: 'Duplicate', act: () => store.edit((doc) => edits.duplicateKeyFrame(doc, index)) },
               { label: 'Insert the shown pose after it', act: () => addShown('pose', index + 1) },
               { label: 'Take the shown pose', act: () => takeShown(index) },
-              { label: 'Turn…', hint: 'as quaternion, matrix, roll-pitch-yaw', act: () => forms.turn(path, label) },
+              { label: 'Turn as quaternion, matrix…', act: () => forms.turn(path, label) },
               { label: 'Remove', disabled: keys.length <= 2, act: () => store.edit((doc) => edits.removeKeyFrame(doc, index)) },
             ]),
           ),

@@ -19,7 +19,7 @@ const EVENTS = /** @type {const} */ (['pointermove', 'pointerup', 'pointercancel
  * @param {HTMLElement} root holds the tables
  * @param {import('../../core/store.js').Store} store
  * @param {ReturnType<typeof import('./cells.js').createCells>} cells
- * @returns {(event: Event) => void} shows the slider at the cell of an event
+ * @returns {(cell: Element) => void} shows the slider at a cell
  */
 export function createNumberSlide(root, store, cells) {
   const tree = /** @type {Document | ShadowRoot} */ (root.getRootNode());
@@ -122,19 +122,19 @@ export function createNumberSlide(root, store, cells) {
     setText(spoken, String(value));
   });
 
-  /** @param {Event} event */
-  function come(event) {
-    const field = numberCell(event.target);
-    if (event.type === 'focusin') {
-      marks++;
-      setText(spoken, '');
-      field?.setAttribute('aria-keyshortcuts', 'PageUp PageDown');
-      show(field);
-    } else if (field && /** @type {PointerEvent} */ (event).pointerType === 'mouse') show(field);
+  /** @param {HTMLInputElement | null} field */
+  function enter(field) {
+    marks++;
+    setText(spoken, '');
+    field?.setAttribute('aria-keyshortcuts', 'PageUp PageDown');
+    show(field);
   }
-  root.addEventListener('focusin', come);
+  root.addEventListener('focusin', ({ target }) => enter(numberCell(target)));
   root.addEventListener('focusout', () => show(null));
-  root.addEventListener('pointerover', come);
+  root.addEventListener('pointerover', ({ target, pointerType }) => {
+    const field = numberCell(target);
+    if (field && pointerType === 'mouse') show(field);
+  });
   root.addEventListener('pointerout', (event) => {
     if (numberCell(event.target) && event.relatedTarget !== handle) show(numberCell(focusBeside(root)));
   });
@@ -143,5 +143,5 @@ export function createNumberSlide(root, store, cells) {
   store.subscribe('result', () => {
     if (at) place();
   });
-  return come;
+  return (cell) => enter(numberCell(cell));
 }

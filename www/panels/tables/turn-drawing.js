@@ -73,7 +73,7 @@ export function drawing() {
 
 /**
  * @param {HTMLElement} root holds the tables
- * @returns {(event: Event) => void} shows the drawing for the cell of an event
+ * @returns {(cell: Element) => void} shows the drawing for a cell that has the focus
  */
 export function createTurnDrawing(root) {
   wear(/** @type {Document | ShadowRoot} */ (root.getRootNode()), look);
@@ -104,9 +104,8 @@ export function createTurnDrawing(root) {
     figure.hidePopover();
   }
 
-  /** @param {Event} event */
-  function come({ type, target }) {
-    if (type !== 'focusin') return;
+  /** @param {EventTarget | null} target */
+  function show(target) {
     hide();
     if (!(target instanceof HTMLInputElement) || !target.matches(TURN_CELLS)) return;
     field = target;
@@ -117,11 +116,13 @@ export function createTurnDrawing(root) {
     figure.showPopover();
     place();
   }
-  root.addEventListener('focusin', come);
+  root.addEventListener('focusin', ({ target }) => show(target));
   root.addEventListener('focusout', hide);
   root.addEventListener('keydown', (event) => {
     if (event.key === 'Escape') figure.hidePopover();
   });
   root.getRootNode().addEventListener('scroll', place, true);
-  return come;
+  return (cell) => {
+    if (cell.matches(':focus')) show(cell);
+  };
 }
