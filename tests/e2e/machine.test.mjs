@@ -115,6 +115,29 @@ test('a number is dragged beside its cell, the motion follows; one step of undo,
   assert.deepEqual(await doc(), before);
 });
 
+test('on a phone the slider is there for the cell that has the focus, and a finger drags it', async () => {
+  const phone = await browser.openPage({ viewport: { width: 390, height: 844 }, isMobile: true, hasTouch: true });
+  const path = 'chains[0].joints[1].rows[0].alpha';
+  const field = phone.page.locator(`[data-path="${path}"]`);
+  await field.evaluate((node) => node.scrollIntoView({ block: 'center' }));
+  await field.tap();
+  const slide = phone.page.locator('.slide');
+  await slide.waitFor();
+  const box = await slide.boundingBox();
+  assert.ok(box.width >= 24 && box.height >= 24, `large enough for a finger: ${box.width} by ${box.height}`);
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  const devtools = await phone.page.context().newCDPSession(phone.page);
+  const touch = (type, at) => devtools.send('Input.dispatchTouchEvent', { type, touchPoints: at === undefined ? [] : [{ x: at, y }] });
+  await touch('touchStart', x);
+  await touch('touchMove', x - 20);
+  await touch('touchMove', x - 40);
+  await touch('touchEnd');
+  await phone.page.waitForFunction((at) => page$(`[data-path="${at}"]`).value === '80', path);
+  assert.equal(await phone.page.evaluate(() => pageFocus().dataset.path), path, 'the cell keeps the focus');
+  assert.deepEqual(phone.problems, []);
+  await phone.page.close();
+});
+
 test('another unit asks: the numbers are converted with the metric length, or the unit is only renamed', async () => {
   const before = await doc();
   const unit = page.getByRole('textbox', { name: 'unit of length' });

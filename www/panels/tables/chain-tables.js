@@ -150,7 +150,7 @@ export function createChainTables(panel, store, cells, defaults, arrange, findSt
 
   /** The frame's letter, which opens its turn in other forms. @param {number} chain @param {string} key @param {string} letter @param {string} name */
   function turnButton(chain, key, letter, name) {
-    const label = `${name.charAt(0).toUpperCase()}${name.slice(1)} of chain ${chain + 1}: turn as quaternion, matrix, roll-pitch-yaw`;
+    const label = `${letter}${chain + 1}, ${name} of chain ${chain + 1}: turn as quaternion, matrix, roll-pitch-yaw`;
     return element(
       'button',
       { class: 'quiet letter', title: label, 'aria-label': label, click: () => forms.turn(`chains[${chain}].${key}`, `the ${name} of chain ${chain + 1}`) },

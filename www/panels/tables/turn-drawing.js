@@ -11,7 +11,7 @@ import { wear } from '../../ui/style-sheets.js';
 import { TURN_CELLS } from './cell-tools.js';
 
 /** The drawn frame, in degrees. */
-const DRAWN = { longitude: 52, latitude: 38, roll: 60 };
+const DRAWN = { longitude: 60, latitude: 42, roll: 60 };
 
 /** The text alternative: all that the drawing says. */
 export const IN_WORDS =
@@ -19,8 +19,17 @@ export const IN_WORDS =
 
 /** @typedef {readonly [number, number, number]} Point */
 
-/** Onto the paper, seen from the front, the right and above: x to the lower right, y up, z to the lower left. @param {Point} point */
-const onPaper = ([x, y, z]) => [88 * (0.82 * x - 0.57 * z), -88 * (0.86 * y - 0.3 * x - 0.42 * z)];
+/** Where the eye is: from the fixed z axis towards x, and above. */
+const EYE = { longitude: 10, latitude: 25 };
+
+/** Pixels to one. */
+const SCALE = 88;
+
+/** Onto the paper. @param {Point} point */
+function onPaper([x, y, z]) {
+  const [right, up] = [axisOf(EYE, 0), axisOf(EYE, 1)];
+  return [right, up].map((axis, i) => (i ? -SCALE : SCALE) * (x * axis[0] + y * axis[1] + z * axis[2]));
+}
 
 /** @param {Point[]} points */
 const line = (points) => points.map((point, i) => `${i ? 'L' : 'M'}${onPaper(point).map((value) => value.toFixed(1)).join(' ')}`).join('');
@@ -60,14 +69,14 @@ export function drawing() {
     return [point[0] + tip[0], point[1] + tip[1], point[2] + tip[2]];
   });
   const arrow = (/** @type {Point[]} */ points, /** @type {string} */ kind) => `<path d="${line(points)}" class="${kind}" marker-end="url(#turn-arrow)"/>`;
-  return `<svg viewBox="-82 -112 190 190" role="img" aria-label="${IN_WORDS}">
+  return `<svg viewBox="-48 -124 190 182" role="img" aria-label="${IN_WORDS}">
     <defs><marker id="turn-arrow" viewBox="0 0 8 8" refX="6" refY="4" markerWidth="7" markerHeight="7" markerUnits="userSpaceOnUse" orient="auto"><path d="M0 0L8 4L0 8Z" fill="currentColor" stroke="none"/></marker></defs>
     <g class="globe"><path d="${line(equator)}"/><path d="${line(meridian)}"/><path d="${line([origin, axisOf({ longitude }, 2)])}"/></g>
     ${[[1.2, 0, 0], [0, 1.2, 0], [0, 0, 1.2]].map((end, i) => arrow([origin, /** @type {any} */ (end)], 'fixed') + label(/** @type {any} */ (end.map((value) => value * 1.12)), 'xyz'[i])).join('')}
-    ${arrow([origin, times(tip, 1.25)], 'own')}${label(times(tip, 1.36), 'z of the frame', 'start')}
+    ${arrow([origin, times(tip, 1.25)], 'own')}${label(times(tip, 1.34), 'frame’s z', 'start')}
     <g data-angle="longitude">${arrow(first, 'turn')}${label(times(axisOf({ longitude: longitude / 2 }, 2), 0.7), 'lon')}</g>
     <g data-angle="latitude">${arrow(second, 'turn')}${label(times(axisOf({ longitude: longitude + 13, latitude: latitude / 2 }, 2), 0.88), 'lat')}</g>
-    <g data-angle="roll">${arrow(third, 'turn')}${label([tip[0] - 0.18, tip[1] + 0.3, tip[2] + 0.1], 'roll')}</g>
+    <g data-angle="roll">${arrow(third, 'turn')}${label([tip[0] - 0.12, tip[1] + 0.3, tip[2]], 'roll')}</g>
   </svg>`;
 }
 
@@ -76,9 +85,10 @@ export function drawing() {
  * @returns {(cell: Element) => void} shows the drawing for a cell that has the focus
  */
 export function createTurnDrawing(root) {
-  wear(/** @type {Document | ShadowRoot} */ (root.getRootNode()), look);
+  const tree = /** @type {Document | ShadowRoot} */ (root.getRootNode());
+  wear(tree, look);
   const caption = element('figcaption', { id: 'turn-drawing-text' });
-  caption.innerHTML = 'R = Y(<b data-angle="longitude">lon</b>) · X(−<b data-angle="latitude">lat</b>) · Z(<b data-angle="roll">roll</b>), degrees. Other forms: the frame’s menu.';
+  caption.innerHTML = 'R = Y(<b data-angle="longitude">lon</b>) · X(−<b data-angle="latitude">lat</b>) · Z(<b data-angle="roll">roll</b>): lon about y, from there lat towards y, then roll about the frame’s z. Other forms: menu ⋯.';
   const figure = element('figure', { class: 'turn-drawing', popover: 'manual' });
   figure.innerHTML = drawing();
   figure.append(caption);
@@ -90,6 +100,9 @@ export function createTurnDrawing(root) {
   function place() {
     if (!field) return;
     const [cell, panel] = [field, root].map((part) => part.getBoundingClientRect());
+    // Scrolled out of its panel, the cell needs no drawing.
+    if (tree.elementFromPoint(cell.left + cell.width / 2, cell.top + cell.height / 3) !== field) return figure.hidePopover();
+    figure.showPopover();
     const { offsetWidth: width, offsetHeight: height } = figure;
     const beside = panel.right + width + 8 <= innerWidth;
     const above = cell.top - height - 12;
@@ -113,15 +126,14 @@ export function createTurnDrawing(root) {
     for (const part of figure.querySelectorAll('[data-angle]')) part.classList.toggle('now', part.getAttribute('data-angle') === name);
     // A fault is told first.
     if (!field.hasAttribute('aria-describedby')) field.setAttribute('aria-describedby', caption.id);
-    figure.showPopover();
     place();
   }
   root.addEventListener('focusin', ({ target }) => show(target));
   root.addEventListener('focusout', hide);
   root.addEventListener('keydown', (event) => {
-    if (event.key === 'Escape') figure.hidePopover();
+    if (event.key === 'Escape') hide();
   });
-  root.getRootNode().addEventListener('scroll', place, true);
+  tree.addEventListener('scroll', place, true);
   return (cell) => {
     if (cell.matches(':focus')) show(cell);
   };

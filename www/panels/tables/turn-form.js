@@ -55,7 +55,7 @@ export function openTurnForm(root, store, path, name) {
   function show(typed) {
     for (const { form, control } of fields) if (form !== typed) control.value = writeTurn(form, turn);
     const { longitude, latitude, roll } = typed ? anglesOf(turn, before) : { longitude: 0, latitude: 0, roll: 0, ...before };
-    setText(angles, `longitude ${longitude}°, latitude ${latitude}°, roll ${roll}°`);
+    setText(angles, `longitude ${longitude}°, latitude ${latitude}°, roll ${roll}°`.replaceAll('-', '−'));
   }
 
   /** @param {HTMLInputElement | HTMLTextAreaElement} control @param {string} label */
