@@ -8,6 +8,7 @@ import { valueAt } from '../../core/path.js';
 import { element, focusBeside, setText } from '../../ui/dom.js';
 import { wear } from '../../ui/style-sheets.js';
 import { NUMBER_CELLS } from './cell-tools.js';
+import { floating } from './floating.js';
 
 /** Pixels of a drag for one step. */
 const PIXELS = 4;
@@ -52,11 +53,15 @@ export function createNumberSlide(root, store, cells) {
     handle.style.top = `${box.bottom - Math.min(5, handle.offsetHeight / 4)}px`;
   }
 
+  const float = floating(handle, place);
+
   /** @param {HTMLInputElement | null} field */
   function show(field) {
     if (drag) return;
     const path = field?.dataset.path ?? '';
     at = path && cells.number(path) !== null ? path : '';
+    if (at) float.begin();
+    else float.end();
     handle.style.width = matchMedia('(pointer: coarse)').matches || !field ? '' : `${field.offsetWidth}px`;
     place();
   }
@@ -138,7 +143,6 @@ export function createNumberSlide(root, store, cells) {
   root.addEventListener('pointerout', (event) => {
     if (numberCell(event.target) && event.relatedTarget !== handle) show(numberCell(focusBeside(root)));
   });
-  tree.addEventListener('scroll', place, true);
   // After the tables have shown the edit.
   store.subscribe('result', () => {
     if (at) place();

@@ -9,6 +9,7 @@ import { turnOf } from '../../core/orientation.js';
 import { element } from '../../ui/dom.js';
 import { wear } from '../../ui/style-sheets.js';
 import { TURN_CELLS } from './cell-tools.js';
+import { floating } from './floating.js';
 
 /** The drawn frame, in degrees. */
 const DRAWN = { longitude: 60, latitude: 42, roll: 60 };
@@ -111,7 +112,10 @@ export function createTurnDrawing(root) {
     figure.style.top = `${Math.max(4, Math.min(top, innerHeight - height - 4))}px`;
   }
 
+  const float = floating(figure, place);
+
   function hide() {
+    float.end();
     if (field?.getAttribute('aria-describedby') === caption.id) field.removeAttribute('aria-describedby');
     field = null;
     figure.hidePopover();
@@ -126,6 +130,7 @@ export function createTurnDrawing(root) {
     for (const part of figure.querySelectorAll('[data-angle]')) part.classList.toggle('now', part.getAttribute('data-angle') === name);
     // A fault is told first.
     if (!field.hasAttribute('aria-describedby')) field.setAttribute('aria-describedby', caption.id);
+    float.begin();
     place();
   }
   root.addEventListener('focusin', ({ target }) => show(target));
@@ -133,7 +138,6 @@ export function createTurnDrawing(root) {
   root.addEventListener('keydown', (event) => {
     if (event.key === 'Escape') hide();
   });
-  tree.addEventListener('scroll', place, true);
   return (cell) => {
     if (cell.matches(':focus')) show(cell);
   };

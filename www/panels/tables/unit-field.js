@@ -1,20 +1,15 @@
 /**
- * The unit of length as a text that can be typed. Another name for it alone changes what the numbers mean, so that it is
- * asked whether the numbers are to be converted.
+ * The unit of length as a text that can be typed; what another name for it is to mean is asked below the field.
  */
-import { entry, setValue } from '../../core/edits.js';
-import { length } from '../../core/format.js';
-import { convertLengths, factorBetween } from '../../core/units.js';
-import { element, setText } from '../../ui/dom.js';
+import { element } from '../../ui/dom.js';
 
 /**
  * @param {HTMLElement} panel holds the tables
  * @param {import('../../core/store.js').Store} store
  * @param {import('../../ui/notice.js').Say} say
- * @returns {{field: HTMLElement, choice: HTMLElement}} `choice` is what is asked; it stands below the field
+ * @returns {{field: HTMLElement, choice: HTMLElement}} `choice` is what is asked
  */
 export function unitField(panel, store, say) {
-  const unit = () => store.doc.length_unit ?? '';
   const field = element('input', {
     type: 'text',
     class: 'cell text',
@@ -25,80 +20,19 @@ export function unitField(panel, store, say) {
     spellcheck: 'false',
     readonly: store.readonly,
   });
-  field.value = unit();
-  const sentence = element('p', { role: 'status' });
-  const factor = element('input', { type: 'text', inputmode: 'decimal', class: 'cell', size: 8, autocomplete: 'off' });
-  const fault = element('p', { class: 'fault', role: 'alert', hidden: true });
-  const [before, behind] = [element('span'), element('span')];
-  const convert = element('button', { click: converted }, 'Convert the numbers');
-  const choice = element(
-    'div',
-    { class: 'unit-choice', role: 'group', 'aria-label': 'Another unit of length', hidden: true },
-    sentence,
-    element('label', {}, before, ' ', factor, ' ', behind),
-    fault,
-    element('p', { class: 'unit-buttons' }, convert, element('button', { click: renamed }, 'Only rename'), element('button', { click: kept }, 'Leave it')),
-  );
-
-  const wanted = () => field.value.trim();
-
-  function ask() {
-    choice.hidden = wanted() === unit();
-    fault.hidden = true;
-    if (choice.hidden) return;
-    const known = factorBetween(unit(), wanted());
-    const [old, fresh] = [unit() || 'of the old unit', wanted() || 'of the new unit'];
-    setText(before, `1 ${old} =`);
-    setText(behind, fresh);
-    factor.value = known === null ? '' : String(known);
-    setText(sentence, known === null ? 'Convert the numbers, or only rename the unit? How the two units compare is not known here: give the factor.' : 'Convert the numbers, or only rename the unit?');
-  }
-
-  /** After the edit the tables are made anew. @param {(doc: import('../../core/types.js').MechanismDocument) => import('../../core/types.js').MechanismDocument} edit */
-  function change(edit) {
-    choice.hidden = true;
-    store.edit(edit);
-    /** @type {HTMLElement | null} */ (panel.querySelector('[data-path="length_unit"]'))?.focus();
-  }
-
-  function converted() {
-    const times = entry(factor.value);
-    if (typeof times !== 'number' || times <= 0) {
-      setText(fault, 'Accepted: a number above 0, how many of the new unit are one of the old.');
-      fault.hidden = false;
-      factor.focus();
-      return;
-    }
-    const name = wanted();
-    change((doc) => convertLengths(doc, times, name));
-    const metric = store.doc.planner?.metric_length;
-    const followed = typeof metric === 'number' ? `the metric length too, which is ${length(metric, name)} now` : 'the metric length is none of them: it follows from the mechanism';
-    say(`The lengths are converted to ${name || 'the new unit'}; ${followed}.`);
-  }
-
-  function renamed() {
-    const name = wanted();
-    change((doc) => setValue(doc, 'length_unit', name));
-  }
-
-  function kept() {
-    field.value = unit();
-    choice.hidden = true;
-    field.focus();
-  }
-
+  field.value = store.doc.length_unit ?? '';
+  const choice = element('div', { class: 'unit-choice', role: 'group', 'aria-label': 'Another unit of length', hidden: true });
   field.addEventListener('focus', () => field.select());
-  field.addEventListener('input', ask);
-  for (const part of [field, choice]) {
-    part.addEventListener('keydown', (event) => {
-      if (choice.hidden) return;
-      if (event.key === 'Escape') kept();
-      if (event.key !== 'Enter' || event.target instanceof HTMLButtonElement) return;
-      event.preventDefault();
-      // Enter in the field goes to the question, Enter at the factor answers it.
-      if (event.target === factor) converted();
-      else (factor.value ? convert : factor).focus();
-    });
-  }
+  const first = async () => {
+    field.removeEventListener('input', first);
+    try {
+      (await import('./unit-choice.js')).createUnitChoice(panel, store, say, field, choice);
+    } catch (error) {
+      field.value = store.doc.length_unit ?? '';
+      field.addEventListener('input', first);
+      say(`The unit cannot be changed now: a part of the page could not be loaded (${error instanceof Error ? error.message : error}). Try again.`);
+    }
+  };
+  field.addEventListener('input', first);
   return { field, choice };
 }
