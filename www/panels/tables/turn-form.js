@@ -32,7 +32,7 @@ export function openTurnForm(root, store, path, name) {
   const told = element('p', { class: 'muted', role: 'status' });
 
   const fields = FIELDS.map(({ form, label, note }) => {
-    const control = form === 'matrix' ? element('textarea', { rows: 3 }) : element('input', { type: 'text' });
+    const control = form === 'matrix' ? element('textarea', { rows: 3, wrap: 'off' }) : element('input', { type: 'text' });
     for (const [key, value] of Object.entries({ class: 'cell text', autocomplete: 'off', spellcheck: 'false', 'data-form': form })) control.setAttribute(key, value);
     control.readOnly = store.readonly;
     const copy = element('button', { type: 'button', 'aria-label': `Copy ${label}`, click: () => copyText(control, label) }, 'Copy');
