@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { violations } from './axe.mjs';
-import { cell, faultBeside, openBrowser } from './browser.mjs';
+import { cell, doTo, faultBeside, openBrowser } from './browser.mjs';
 
 let browser;
 before(async () => {
@@ -92,6 +92,24 @@ test('axe finds nothing in the gallery, the export of a picture, what is said of
   await page.locator('#about-panel').waitFor();
   assert.deepEqual(await violations(page), [], 'about');
   await page.keyboard.press('Escape');
+  await cell(page, 'chains[0].gripper.roll').focus();
+  await page.locator('.turn-drawing').waitFor();
+  await page.getByRole('textbox', { name: 'unit of length' }).fill('mm');
+  assert.deepEqual(await violations(page), [], 'unit');
+  await page.keyboard.press('Escape');
+  await page.getByRole('textbox', { name: 'type of chain 1' }).fill('rz');
+  await page.keyboard.press('Enter');
+  assert.deepEqual(await violations(page), [], 'type of a chain');
+  await page.keyboard.press('Escape');
+  await cell(page, 'chains[0].gripper.roll').focus();
+  await page.locator('.turn-drawing').waitFor();
+  assert.deepEqual(await violations(page), [], 'drawing and slider');
+  for (const name of ['Gripper frame as quaternion, matrix…', 'Duplicate around an axis…']) {
+    await doTo(page, 'chain 1', name);
+    await page.getByRole('dialog').waitFor();
+    assert.deepEqual(await violations(page), [], name);
+    await page.keyboard.press('Escape');
+  }
   await page.locator('[data-item="workpiece"]').click();
   await page.getByRole('button', { name: 'Freedoms', exact: true }).click();
   await page.locator('[data-freedom]').first().waitFor();

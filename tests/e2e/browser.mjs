@@ -94,7 +94,7 @@ export async function openSample(page, file) {
 /** Waits until the chains named in the info panel are those of the tables. */
 export const motionIsOfDocument = (page) =>
   page.waitForFunction(() => {
-    const types = (all) => [...page$$(all)].map((node) => node.textContent).join();
+    const types = (all) => [...page$$(all)].map((node) => node.value ?? node.textContent).join();
     return types('#mechanism .chain .type') === types('#chain-rows td:nth-child(2)');
   });
 

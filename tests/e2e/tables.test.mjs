@@ -16,7 +16,7 @@ beforeEach(async () => {
 afterEach(() => assert.deepEqual(problems, []));
 
 const joints = (chain) => page.locator(`[data-path^="chains[${chain}].joints"][data-path$=".type"]`).evaluateAll((all) => all.map((s) => s.value).join(''));
-const names = () => page.locator('#mechanism h3 input').evaluateAll((all) => all.map((input) => input.value));
+const names = () => page.locator('#mechanism h3 input:not(.type)').evaluateAll((all) => all.map((input) => input.value));
 const active = () => page.evaluate(() => pageFocus().dataset.path ?? pageFocus().dataset.menu);
 
 test('a joint is inserted, moved by its menu and by Alt and an arrow, removed; each is one step of undo', async () => {

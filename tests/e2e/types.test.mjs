@@ -19,7 +19,7 @@ afterEach(() => assert.deepEqual(problems, []));
 
 const panel = () => page.getByRole('tabpanel', { name: 'Types' });
 const sentence = (pattern) => panel().locator('.type-sentence').filter({ hasText: pattern }).waitFor();
-const types = () => page.locator('#mechanism .chain .type').allTextContents();
+const types = () => page.locator('#mechanism .chain .type').evaluateAll((all) => all.map(({ value }) => value));
 
 test('lists 6, 18, 51 and 139 chains, and the paper’s totals of assemblies', async () => {
   for (const [category, count] of [['IV', 6], ['III', 18], ['II', 51], ['I', 139]]) {
@@ -66,7 +66,7 @@ test('a type begins a new linkage, of as many chains as leave a freedom', async 
     await panel().getByRole('button', { name: type, exact: true }).click();
     await page.getByRole('menuitem', { name: label }).click();
     const chains = Number(/\d/.exec(label)[0]);
-    await page.waitForFunction(([wanted, many]) => page$$('#mechanism .chain .type').map((node) => node.textContent).join() === Array(many).fill(wanted).join(), [type, chains]);
+    await page.waitForFunction(([wanted, many]) => page$$('#mechanism .chain .type').map((node) => node.value).join() === Array(many).fill(wanted).join(), [type, chains]);
     assert.ok(await page.locator('#fault-banner').isHidden());
   }
   await page.locator('#undo').click();

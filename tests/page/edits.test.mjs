@@ -44,6 +44,23 @@ test('a chain gets other joints between its own base and gripper', () => {
   assert.deepEqual([joints.map((joint) => joint.type), start, name], [['R', 'R'], undefined, 'chain 1']);
 });
 
+test('a chain gets another type: joints that keep their place keep their rows, the others are new', () => {
+  const joint = (type, mark) => ({ type, rows: [{ a: mark }] });
+  const fresh = Object.fromEntries(Array.from('RPCTSE', (letter) => [letter, joint(letter, 'new')]));
+  const doc = { version: 1, chains: [{ name: 'leg', base: { x: 1 }, joints: [joint('R', 1), joint('P', 2), joint('S', 3)], start: [1, 2, 3, 4, 5] }], motion: { key_frames: [] } };
+  const typed = (text) => edits.setChainType(doc, 0, Array.from(text), fresh).chains[0];
+  const told = (text) => typed(text).joints.map(({ type, rows }) => type + rows[0].a).join(' ');
+  assert.equal(told('RRPS'), 'R1 Rnew P2 S3');
+  assert.equal(told('PS'), 'P2 S3');
+  assert.equal(told('RRS'), 'R1 Rnew S3');
+  assert.equal(told('SPR'), 'Snew P2 Rnew');
+  assert.equal(told('TS'), 'Tnew S3');
+  assert.equal(told('RPSR'), 'R1 P2 S3 Rnew');
+  assert.equal(told('RPR'), 'R1 P2 Rnew');
+  assert.deepEqual([typed('PS').base, typed('PS').name, typed('PS').start], [{ x: 1 }, 'leg', undefined]);
+  assert.equal(edits.setChainType(doc, 0, ['R', 'P', 'S'], fresh), doc, 'the same type is no edit');
+});
+
 test('chains are added, duplicated and removed under names of their own', () => {
   const names = (d) => d.chains.map((chain) => chain.name);
   assert.deepEqual(names(unharmed((d) => edits.addChain(d, { joints: [revolute()] }))), ['chain 1', 'chain 2', 'chain 3']);

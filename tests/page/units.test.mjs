@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync, readdirSync } from 'node:fs';
 import { test } from 'node:test';
-import { convertLengths } from '../../www/core/units.js';
+import { convertLengths, factorBetween } from '../../www/core/units.js';
 
 const folder = new URL('../../www/mechanisms/', import.meta.url);
 const documents = readdirSync(folder).filter((name) => name.endsWith('.json') && name !== 'index.json');
@@ -19,7 +19,9 @@ for (const name of documents) {
       assert.equal(scaled.base.longitude, chain.base.longitude);
     }
     assert.equal(scaled.joints[0].rows?.[0].alpha, chain.joints[0].rows?.[0].alpha);
-    assert.equal(after.planner?.metric_length, before.planner?.metric_length);
+    const { metric_length: metric } = before.planner ?? {};
+    assert.equal(after.planner?.metric_length, typeof metric === 'number' ? Number((metric * 1000).toPrecision(12)) : metric);
+    assert.equal(after.planner?.dimension_tolerance, before.planner?.dimension_tolerance);
     assert.deepEqual(convertLengths(after, 1 / 1000, before.length_unit), before);
   });
 }
@@ -46,11 +48,20 @@ test('the point of reference and the radius are lengths; none stays none', () =>
   assert.ok(!('reference' in convertLengths(rps, 1000, 'mm').motion));
 });
 
-test('the point about which the metric measures is one of lengths; the metric length is a choice', () => {
+test('the point about which the metric measures is one of lengths; the metric length follows where it is given', () => {
   const rps = read('3rps.json');
   rps.planner.metric_origin = [0.5, 0, -1];
   const { planner } = convertLengths(rps, 1000, 'mm');
-  assert.deepEqual([planner.metric_origin, planner.metric_length], [[500, 0, -1000], rps.planner.metric_length]);
+  assert.deepEqual([planner.metric_origin, planner.metric_length], [[500, 0, -1000], 1000 * rps.planner.metric_length]);
   rps.planner.metric_origin = null;
   assert.equal(convertLengths(rps, 1000, 'mm').planner.metric_origin, null);
+  rps.planner.metric_length = null;
+  assert.equal(convertLengths(rps, 1000, 'mm').planner.metric_length, null);
+  delete rps.planner.metric_length;
+  assert.ok(!('metric_length' in convertLengths(rps, 1000, 'mm').planner));
+});
+
+test('between known units the factor is known', () => {
+  assert.deepEqual([factorBetween('m', 'mm'), factorBetween('mm', 'm'), factorBetween('in', 'mm'), factorBetween('ft', 'in')], [1000, 0.001, 25.4, 12]);
+  for (const [from, to] of [['m', 'ell'], ['', 'mm'], [undefined, 'mm'], ['m', 'toString']]) assert.equal(factorBetween(from, to), null);
 });

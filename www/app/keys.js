@@ -34,6 +34,7 @@ export const KEYS = [
   { keys: ['↑', '↓', 'Enter'], does: 'cell above or below', where: 'Tables' },
   { keys: ['Shift+arrows'], does: 'choose a block of cells; Ctrl+C copies it, Delete clears it', where: 'Tables' },
   { keys: ['Ctrl+V'], does: 'fill cells with a block from a spreadsheet; key frames are added as needed', where: 'Tables' },
+  { keys: ['Page Up', 'Page Down'], does: 'change the number by a step; with Shift by ten', where: 'Tables' },
   { keys: ['←', '→', '↑', '↓'], does: 'go through the objects, open and close branches', where: 'Object tree' },
   { keys: ['Space', 'Enter'], does: 'select; Enter goes to its table', where: 'Object tree' },
   { keys: ['Alt+↑', 'Alt+↓'], does: 'move this joint, chain or key frame up or down', where: 'Tables' },

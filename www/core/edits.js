@@ -59,7 +59,7 @@ const without = (list, index) => list.filter((_, i) => i !== index);
  * @param {string} word
  * @param {{name?: string}[]} items
  */
-function freshName(word, items) {
+export function freshName(word, items) {
   const taken = new Set(items.map((item) => item.name));
   let number = items.length + 1;
   while (taken.has(`${word} ${number}`)) number++;
@@ -94,6 +94,30 @@ export const removeJoint = (doc, chain, joint) => changeJoints(doc, chain, (join
 
 /** Other joints between the same base and gripper. @param {MechanismDocument} doc @param {number} chain @param {Joint[]} fresh */
 export const setJoints = (doc, chain, fresh) => changeJoints(doc, chain, () => fresh);
+
+/**
+ * A chain's joints by their letters. What the old and the new type have in common at the base and at the gripper stays, and
+ * between them each joint that keeps its place and its letter; the others are new.
+ * @param {MechanismDocument} doc
+ * @param {number} chain
+ * @param {import('./types.js').JointType[]} letters from base to workpiece
+ * @param {Record<import('./types.js').JointType, Joint>} fresh a new joint of each type
+ */
+export function setChainType(doc, chain, letters, fresh) {
+  const old = doc.chains[chain].joints;
+  if (old.length === letters.length && letters.every((letter, i) => old[i].type === letter)) return doc;
+  const most = Math.min(old.length, letters.length);
+  let front = 0;
+  while (front < most && old[front].type === letters[front]) front++;
+  let back = 0;
+  while (back < most - front && old[old.length - 1 - back].type === letters[letters.length - 1 - back]) back++;
+  const added = letters.length - old.length;
+  return setJoints(doc, chain, letters.map((letter, i) => {
+    const stays = i < letters.length - back ? old[i] : old[i - added];
+    const between = i < old.length - back;
+    return (i >= letters.length - back || between) && stays?.type === letter ? stays : fresh[letter];
+  }));
+}
 
 /** @param {MechanismDocument} doc @param {Chain} fresh */
 export const addChain = (doc, fresh) => ({

@@ -19,7 +19,7 @@ export function frameMatrix(frame) {
 }
 
 /** Cosine of the latitude below which longitude and roll turn about one axis, and only their sum is known. */
-const POLE = 1e-8;
+export const POLE = 1e-8;
 
 /**
  * The document's coordinates of a pose: the inverse of `frameMatrix`.

@@ -5,8 +5,21 @@
  */
 import { JOINT_TYPES } from './joint-types.js';
 
+/** Units of length by their usual names, in metres. */
+const METRES = new Map(Object.entries({ nm: 1e-9, 'µm': 1e-6, um: 1e-6, mm: 1e-3, cm: 0.01, dm: 0.1, m: 1, km: 1000, in: 0.0254, ft: 0.3048, yd: 0.9144 }));
+
 /**
- * Multiplies every length by a factor. The metric length stays: it is a choice, not a size.
+ * How many of one unit are one of another: 1000 from m to mm; null where a name is not known.
+ * @param {string | undefined} from @param {string} to
+ */
+export function factorBetween(from, to) {
+  const [old, fresh] = [from, to].map((unit) => METRES.get((unit ?? '').trim()));
+  return old && fresh ? Number((old / fresh).toPrecision(12)) : null;
+}
+
+/**
+ * Multiplies every length by a factor. The metric length too, where the document gives one, so that shifts weigh as much
+ * against turns as before; the dimension tolerance is a share of the size, and stays.
  * @param {MechanismDocument} doc
  * @param {number} factor
  * @param {string} unit
@@ -44,6 +57,6 @@ export function convertLengths(doc, factor, unit) {
     length_unit: unit,
     chains,
     motion,
-    ...(planner && { planner: { ...planner, ...(Array.isArray(origin) && { metric_origin: origin.map(times) }) } }),
+    ...(planner && { planner: { ...scaled(planner, ['metric_length']), ...(Array.isArray(origin) && { metric_origin: origin.map(times) }) } }),
   };
 }

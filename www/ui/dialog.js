@@ -11,7 +11,16 @@ let made = 0;
  * @param {...(Node | string)} body
  * @returns {HTMLDialogElement}
  */
-export function openDialog(title, ...body) {
+export const openDialog = (title, ...body) => openDialogIn(document.body, title, ...body);
+
+/**
+ * The same in another tree, such as that of an element.
+ * @param {Element} place
+ * @param {string} title
+ * @param {...(Node | string)} body
+ * @returns {HTMLDialogElement}
+ */
+export function openDialogIn(place, title, ...body) {
   const heading = element('h2', { id: `dialog-${++made}` }, title);
   const dialog = element(
     'dialog',
@@ -22,7 +31,7 @@ export function openDialog(title, ...body) {
   dialog.addEventListener('click', (event) => {
     if (event.target === dialog) dialog.close();
   });
-  document.body.append(dialog);
+  place.append(dialog);
   dialog.showModal();
   return dialog;
 }

@@ -40,7 +40,8 @@ export function menuButton(label, items) {
     if (!menu.isConnected) button.after(menu);
     menu.showPopover();
     const at = button.getBoundingClientRect();
-    menu.style.top = `${at.bottom + 4}px`;
+    // Below the button, or as far up as the whole menu needs.
+    menu.style.top = `${Math.max(4, Math.min(at.bottom + 4, innerHeight - menu.offsetHeight - 4))}px`;
     menu.style.left = `${Math.max(4, Math.min(at.left, innerWidth - menu.offsetWidth - 4))}px`;
     entries().at(focused)?.focus();
   }

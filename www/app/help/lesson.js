@@ -74,7 +74,9 @@ export function showLesson(app, lesson) {
       }, remove);
     },
     unit: ({ unit, times }) => {
-      if (store.doc.length_unit !== unit) store.edit((doc) => convertLengths(doc, Number(times), unit ?? ''));
+      // The lesson is about a metric length that does not follow.
+      const metric = store.doc.planner?.metric_length;
+      if (store.doc.length_unit !== unit) store.edit((doc) => setValue(convertLengths(doc, Number(times), unit ?? ''), 'planner.metric_length', metric));
     },
   };
 

@@ -21,7 +21,7 @@ import { element, focusBeside } from '../../ui/dom.js';
 /** @param {Store} store */
 export function createCells(store) {
   /** @typedef {(doc: MechanismDocument, text: string) => MechanismDocument} Put writes a text as if it were typed */
-  /** @type {Map<string, {input: HTMLInputElement | HTMLSelectElement, show: () => void, put?: Put}>} */
+  /** @type {Map<string, {input: HTMLInputElement | HTMLSelectElement, show: () => void, put?: Put, hint?: () => number | undefined}>} */
   const cells = new Map();
   let visits = 0;
 
@@ -125,7 +125,7 @@ export function createCells(store) {
       show();
       field.select();
     });
-    cells.set(spec.path, { input: field, show, put: (doc, text) => write(doc, read(text)) });
+    cells.set(spec.path, { input: field, show, put: (doc, text) => write(doc, read(text)), hint: spec.fallback });
     show();
     return field;
   }
@@ -168,6 +168,11 @@ export function createCells(store) {
     written(doc, path, text) {
       const put = cells.get(path)?.put ?? ((next, typed) => setValue(next, path, path.endsWith('.name') ? typed : entry(typed)));
       return put(doc, text);
+    },
+    /** The number of a cell: the document's, else what holds in its place. @param {string} path @returns {number | null} null for none */
+    number(path) {
+      const value = valueAt(store.doc, path) ?? cells.get(path)?.hint?.();
+      return typeof value === 'number' && Number.isFinite(value) ? value : null;
     },
     all: () => [...cells.values()].map((cell) => cell.input),
   };

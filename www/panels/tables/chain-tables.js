@@ -8,10 +8,12 @@
  */
 import * as edits from '../../core/edits.js';
 import { ANGLE_DECIMALS, degrees, lengthUnit, short } from '../../core/format.js';
-import { JOINT_LETTERS, JOINT_TYPES, chainType, chainVariables, variableName } from '../../core/joint-types.js';
+import { JOINT_LETTERS, JOINT_TYPES, chainVariables, variableName } from '../../core/joint-types.js';
 import { groupAt, shown } from '../../core/shown.js';
 import { element, setText } from '../../ui/dom.js';
 import { coordinateCells, coordinateHeads } from './frame-table.js';
+import { typeField } from './type-field.js';
+import { unitField } from './unit-field.js';
 
 /** @type {['alpha' | 'a' | 'theta' | 'd', string, 'angle' | 'length'][]} */
 const PARAMETERS = [
@@ -28,9 +30,11 @@ const PARAMETERS = [
  * @param {Defaults} defaults
  * @param {ReturnType<typeof import('./reorder.js').createArrange>} arrange
  * @param {() => void} findStart asks the planner for start values
+ * @param {ReturnType<typeof import('./forms.js').createForms>} forms
+ * @param {import('../../ui/notice.js').Say} say
  */
-export function createChainTables(panel, store, cells, defaults, arrange, findStart) {
-  /** Outputs that follow what is shown: one a joint variable. @type {HTMLOutputElement[][]} */
+export function createChainTables(panel, store, cells, defaults, arrange, findStart, forms, say) {
+  /** Outputs that follow the playhead: one a joint variable. @type {HTMLOutputElement[][]} */
   let nows = [];
   /** Chains whose start values are unfolded, kept over a rebuild. @type {Set<number>} */
   const unfolded = new Set();
@@ -137,13 +141,23 @@ export function createChainTables(panel, store, cells, defaults, arrange, findSt
             element(
               'tr',
               { 'data-path': `chains[${chain}].${key}` },
-              element('th', { scope: 'row' }, element('abbr', { title: name }, element('var', {}, letter, element('sub', {}, String(chain + 1))))),
+              element('th', { scope: 'row' }, turnButton(chain, key, letter, name)),
               ...coordinateCells(cells, `chains[${chain}].${key}`, `chain ${chain + 1}, ${name}`, unit()),
             ),
           ),
         ),
       ),
     );
+
+  /** The frame's letter, which opens its turn in other forms. @param {number} chain @param {string} key @param {string} letter @param {string} name */
+  function turnButton(chain, key, letter, name) {
+    const label = `${letter}${chain + 1}, ${name} of chain ${chain + 1}: turn as quaternion, matrix, roll-pitch-yaw`;
+    return element(
+      'button',
+      { class: 'quiet letter', title: label, 'aria-label': label, click: () => forms.turn(`chains[${chain}].${key}`, `the ${name} of chain ${chain + 1}`) },
+      element('var', {}, letter, element('sub', {}, String(chain + 1))),
+    );
+  }
 
   /** @param {number} chain */
   function startTable(chain) {
@@ -202,6 +216,7 @@ export function createChainTables(panel, store, cells, defaults, arrange, findSt
   function chainSection(chain) {
     const name = cells.input({ path: `chains[${chain}].name`, label: `name of chain ${chain + 1}`, text: true });
     const { chains } = store.doc;
+    const type = typeField(panel, store, defaults, chain);
     const details = element(
       'details',
       {
@@ -222,13 +237,17 @@ export function createChainTables(panel, store, cells, defaults, arrange, findSt
       element(
         'header',
         {},
-        element('h3', {}, name, element('span', { class: 'type' }, chainType(chains[chain]))),
+        element('h3', {}, name, type.field),
         arrange.menu(`chains[${chain}]`, `chain ${chain + 1}`, () => [
           { label: 'Add a joint', act: () => store.edit((doc) => edits.insertJoint(doc, chain, chains[chain].joints.length, defaults.joints.R)) },
           { label: 'Duplicate', act: () => store.edit((doc) => edits.duplicateChain(doc, chain)) },
+          { label: 'Duplicate around an axis…', act: () => forms.copies(chain) },
+          { label: 'Base frame as quaternion, matrix…', act: () => forms.turn(`chains[${chain}].base`, `the base frame of chain ${chain + 1}`) },
+          { label: 'Gripper frame as quaternion, matrix…', act: () => forms.turn(`chains[${chain}].gripper`, `the gripper frame of chain ${chain + 1}`) },
           { label: 'Remove', disabled: chains.length === 1, act: () => store.edit((doc) => edits.removeChain(doc, chain)) },
         ]),
       ),
+      type.note,
       dhTable(chain),
       framesTable(chain),
       details,
@@ -256,13 +275,15 @@ export function createChainTables(panel, store, cells, defaults, arrange, findSt
     rebuild() {
       nows = [];
       const { chains } = store.doc;
+      const unitOfLength = unitField(panel, store, say);
       panel.replaceChildren(
         element(
           'div',
           { class: 'heads' },
           element('label', { class: 'field' }, element('span', {}, 'Name'), cells.input({ path: 'name', label: 'name of the mechanism', text: true })),
-          element('label', { class: 'field' }, element('span', {}, 'Unit of length'), cells.input({ path: 'length_unit', label: 'unit of length', text: true })),
+          element('label', { class: 'field' }, element('span', {}, 'Unit of length'), unitOfLength.field),
         ),
+        unitOfLength.choice,
         element('h2', { class: 'sr' }, 'Chains'),
         element('div', { 'data-path': 'chains' }, ...chains.map((_, index) => chainSection(index))),
         element('button', { class: 'wide', click: () => store.edit((doc) => edits.addChain(doc, defaults.chain)) }, '+ chain'),

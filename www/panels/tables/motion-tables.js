@@ -21,8 +21,9 @@ import { pointCells, setting } from './settings.js';
  * @param {ReturnType<typeof import('./reorder.js').createArrange>} arrange
  * @param {{goTo: (key: number) => void, compareMetrics: Parameters<typeof createMetricComparison>[1]}} outside `goTo` takes
  *   the playhead to a key frame; `compareMetrics` asks the planner
+ * @param {ReturnType<typeof import('./forms.js').createForms>} forms
  */
-export function createMotionTables(panel, store, cells, defaults, arrange, { goTo, compareMetrics }) {
+export function createMotionTables(panel, store, cells, defaults, arrange, { goTo, compareMetrics }, forms) {
   const unit = () => store.doc.length_unit;
 
   function keyTable() {
@@ -55,6 +56,7 @@ export function createMotionTables(panel, store, cells, defaults, arrange, { goT
               { label: 'Duplicate', act: () => store.edit((doc) => edits.duplicateKeyFrame(doc, index)) },
               { label: 'Insert the shown pose after it', act: () => addShown('pose', index + 1) },
               { label: 'Take the shown pose', act: () => takeShown(index) },
+              { label: 'Turn as quaternion, matrix…', act: () => forms.turn(path, label) },
               { label: 'Remove', disabled: keys.length <= 2, act: () => store.edit((doc) => edits.removeKeyFrame(doc, index)) },
             ]),
           ),

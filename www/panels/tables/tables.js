@@ -11,6 +11,8 @@ import { createArrange } from './reorder.js';
 import { createCells } from './cells.js';
 import { createChainTables } from './chain-tables.js';
 import { createFaultNote } from './fault-note.js';
+import { cellTools } from './cell-tools.js';
+import { createForms } from './forms.js';
 import { gridBlock } from './cell-block.js';
 import { gridKeys } from './grid-keys.js';
 import { createMotionTables } from './motion-tables.js';
@@ -29,8 +31,9 @@ import { createMotionTables } from './motion-tables.js';
 export function createTables({ root, mechanism, motion }, store, defaults, { markFault, findStart, goToKey, compareMetrics, check, say }) {
   const arrange = createArrange(root, store);
   const cells = createCells(store);
-  const chains = createChainTables(mechanism, store, cells, defaults, arrange, findStart);
-  const keys = createMotionTables(motion, store, cells, defaults, arrange, { goTo: goToKey, compareMetrics });
+  const forms = createForms(root, store, say);
+  const chains = createChainTables(mechanism, store, cells, defaults, arrange, findStart, forms, say);
+  const keys = createMotionTables(motion, store, cells, defaults, arrange, { goTo: goToKey, compareMetrics }, forms);
   const note = createFaultNote(root);
   let shape = '';
   /** @type {HTMLElement | null} */
@@ -75,11 +78,12 @@ export function createTables({ root, mechanism, motion }, store, defaults, { mar
     keys.rebuild();
     chains.showNow();
     showFault();
-    if (focused && !inHand()) cells.find(focused)?.focus();
+    if (focused && !inHand()) /** @type {HTMLElement | null} */ (root.querySelector(`[data-path="${focused}"]:is(input, select)`))?.focus();
   }
 
   gridBlock(root, store, cells, say);
   gridKeys(root);
+  cellTools(root, store, cells, say);
   store.subscribe('document', show);
   store.subscribe('result', () => {
     cells.refresh();

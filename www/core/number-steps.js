@@ -1,0 +1,49 @@
+/**
+ * By how much a number of the document changes in one step: a degree, a hundredth of the linkage's size, a whole number.
+ *
+ * @typedef {import('./types.js').MechanismDocument} MechanismDocument
+ */
+import { chainVariables } from './joint-types.js';
+import { valueAt } from './path.js';
+
+const ANGLES = new Set(['alpha', 'theta', 'longitude', 'latitude', 'roll']);
+const LENGTHS = new Set(['a', 'd', 'x', 'y', 'z', 'radius', 'metric_length', 'reference', 'metric_origin']);
+const WHOLE = new Set(['frames', 'max_iterations']);
+
+/** Of a linkage's size, of another number's own size. */
+const SHARE = 1 / 100;
+
+/** The power of ten at or below a number. @param {number} value */
+const powerOfTen = (value) => Number((10 ** Math.floor(Math.log10(value))).toPrecision(1));
+
+/** The largest length among the links, frames and key frames; 1 where there is none. @param {MechanismDocument} doc */
+export function sizeOf({ chains, motion }) {
+  /** @param {object | undefined} part @param {string[]} names */
+  const numbers = (part, names) => names.map((name) => Math.abs(Number(/** @type {any} */ (part)?.[name]) || 0));
+  const frames = [...chains.flatMap(({ base, gripper }) => [base, gripper]), ...motion.key_frames];
+  const rows = chains.flatMap(({ joints }) => joints.flatMap(({ rows: own }) => own ?? []));
+  return Math.max(...frames.flatMap((frame) => numbers(frame, ['x', 'y', 'z'])), ...rows.flatMap((row) => numbers(row, ['a', 'd']))) || 1;
+}
+
+/** What a start value or a limit is of: `theta` or `d`. @param {MechanismDocument} doc @param {string} path */
+function variableAt(doc, path) {
+  const start = /^chains\[(\d+)\]\.start\[(\d+)\]$/.exec(path);
+  const limit = /^chains\[(\d+)\]\.joints\[(\d+)\]\.limits\[(\d+)\]/.exec(path);
+  const [, chain, first, second] = start ?? limit ?? [];
+  if (chain === undefined) return undefined;
+  const all = chainVariables(valueAt(doc, `chains[${chain}]`));
+  return start ? all[Number(first)]?.variable : all.find(({ joint, freedom }) => joint === Number(first) && freedom === Number(second))?.variable;
+}
+
+/** @param {MechanismDocument} doc @param {string} path of a number @param {number} value what it is now */
+export function stepOf(doc, path, value) {
+  const name = variableAt(doc, path) ?? path.replace(/\[\d+\]$/, '').replace(/^.*\./, '');
+  if (ANGLES.has(name)) return 1;
+  if (LENGTHS.has(name)) return powerOfTen(sizeOf(doc) * SHARE);
+  if (WHOLE.has(name)) return 1;
+  // Seconds, shares: a digit of their own.
+  return value === 0 ? SHARE : powerOfTen(Math.abs(value) * SHARE * 10);
+}
+
+/** A number some steps on, without the digits that adding has spoilt. @param {number} from @param {number} step @param {number} count */
+export const stepped = (from, step, count) => Number((from + step * count).toPrecision(12));

@@ -1,0 +1,46 @@
+/**
+ * What comes to a cell when one points at it or enters it: the slider of a number, the drawing of a turn. Loaded then.
+ */
+
+/** The numbers of the tables. */
+export const NUMBER_CELLS = 'input.cell:not(.text)[data-path]';
+/** The angles of a frame. */
+export const TURN_CELLS = 'input[data-path$=".longitude"], input[data-path$=".latitude"], input[data-path$=".roll"]';
+
+/**
+ * @param {HTMLElement} root holds the tables
+ * @param {import('../../core/store.js').Store} store
+ * @param {ReturnType<typeof import('./cells.js').createCells>} cells
+ * @param {import('../../ui/notice.js').Say} say
+ */
+export function cellTools(root, store, cells, say) {
+  /**
+   * @param {string} what
+   * @param {(target: Element) => boolean | undefined} isWanted
+   * @param {() => Promise<(cell: Element) => void>} load begins it, and gives what shows it at a cell
+   */
+  function atFirst(what, isWanted, load) {
+    /** @param {Event} event */
+    const come = async (event) => {
+      // Of an event in a shadow tree the target is known only while it is dispatched.
+      const target = /** @type {Element} */ (event.target);
+      if (!isWanted(target)) return;
+      leave();
+      try {
+        const show = await load();
+        // In the meantime one may be elsewhere.
+        if (target.matches(':hover, :focus')) show(target);
+      } catch (error) {
+        say(`${what} could not be loaded (${error instanceof Error ? error.message : error}). The next cell that is entered tries again.`);
+        root.addEventListener('focusin', come);
+      }
+    };
+    const leave = () => ['focusin', 'pointerover'].forEach((name) => root.removeEventListener(name, come));
+    ['focusin', 'pointerover'].forEach((name) => root.addEventListener(name, come));
+  }
+
+  if (!store.readonly) {
+    atFirst('The slider of numbers', (target) => target.matches(NUMBER_CELLS), async () => (await import('./number-slide.js')).createNumberSlide(root, store, cells));
+  }
+  atFirst('The drawing of turns', (target) => target.matches(TURN_CELLS), async () => (await import('./turn-drawing.js')).createTurnDrawing(root));
+}

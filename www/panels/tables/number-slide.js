@@ -1,0 +1,151 @@
+/**
+ * A slider at the number that one points at or is in: dragged sideways it changes the number, and the motion follows. Page
+ * Up and Page Down do the same from the keyboard. A drag is one step of undo; Escape takes it back.
+ */
+import look from '../../style/slide.css?inline';
+import { stepOf, stepped } from '../../core/number-steps.js';
+import { valueAt } from '../../core/path.js';
+import { element, focusBeside, setText } from '../../ui/dom.js';
+import { wear } from '../../ui/style-sheets.js';
+import { NUMBER_CELLS } from './cell-tools.js';
+import { floating } from './floating.js';
+
+/** Pixels of a drag for one step. */
+const PIXELS = 4;
+/** Steps at once with Shift. */
+const MANY = 10;
+const EVENTS = /** @type {const} */ (['pointermove', 'pointerup', 'pointercancel']);
+
+/**
+ * @param {HTMLElement} root holds the tables
+ * @param {import('../../core/store.js').Store} store
+ * @param {ReturnType<typeof import('./cells.js').createCells>} cells
+ * @returns {(cell: Element) => void} shows the slider at a cell
+ */
+export function createNumberSlide(root, store, cells) {
+  const tree = /** @type {Document | ShadowRoot} */ (root.getRootNode());
+  wear(tree, look);
+  // What it does, the keys do too; a screen reader has the cell itself.
+  const handle = element('div', { class: 'slide', popover: 'manual', 'aria-hidden': 'true', title: 'Drag sideways to change the number (Page Up, Page Down); Shift: ten steps' });
+  const spoken = element('p', { class: 'sr', role: 'status' });
+  root.append(handle, spoken);
+  /** The path of the cell that has the slider; '' for none. */
+  let at = '';
+  /** @type {{path: string, value: unknown, from: number, step: number, x: number, mark: string} | null} */
+  let drag = null;
+  /** Counts drags and stays in cells: what belongs to one is undone in one step. */
+  let marks = 0;
+
+  const numberCell = (/** @type {EventTarget | null} */ target) => (target instanceof HTMLInputElement && target.matches(NUMBER_CELLS) ? target : null);
+  const cellAt = () => /** @type {HTMLInputElement | null} */ (at ? root.querySelector(`[data-path="${at}"]:is(input)`) : null);
+
+  /** @param {string} path @param {unknown} value @param {string} mark */
+  const write = (path, value, mark) => store.edit((doc) => cells.written(doc, path, value === undefined || value === null ? '' : String(value)), mark);
+
+  /** Puts the slider to its cell; out of sight where the cell is. */
+  function place() {
+    const field = cellAt();
+    const box = field?.getBoundingClientRect();
+    const seen = box && (drag || tree.elementFromPoint(box.left + box.width / 2, box.top + box.height / 3) === field);
+    if (!box || !seen) return handle.hidePopover();
+    handle.showPopover();
+    handle.style.left = `${box.left + (box.width - handle.offsetWidth) / 2}px`;
+    handle.style.top = `${box.bottom - Math.min(5, handle.offsetHeight / 4)}px`;
+  }
+
+  const float = floating(handle, place);
+
+  /** @param {HTMLInputElement | null} field */
+  function show(field) {
+    if (drag) return;
+    const path = field?.dataset.path ?? '';
+    at = path && cells.number(path) !== null ? path : '';
+    if (at) float.begin();
+    else float.end();
+    handle.style.width = matchMedia('(pointer: coarse)').matches || !field ? '' : `${field.offsetWidth}px`;
+    place();
+  }
+
+  /** @param {PointerEvent} event */
+  function begin(event) {
+    const from = cells.number(at);
+    if (event.button !== 0 || from === null) return;
+    // The cell keeps the focus, or the keyboard of a phone would come and go.
+    event.preventDefault();
+    handle.setPointerCapture(event.pointerId);
+    handle.classList.add('dragged');
+    drag = { path: at, value: valueAt(store.doc, at), from, step: stepOf(store.doc, at, from), x: event.clientX, mark: `slide ${++marks}` };
+    addEventListener('keydown', escape, true);
+  }
+
+  /** @param {PointerEvent} event */
+  function move(event) {
+    if (!drag) return;
+    const count = Math.round((event.clientX - drag.x) / PIXELS) * (event.shiftKey ? MANY : 1);
+    write(drag.path, stepped(drag.from, drag.step, count), drag.mark);
+    place();
+  }
+
+  /** @param {boolean} back whether the number becomes what it was */
+  function end(back) {
+    if (!drag) return;
+    const { path, value, mark } = drag;
+    drag = null;
+    handle.classList.remove('dragged');
+    removeEventListener('keydown', escape, true);
+    if (back) write(path, value, mark);
+    place();
+  }
+
+  /** @param {KeyboardEvent} event */
+  function escape(event) {
+    if (event.key !== 'Escape') return;
+    event.preventDefault();
+    event.stopPropagation();
+    end(true);
+  }
+
+  handle.addEventListener('pointerdown', begin);
+  for (const name of EVENTS) {
+    handle.addEventListener(name, (event) => {
+      if (name === 'pointermove') move(event);
+      else end(name === 'pointercancel');
+    });
+  }
+  handle.addEventListener('pointerleave', (event) => {
+    if (event.relatedTarget !== cellAt()) show(numberCell(focusBeside(root)));
+  });
+
+  root.addEventListener('keydown', (event) => {
+    const way = { PageUp: 1, PageDown: -1 }[event.key];
+    const path = numberCell(event.target)?.dataset.path;
+    const from = path ? cells.number(path) : null;
+    if (!way || !path || from === null || event.altKey || event.ctrlKey || event.metaKey) return;
+    event.preventDefault();
+    const value = stepped(from, stepOf(store.doc, path, from), way * (event.shiftKey ? MANY : 1));
+    write(path, value, `keys ${path} ${marks}`);
+    setText(spoken, String(value));
+  });
+
+  /** @param {HTMLInputElement | null} field */
+  function enter(field) {
+    marks++;
+    setText(spoken, '');
+    field?.setAttribute('aria-keyshortcuts', 'PageUp PageDown');
+    show(field);
+  }
+  root.addEventListener('focusin', ({ target }) => enter(numberCell(target)));
+  root.addEventListener('focusout', () => show(null));
+  root.addEventListener('pointerover', ({ target, pointerType }) => {
+    const field = numberCell(target);
+    if (field && pointerType === 'mouse') show(field);
+  });
+  root.addEventListener('pointerout', (event) => {
+    if (numberCell(event.target) && event.relatedTarget !== handle) show(numberCell(focusBeside(root)));
+  });
+  // After the tables have shown the edit.
+  store.subscribe('result', () => {
+    if (at) place();
+  });
+  return (cell) => enter(numberCell(cell));
+}
