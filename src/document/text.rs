@@ -16,6 +16,20 @@ pub const MAX_TEXT: usize = 1_000_000;
 /// Where the text is no document of this version.
 pub fn parse(text: &str) -> Result<Document, Fault> {
     let whole = Place::WHOLE;
+    let node = node(text, "a mechanism document in JSON")?;
+    check_version(&node)?;
+    let mut document = Document::deserialize(&node).map_err(|refusal| refusal.fault(&whole))?;
+    for (i, chain) in document.chains.iter_mut().enumerate() {
+        if chain.name.is_empty() {
+            chain.name = format!("chain {}", i + 1);
+        }
+    }
+    Ok(document)
+}
+
+/// The value that a JSON text is; `wanted` is what would be accepted in place of none.
+pub(crate) fn node(text: &str, wanted: &str) -> Result<Node, Fault> {
+    let whole = Place::WHOLE;
     if text.len() > MAX_TEXT {
         let what = format!("{} bytes of text are too many", text.len());
         return Err(Fault::new(
@@ -28,23 +42,14 @@ pub fn parse(text: &str) -> Result<Document, Fault> {
     // Some editors put a byte-order mark before the text.
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     if text.trim().is_empty() {
-        let accepted = "a mechanism document in JSON";
         return Err(Fault::new(
             FaultCode::EmptyText,
             &whole,
             "there is no text",
-            accepted,
+            wanted,
         ));
     }
-    let node = serde_json::from_str(text).map_err(|error| not_json(&error))?;
-    check_version(&node)?;
-    let mut document = Document::deserialize(&node).map_err(|refusal| refusal.fault(&whole))?;
-    for (i, chain) in document.chains.iter_mut().enumerate() {
-        if chain.name.is_empty() {
-            chain.name = format!("chain {}", i + 1);
-        }
-    }
-    Ok(document)
+    serde_json::from_str(text).map_err(|error| not_json(&error))
 }
 
 /// A whole number with commas between its thousands.

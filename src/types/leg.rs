@@ -185,6 +185,18 @@ pub(crate) fn rounded(x: f64, per_unit: f64) -> f64 {
     (x * per_unit).round() / per_unit
 }
 
+/// A length with two digits, such as 850.
+pub(crate) fn two_digits(x: f64) -> f64 {
+    let unit = libm::pow(10.0, libm::floor(libm::log10(x.abs())) - 1.0);
+    // Above 1 by whole numbers, below it by whole parts of 1: both keep decimal numbers short.
+    if unit >= 1.0 {
+        (x / unit).round() * unit
+    } else {
+        let per_unit = (1.0 / unit).round();
+        (x * per_unit).round() / per_unit
+    }
+}
+
 /// Changes to a leg, of an amount that grows with the number of the attempt; none at attempt 0.
 pub(crate) struct Variation {
     random: Random,

@@ -2,6 +2,9 @@
 
 pub mod enumerate;
 pub mod example;
+mod fit;
 pub mod leg;
 pub mod mobility;
+pub mod notation;
+pub mod sized;
 pub mod tables;
