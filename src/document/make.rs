@@ -4,14 +4,16 @@ use crate::document::bounds::{MAX_UNIT, check_text, out_of_range};
 use crate::document::example_document::{FRAMES, TYPE, chain, example, key_frame, kinds};
 use crate::document::fault::{Fault, FaultCode, Place};
 use crate::document::number::{rounded_up, typed};
+use crate::document::reader::Node;
 use crate::document::schema::{
     ChainEntry, Document, FrameEntry, MotionEntry, PlannerEntry, VERSION,
 };
-use crate::document::text::node;
+use crate::document::text::not_json;
 use crate::model::joint::JointKind;
 use crate::motion::goal::Interpolation;
 use crate::types::notation::type_name;
-use crate::types::sized::{NotMade, Reach, Sizes, sized};
+use crate::types::sized::sized;
+use crate::types::sizes::{NotMade, Reach, Sizes};
 use serde::Deserialize;
 
 /// What a linkage is made from; lengths in the unit that is named. Without any size it has those of
@@ -40,7 +42,7 @@ pub struct Request {
 /// # Errors
 /// Where the text is no request, or no such linkage can be made.
 pub fn make_from_text(text: &str) -> Result<Document, Fault> {
-    let node = node(text, "an object with type and sizes")?;
+    let node: Node = serde_json::from_str(text).map_err(|error| not_json(&error))?;
     let request = Request::deserialize(&node).map_err(|refusal| refusal.fault(&Place::WHOLE))?;
     make(&request)
 }

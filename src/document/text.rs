@@ -16,20 +16,6 @@ pub const MAX_TEXT: usize = 1_000_000;
 /// Where the text is no document of this version.
 pub fn parse(text: &str) -> Result<Document, Fault> {
     let whole = Place::WHOLE;
-    let node = node(text, "a mechanism document in JSON")?;
-    check_version(&node)?;
-    let mut document = Document::deserialize(&node).map_err(|refusal| refusal.fault(&whole))?;
-    for (i, chain) in document.chains.iter_mut().enumerate() {
-        if chain.name.is_empty() {
-            chain.name = format!("chain {}", i + 1);
-        }
-    }
-    Ok(document)
-}
-
-/// The value that a JSON text is; `wanted` is what would be accepted in place of none.
-pub(crate) fn node(text: &str, wanted: &str) -> Result<Node, Fault> {
-    let whole = Place::WHOLE;
     if text.len() > MAX_TEXT {
         let what = format!("{} bytes of text are too many", text.len());
         return Err(Fault::new(
@@ -42,14 +28,23 @@ pub(crate) fn node(text: &str, wanted: &str) -> Result<Node, Fault> {
     // Some editors put a byte-order mark before the text.
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     if text.trim().is_empty() {
+        let accepted = "a mechanism document in JSON";
         return Err(Fault::new(
             FaultCode::EmptyText,
             &whole,
             "there is no text",
-            wanted,
+            accepted,
         ));
     }
-    serde_json::from_str(text).map_err(|error| not_json(&error))
+    let node = serde_json::from_str(text).map_err(|error| not_json(&error))?;
+    check_version(&node)?;
+    let mut document = Document::deserialize(&node).map_err(|refusal| refusal.fault(&whole))?;
+    for (i, chain) in document.chains.iter_mut().enumerate() {
+        if chain.name.is_empty() {
+            chain.name = format!("chain {}", i + 1);
+        }
+    }
+    Ok(document)
 }
 
 /// A whole number with commas between its thousands.
@@ -61,7 +56,7 @@ fn grouped(number: usize) -> String {
 }
 
 /// The reader's message, and where it stopped.
-fn not_json(error: &serde_json::Error) -> Fault {
+pub(crate) fn not_json(error: &serde_json::Error) -> Fault {
     let text = error.to_string();
     // "… at line 3 column 7"
     let message = text

@@ -11,10 +11,12 @@ use std::f64::consts::FRAC_PI_2;
 /// Where a leg stands and ends, before it is turned about the vertical to its place.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Place {
-    /// Of the base circle.
-    pub(crate) radius: f64,
-    /// Height of the base.
-    pub(crate) foot: f64,
+    /// Where the base is.
+    pub(crate) base: Vector3<f64>,
+    /// Direction in the ground plan in which the leg's back looks, rad from x.
+    pub(crate) facing: f64,
+    /// How far the base leans from its upright place, rad: inwards, and to the side.
+    pub(crate) lean: [f64; 2],
     /// Where the last joint is to be.
     pub(crate) end: Vector3<f64>,
     /// Of the leg, without the slide that carries it.
@@ -37,7 +39,7 @@ pub(crate) struct Fit {
 /// The leg at its place. Where its joints cannot bring its end there, its base is tilted; a leg that has no length, such as
 /// a single turning joint, stays on the base circle.
 pub(crate) fn fitted(kinds: &[JointKind], leg: &Leg, place: &Place) -> Fit {
-    let foot = place_of_base(kinds, leg, place);
+    let foot = base_at(kinds, place);
     let mut plain = Fit {
         base: foot,
         joints: leg.joints.clone(),
@@ -81,27 +83,30 @@ pub(crate) fn fitted(kinds: &[JointKind], leg: &Leg, place: &Place) -> Fit {
 /// Length of a leg on a base circle of radius 1 that is none.
 const SMALL: f64 = 1e-6;
 
-/// The base on its circle, turned about the vertical by the leg's variation.
-fn place_of_base(kinds: &[JointKind], leg: &Leg, place: &Place) -> Pose {
-    let (sine, cosine) = libm::sincos(leg.turn.to_radians());
+/// The base at its place.
+fn base_at(kinds: &[JointKind], place: &Place) -> Pose {
     let mut at = if place.planar {
         // A slider goes along the circle's tangent, its y axis upwards; else z upwards, x inwards.
         let slides = kinds[0] == JointKind::P;
-        let upright = FrameCoordinates {
-            roll: (leg.turn + 180.0).to_radians(),
+        FrameCoordinates {
+            roll: std::f64::consts::PI,
             ..FrameCoordinates::default()
-        };
-        let tilt = if slides { FRAC_PI_2 } else { 0.0 };
-        upright.pose()
+        }
+        .pose()
             * FrameCoordinates {
-                latitude: -tilt,
+                latitude: if slides { -FRAC_PI_2 } else { 0.0 },
                 ..FrameCoordinates::default()
             }
             .pose()
     } else {
-        base(kinds[0], leg.turn)
+        let [inwards, aside] = place.lean;
+        let upright = UnitQuaternion::new(Vector3::z() * place.facing);
+        let lean = UnitQuaternion::new(Vector3::new(aside, -inwards, 0.0));
+        let leaning = upright * lean * upright.inverse();
+        Pose::from_parts(Translation3::identity(), leaning)
+            * base(kinds[0], place.facing.to_degrees())
     };
-    at.translation = Translation3::new(place.radius * cosine, place.radius * sine, place.foot);
+    at.translation = Translation3::from(place.base);
     at
 }
 
@@ -206,7 +211,9 @@ impl Fit {
         const DAMPING: f64 = 1e-9;
         const THERE: f64 = 1e-12;
         let chain = self.chain();
-        let held = usize::from(place.slide.is_some());
+        // A slider that leans carries the leg to another place.
+        let upright = place.lean.iter().all(|lean| *lean == 0.0);
+        let held = usize::from(place.slide.is_some() && upright);
         let turns: Vec<bool> = chain.turns().collect();
         let mut state = ChainState::default();
         for _ in 0..STEPS {
@@ -246,16 +253,21 @@ impl Fit {
         false
     }
 
-    /// Turns the last joint, if it is a ball or a turning joint of a plane, so that the gripper is one length, the
+    /// Turns the last joint, if it is a ball or an axis along the platform's edge, so that the gripper is one length, the
     /// platform's radius, with right angles.
     fn align_end(&mut self, place: &Place) {
         let frames = self.chain().frames(&self.values);
         let last = self.joints[self.joints.len() - 1].kind();
         let many = self.values.len();
-        if place.planar && last == JointKind::R {
+        if last == JointKind::R && self.joints.len() > 1 {
+            const SQUARE: f64 = 1e-9;
             let seat = frames[frames.len() - 1].0;
-            let outwards = seat.rotation.inverse() * place.end;
-            self.values[many - 1] = libm::atan2(outwards.y, outwards.x);
+            let outwards = Vector3::new(place.end.x, place.end.y, 0.0);
+            let outwards = seat.rotation.inverse() * outwards;
+            // Only an axis square to that direction can turn the gripper's x axis into it.
+            if outwards.z.abs() <= SQUARE * outwards.norm() {
+                self.values[many - 1] = libm::atan2(outwards.y, outwards.x);
+            }
         }
         if last != JointKind::S || self.joints.len() == 1 {
             return;

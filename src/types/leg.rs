@@ -220,6 +220,12 @@ impl Variation {
         rounded(value + self.random.between(-range, range), per_unit)
     }
 
+    /// A lean of the base from where it stands, rad about two axes.
+    pub(crate) fn lean(&mut self) -> [f64; 2] {
+        const LEAN: f64 = 30.0;
+        [(); 2].map(|()| self.angle(0.0, LEAN))
+    }
+
     fn angle(&mut self, radians: f64, degrees: f64) -> f64 {
         self.vary(radians.to_degrees(), degrees, DEGREES)
             .to_radians()

@@ -7,4 +7,5 @@ pub mod leg;
 pub mod mobility;
 pub mod notation;
 pub mod sized;
+pub mod sizes;
 pub mod tables;

@@ -14,31 +14,10 @@ use crate::solve::singular_values::SingularValues;
 use crate::solve::tangent::Tangent;
 use crate::types::enumerate::letters;
 use crate::types::example::{FAR_FROM_SINGULAR, INDEPENDENT_JOINTS, best, well_shaped};
-use crate::types::fit::{Place, fitted};
+use crate::types::fit::{Fit, Place, fitted};
 use crate::types::leg::{Leg, Variation, links, two_digits};
 use crate::types::mobility::{chain_singular_values, generic_mobility, generic_rank, mobility};
-use nalgebra::Vector3;
-
-/// The sizes that a person gives, in one unit.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sizes {
-    /// Of the circle on which the legs stand.
-    pub base_radius: f64,
-    /// Of the circle on which they hold the workpiece.
-    pub platform_radius: f64,
-    /// How far the workpiece is from the base.
-    pub reach: Reach,
-}
-
-/// One of two lengths that give the other.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Reach {
-    /// Of the workpiece's origin above the base, at the start.
-    Height(f64),
-    /// From the joint at the base of a leg to the joint at its end, at the start; of a leg that begins with a slider, from
-    /// the joint on the slider.
-    LegLength(f64),
-}
+use crate::types::sizes::{NotMade, Sizes, Space, leg_length, level, rising, twist};
 
 /// A linkage, and what it is to do.
 #[derive(Clone, Debug)]
@@ -51,36 +30,17 @@ pub struct Sized {
     pub key_frames: Vec<(&'static str, Pose)>,
 }
 
-/// Why there is no such linkage.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum NotMade {
-    /// Its legs hold the workpiece fast; of legs of this type so many at most leave it a freedom, if they are all of one.
-    Immobile(Option<usize>),
-    /// The legs do not reach from one circle to the other, or far beyond: the least and the largest length that do.
-    LegLength(f64, f64),
-    /// The same of a height.
-    Height(f64, f64),
-    /// Legs in a plane have no height.
-    Flat(f64, f64),
-}
-
-/// Of the height of a leg that begins with a slider, so much is the slide.
-const SLIDE: f64 = 1.0 / 3.0;
-/// Least and largest height of a leg, in units of the sum of the radii.
-const HEIGHTS: (f64, f64) = (0.05, 100.0);
-/// Variations of the legs before the best is taken; in the first ones links stay as they are.
-const ATTEMPTS: u32 = 100;
+/// Variations of the legs before the best is taken; in the first ones links stay as they are, and bases upright.
+const ATTEMPTS: u32 = 300;
 const SAME_LINKS: u32 = 16;
 /// Shortest and longest link, in units of the leg's length.
 const LINKS: (f64, f64) = (0.1, 3.0);
 
-/// How the legs stand.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Space {
-    /// From a base circle below to a platform above.
-    Spatial,
-    /// In a plane, with all turning axes across it.
-    Planar,
+/// The leg of one type in one attempt.
+struct Varied<'a> {
+    kinds: &'a [JointKind],
+    leg: Leg,
+    lean: [f64; 2],
 }
 
 /// The linkage of these chains in these sizes, which are positive and not more than a thousandfold of each other.
@@ -113,10 +73,16 @@ pub fn sized(kinds: &[Vec<JointKind>], sizes: &Sizes) -> Result<Sized, NotMade> 
     }
     let made = best(ATTEMPTS, |attempt| {
         let mut variation = Variation::new(attempt);
-        variation.links_too = attempt > SAME_LINKS && space == Space::Spatial;
-        let varied: Vec<(&Vec<JointKind>, Leg)> = legs
+        let further = attempt > SAME_LINKS && space == Space::Spatial;
+        let leans = further && attempt % 3 > 0;
+        variation.links_too = further && attempt % 3 != 1;
+        let varied: Vec<Varied<'_>> = legs
             .iter()
-            .map(|(kinds, leg)| (*kinds, variation.leg(leg)))
+            .map(|(kinds, leg)| Varied {
+                kinds,
+                leg: variation.leg(leg),
+                lean: if leans { variation.lean() } else { [0.0; 2] },
+            })
             .collect();
         let made = assembled(kinds, &varied, sizes, length, height, space);
         let wanted = (space == Space::Spatial).then_some(generic);
@@ -136,118 +102,50 @@ fn most_legs(kinds: &[Vec<JointKind>]) -> Option<usize> {
     equal.then(|| (1..=MAX_CHAINS).take_while(moves).last())?
 }
 
-/// Does the leg begin with a slider that carries the rest of it?
-fn carried(kinds: &[JointKind]) -> bool {
-    kinds.len() > 2 && kinds[0] == JointKind::P
-}
-
-/// The legs' length and the height of the workpiece.
-fn leg_length(
-    kinds: &[Vec<JointKind>],
-    sizes: &Sizes,
-    space: Space,
-) -> Result<(f64, f64), NotMade> {
-    let Sizes {
-        base_radius: base,
-        platform_radius: platform,
-        reach,
-    } = *sizes;
-    let across = (base - platform).abs();
-    if space == Space::Planar {
-        // Not stretched: at the ends of this range the leg and both radii lie in one line.
-        const ROOM: f64 = 0.05;
-        let room = ROOM * base.min(platform);
-        let (least, most) = (across + room, base + platform - room);
-        return match reach {
-            Reach::LegLength(length) if (least..=most).contains(&length) => Ok((length, 0.0)),
-            Reach::LegLength(_) => Err(NotMade::LegLength(least, most)),
-            Reach::Height(_) => Err(NotMade::Flat(least, most)),
-        };
-    }
-    let slides = kinds.iter().any(|kinds| carried(kinds));
-    let share = if slides { 1.0 - SLIDE } else { 1.0 };
-    let (least, most) = (HEIGHTS.0 * (base + platform), HEIGHTS.1 * (base + platform));
-    match reach {
-        Reach::Height(height) if (least..=most).contains(&height) => {
-            Ok((libm::hypot(across, height * share), height))
-        }
-        Reach::Height(_) => Err(NotMade::Height(least, most)),
-        Reach::LegLength(length) => {
-            let range = (libm::hypot(across, least), libm::hypot(across, most));
-            if !(range.0..=range.1).contains(&length) {
-                return Err(NotMade::LegLength(range.0, range.1));
-            }
-            let rise = libm::sqrt(length * length - across * across);
-            // The slide makes up for a height that can be read.
-            let height = if slides {
-                two_digits(rise / share)
-            } else {
-                rise
-            };
-            Ok((length, height))
-        }
-    }
-}
-
 /// The legs around their workpiece.
 fn assembled(
     kinds: &[Vec<JointKind>],
-    legs: &[(&Vec<JointKind>, Leg)],
+    legs: &[Varied<'_>],
     sizes: &Sizes,
     length: f64,
     height: f64,
     space: Space,
 ) -> Sized {
     let begin = Pose::translation(0.0, 0.0, height);
-    let rise = libm::sqrt(
-        (length * length - (sizes.base_radius - sizes.platform_radius).powi(2)).max(0.0),
-    );
-    let fits: Vec<_> = legs
+    let fits: Vec<[Fit; 2]> = legs
         .iter()
-        .map(|(kinds, leg)| match space {
-            Space::Spatial => {
-                // Legs that do not slide upwards stand higher than those that do, if there are both.
-                let slide = carried(kinds).then_some(height - rise);
-                let foot = if slide.is_some() { 0.0 } else { height - rise };
-                let end = Vector3::new(sizes.platform_radius, 0.0, height);
-                fitted(
-                    kinds,
-                    leg,
-                    &Place {
-                        radius: sizes.base_radius,
-                        foot,
-                        end,
-                        length,
-                        slide,
-                        planar: false,
-                    },
-                )
-            }
-            Space::Planar => {
-                let slide = carried(kinds).then_some(SLIDE * length);
-                let end = planar_end(sizes, length, slide.unwrap_or(0.0));
-                fitted(
-                    kinds,
-                    leg,
-                    &Place {
-                        radius: sizes.base_radius,
-                        foot: 0.0,
-                        end,
-                        length,
-                        slide,
-                        planar: true,
-                    },
-                )
-            }
-        })
+        .map(
+            |Varied {
+                 kinds: kind,
+                 leg,
+                 lean,
+             }| {
+                let turn = twist(kinds, kind);
+                [turn, -turn].map(|turn| match space {
+                    Space::Spatial => {
+                        let place = rising(kind, sizes, length, height, turn);
+                        fitted(
+                            kind,
+                            leg,
+                            &Place {
+                                lean: *lean,
+                                ..place
+                            },
+                        )
+                    }
+                    Space::Planar => fitted(kind, leg, &level(kind, sizes, length)),
+                })
+            },
+        )
         .collect();
     let (mut chains, mut start) = (Vec::new(), Vec::new());
     for (i, kind) in kinds.iter().enumerate() {
         let place = legs
             .iter()
-            .position(|(known, _)| *known == kind)
+            .position(|leg| leg.kinds == kind)
             .expect("a leg of every type");
-        let fit = &fits[place];
+        let before = kinds[..i].iter().filter(|before| *before == kind).count();
+        let fit = &fits[place][before % 2];
         let turned = FrameCoordinates {
             roll: (360.0 * i as f64 / kinds.len() as f64).to_radians(),
             ..FrameCoordinates::default()
@@ -267,17 +165,6 @@ fn assembled(
         start,
         key_frames: key_frames(sizes, length, height, space),
     }
-}
-
-/// Where a leg in a plane meets the platform circle: at its length from the joint on the base circle, or from the joint
-/// on the slider, which goes along the circle's tangent.
-fn planar_end(sizes: &Sizes, length: f64, slide: f64) -> Vector3<f64> {
-    let from = libm::hypot(sizes.base_radius, slide);
-    let platform = sizes.platform_radius;
-    let cosine = (from * from + platform * platform - length * length) / (2.0 * from * platform);
-    let angle = libm::atan2(slide, sizes.base_radius) + libm::acos(cosine.clamp(-1.0, 1.0));
-    let (sine, cosine) = libm::sincos(angle);
-    Vector3::new(platform * cosine, platform * sine, 0.0)
 }
 
 /// The start, and two poses a little way off that legs of this size can come near to.
