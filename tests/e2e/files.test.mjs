@@ -61,6 +61,8 @@ const keeps = (page, words) => page.waitForFunction((wanted) => localStorage.get
 test('new, edit, save, open: the same document comes back', async () => {
   const { page, problems } = await pageWithoutPickers({ viewport: { width: 1280, height: 700 }, acceptDownloads: true });
   await page.getByRole('button', { name: 'New', exact: true }).click();
+  await page.getByRole('dialog', { name: 'New linkage' }).getByRole('textbox', { name: 'Type' }).fill('TS');
+  await page.keyboard.press('Enter');
   await page.waitForFunction(() => page$$('.chain').length === 1);
   await motionIsOfDocument(page);
   await cell(page, 'name').fill('My arm');
