@@ -5,27 +5,17 @@
  * @typedef {import('../../pkg/synthetica.js').MakeRequest} MakeRequest
  */
 import { element } from '../../ui/dom.js';
+import { sizeOf } from './size-of.js';
 import { reason } from '../../core/open.js';
 import { DocumentFault, Superseded } from '../../planner/planner.js';
 
-/** What the form has at first, and then what was made last: a linkage is often made once more with another type. */
+/** What the form has at first, and after that what was made last: a linkage is often made once more with another type. */
 const given = { type: '3-PRS', base_radius: '350', platform_radius: '150', length: '600', by: 'leg_length', length_unit: 'mm' };
 
 const BY = /** @type {const} */ ([
   ['leg_length', 'Leg length', 'From the joint at its base to the joint at its end, at the start; of a leg on a slider, from the joint on the slider.'],
   ['height', 'Height', 'Of the workpiece above the base, at the start.'],
 ]);
-
-/**
- * A number as people type it, with a comma or a point; nothing for an empty field; what is no number goes to Rust as it is,
- * which says so.
- * @param {string} typed
- */
-export function sizeOf(typed) {
-  const text = typed.trim();
-  const number = Number(text.replace(',', '.'));
-  return text === '' ? undefined : Number.isFinite(number) ? number : text;
-}
 
 let made = 0;
 
@@ -58,7 +48,7 @@ export function newLinkageForm({ planner, open }, { chain, done }) {
   const by = element('select', { name: 'by', 'aria-label': 'Leg length or height', change: chooseLength }, ...BY.map(([value, label]) => element('option', { value, selected: value === given.by }, label)));
   length.caption.replaceChildren(by);
 
-  const note = element('div', { class: 'fault', id: `${id}-fault`, hidden: true });
+  const note = element('div', { class: 'fault', id: `${id}-fault`, 'aria-live': 'polite', hidden: true });
   const said = element('p', { class: 'said', role: 'status' });
   const form = element(
     'form',
