@@ -1,6 +1,9 @@
 //! Linkages made from a type and sizes: they close, move as their type does, reach their first key frame, and have the
 //! radii, the equal legs and the unit that were asked for.
 
+mod common;
+
+use common::Random;
 use synthetica::document::example_document::example;
 use synthetica::document::fault::FaultCode;
 use synthetica::document::make::{Request, make, make_from_text};
@@ -296,4 +299,55 @@ fn a_request_is_read_from_json() {
     ] {
         assert_eq!(make_from_text(text).expect_err(text).place, place, "{text}");
     }
+}
+
+/// Sizes of every magnitude and proportion: refused, or all of [`check`] but the distance from singular positions.
+#[test]
+fn random_sizes() {
+    let names = [
+        "3RPS",
+        "3PRS",
+        "3RRS",
+        "2TPR",
+        "RPS+2TS",
+        "RPS+2PRS",
+        "4RPS",
+        "5SPR",
+        "5RRRRR",
+        "RPS+RRR",
+        "3CS",
+        "TS+RPS+SPR",
+        "PRRT",
+        "5PSP",
+    ];
+    let mut random = Random(20_030_709);
+    let mut power = |from: f64, to: f64| {
+        let share = (random.bits() >> 11) as f64 / (1_u64 << 53) as f64;
+        libm::pow(10.0, from + share * (to - from))
+    };
+    let mut made = 0;
+    for i in 0..300 {
+        let name = names[i % names.len()];
+        let base = power(-3.0, 9.0);
+        let platform = base * power(-1.5, 1.5);
+        let leg = (base + platform) * power(-1.0, 1.0);
+        let Ok(document) = make(&request(name, base, platform, leg, "m")) else {
+            continue;
+        };
+        made += 1;
+        let mut problem = Problem::new(&document).expect("a document without faults");
+        problem.goals.truncate(1);
+        let motion = problem.plan();
+        assert_eq!(
+            motion.status[0],
+            Status::Reached,
+            "{name}: {base} {platform} {leg}"
+        );
+        let mobility = generic_mobility(&chains_of(name).expect("a type"));
+        assert_eq!(
+            motion.mobility_rank, mobility,
+            "{name}: {base} {platform} {leg}"
+        );
+    }
+    assert!(made > 100, "{made}");
 }

@@ -4,13 +4,16 @@ use crate::document::bounds::{MAX_UNIT, check_text, out_of_range};
 use crate::document::example_document::{FRAMES, TYPE, chain, example, key_frame, kinds};
 use crate::document::fault::{Fault, FaultCode, Place};
 use crate::document::number::{rounded_up, typed};
+use crate::document::problem::Problem;
 use crate::document::reader::Node;
+
 use crate::document::schema::{
     ChainEntry, Document, FrameEntry, MotionEntry, PlannerEntry, VERSION,
 };
 use crate::document::text::not_json;
 use crate::model::joint::JointKind;
 use crate::motion::goal::Interpolation;
+use crate::motion::trajectory::Status;
 use crate::types::notation::type_name;
 use crate::types::sized::sized;
 use crate::types::sizes::{NotMade, Reach, Sizes};
@@ -115,12 +118,35 @@ pub fn make(request: &Request) -> Result<Document, Fault> {
         },
     };
     document.set_start(&made.mechanism, &made.start);
-    round(&mut document, sizes.base_radius.max(reach));
-    Ok(document)
+    Ok(rounded(&document, sizes.base_radius.max(reach)))
 }
 
-/// Smallest and largest radius of a base: with what follows from it, well within what a document may hold.
-const BASE_RADII: (f64, f64) = (1e-6, 1e9);
+/// With as few digits as the linkage needs to reach its first key frame.
+fn rounded(document: &Document, size: f64) -> Document {
+    /// Below the first digit of the size. Few linkages need more than the first: nearly singular ones, or those with legs
+    /// long beside their platform.
+    const DIGITS: [i32; 3] = [9, 11, 13];
+    let mut last = document.clone();
+    for digits in DIGITS {
+        last = document.clone();
+        round(&mut last, size, digits);
+        if first_status(&last).is_ok_and(|status| status == Status::Reached) {
+            break;
+        }
+    }
+    last
+}
+
+/// How the plan of the first frame ends.
+fn first_status(document: &Document) -> Result<Status, Fault> {
+    let mut problem = Problem::new(document)?;
+    problem.goals.truncate(1);
+    Ok(problem.plan().status[0])
+}
+
+/// Smallest and largest radius of a base: what follows from it is well within what a document may hold, and has nine digits
+/// where frames are written to 10⁻¹².
+const BASE_RADII: (f64, f64) = (1e-3, 1e9);
 /// Smallest and largest platform, in units of the base's radius.
 const PLATFORMS: (f64, f64) = (1e-3, 1e3);
 
@@ -244,17 +270,16 @@ fn fault(not_made: &NotMade, kinds: &[Vec<JointKind>], sizes: &Sizes) -> Fault {
     )
 }
 
-/// Numbers as a person would keep them: lengths to ten digits of the linkage's size, angles to a billionth of a degree,
-/// within which it closes as if it were exact; start values to six, as they are found anew.
-fn round(document: &mut Document, size: f64) {
-    const DIGITS: i32 = 9;
+/// Numbers as a person would keep them: lengths to so many digits below the first one of the linkage's size, angles to so
+/// many decimals; start values to six, as they are found anew.
+fn round(document: &mut Document, size: f64, to: i32) {
     const START_DIGITS: i32 = 6;
     #[expect(
         clippy::cast_possible_truncation,
         reason = "a power of ten of a double"
     )]
     let digits = |digits: i32| digits - libm::log10(size).floor() as i32;
-    let (lengths, angles) = (digits(DIGITS), DIGITS);
+    let (lengths, angles) = (digits(to), to);
     let frame = |frame: &mut FrameEntry| {
         for length in [&mut frame.x, &mut frame.y, &mut frame.z] {
             *length = decimals(*length, lengths);
