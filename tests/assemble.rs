@@ -17,9 +17,9 @@ use synthetica::solve::tangent::Tangent;
 use synthetica::types::enumerate::{
     MAX_CHAIN_CONSTRAINTS, MAX_CONSTRAINTS, assembly_categories, chain, chain_count, letters,
 };
-use synthetica::types::example::chains_of;
 use synthetica::types::leg::links;
 use synthetica::types::mobility::{generic_mobility, generic_rank};
+use synthetica::types::notation::chains_of;
 
 /// Least singular value of the loop equations at a start, in units of the size: the bound below which a
 /// plan warns of a nearly singular position. The examples are made for three times that.

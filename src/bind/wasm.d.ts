@@ -271,6 +271,23 @@ export interface Defaults {
   planner: object;
 }
 
+/** What `make` makes a linkage from: a type, and either no size or all of them, in the unit that is named. */
+export interface MakeRequest {
+  /** Such as 3-PRS or RPS + 2TS. */
+  type: string;
+  /** Radius of the circle on which the legs stand. */
+  base_radius?: number;
+  /** Radius of the circle on which they hold the workpiece. */
+  platform_radius?: number;
+  /** Height of the workpiece above the base at the start; in place of leg_length. */
+  height?: number;
+  /** From the joint at the base of a leg to the joint at its end, at the start; of a leg that begins with a slider, from
+   * the joint on the slider. */
+  leg_length?: number;
+  /** Label of the unit of length; m where it is not given. */
+  length_unit?: string;
+}
+
 /** Tables 2 and 3. */
 export interface Enumeration {
   classes: { category: "I" | "II" | "III" | "IV"; constraints: number; name: string; count: number; chains: string[] }[];

@@ -3,6 +3,7 @@
 
 use crate::bind::wasm::{Clock, JsPosture, Session, posture, refusal};
 use crate::document::example_document;
+use crate::document::make;
 use crate::document::problem::Problem;
 use crate::document::schema::SCHEMA;
 use crate::document::session::index;
@@ -126,6 +127,17 @@ impl Session {
 #[wasm_bindgen]
 pub fn assemble(kinds: &str) -> Result<String, JsValue> {
     let document = example_document::example(kinds).map_err(|fault| refusal(&fault))?;
+    Ok(document.text())
+}
+
+/// A document made from a type and sizes: a `MakeRequest` as JSON.
+///
+/// # Errors
+/// A `Fault` whose `where` is a field of the request: where the type is none, a size is missing or out of range, or no
+/// such linkage would move.
+#[wasm_bindgen]
+pub fn make(request: &str) -> Result<String, JsValue> {
+    let document = make::make_from_text(request).map_err(|fault| refusal(&fault))?;
     Ok(document.text())
 }
 

@@ -7,25 +7,27 @@ use crate::document::schema::{
 };
 use crate::math::pose::{FrameCoordinates, Pose};
 use crate::model::chain::{Chain, MAX_FREEDOMS};
+use crate::model::joint::JointKind;
 use crate::model::mechanism::MAX_CHAINS;
 use crate::motion::goal::Interpolation;
-use crate::types::example::{self, NoType, chains_of};
+use crate::types::example;
+use crate::types::notation::{NoType, Why, chains_of, type_name};
 
 /// As many as show a smooth motion between two key frames.
-const FRAMES: u32 = 65;
+pub(crate) const FRAMES: u32 = 65;
 
 /// A document with a linkage of the type that `text` names, such as 3RPS or RPS+2TS, in metres.
 ///
 /// # Errors
 /// Where the text is no type.
 pub fn example(text: &str) -> Result<Document, Fault> {
-    let kinds = chains_of(text).map_err(|no_type| fault(&no_type))?;
+    let kinds = kinds(text)?;
     let example = example::example(&kinds);
     let [begin, end] = &example.key_frames;
     let mut document = Document {
         schema: None,
         version: VERSION,
-        name: text.trim().to_uppercase(),
+        name: type_name(&kinds),
         about: String::new(),
         length_unit: "m".into(),
         chains: example.mechanism.chains().iter().map(chain).collect(),
@@ -42,23 +44,40 @@ pub fn example(text: &str) -> Result<Document, Fault> {
     Ok(document)
 }
 
+/// The chains of a type.
+pub(crate) fn kinds(text: &str) -> Result<Vec<Vec<JointKind>>, Fault> {
+    chains_of(text).map_err(|no_type| fault(&no_type))
+}
+
 fn fault(no_type: &NoType) -> Fault {
-    let what = format!(
-        "\u{201c}{}\u{201d} is no type of linkage",
-        excerpt(&no_type.text)
-    );
+    let NoType { text, why } = no_type;
+    let what = format!("\u{201c}{}\u{201d} is no type of linkage", excerpt(text));
+    let why = match why {
+        Why::Empty => "there is no chain in it".to_owned(),
+        Why::Letter(letter) => format!("\u{201c}{letter}\u{201d} stands for no joint"),
+        Why::Freedoms(found) => {
+            format!(
+                "the joints have {found} freedoms together (R and P have 1, C and T 2, S and E 3)"
+            )
+        }
+        Why::Count => format!("it does not have 1 to {MAX_CHAINS} chains"),
+        Why::NoChain => "there is no chain behind the number".to_owned(),
+    };
     let accepted = format!(
-        "chains of the joints R, P, C, T, S, E with one to {MAX_FREEDOMS} freedoms each, such as 3RPS or RPS+2TS, at most {MAX_CHAINS}"
+        "chains of the joints R, P, C, T (or U), S, E with one to {MAX_FREEDOMS} freedoms each, such as 3RPS, 3-PRS or RPS + 2TS, at most {MAX_CHAINS}"
     );
     Fault::new(
         FaultCode::UnknownValue,
-        &Place::WHOLE.field("type"),
-        &what,
+        &TYPE,
+        &format!("{what}: {why}"),
         &accepted,
     )
 }
 
-fn chain(chain: &Chain) -> ChainEntry {
+/// The place of the type in what is asked for.
+pub(crate) const TYPE: Place<'static> = Place::WHOLE.field("type");
+
+pub(crate) fn chain(chain: &Chain) -> ChainEntry {
     ChainEntry {
         name: chain.name().to_owned(),
         base: frame(chain.base()),
@@ -80,7 +99,7 @@ fn frame(pose: &Pose) -> FrameEntry {
     }
 }
 
-fn key_frame(name: &str, pose: &Pose) -> KeyFrameEntry {
+pub(crate) fn key_frame(name: &str, pose: &Pose) -> KeyFrameEntry {
     let FrameEntry {
         x,
         y,

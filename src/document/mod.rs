@@ -6,6 +6,7 @@ pub mod comparison;
 pub mod defaults;
 pub mod example_document;
 pub mod fault;
+pub mod make;
 mod motion;
 pub mod number;
 mod parts;

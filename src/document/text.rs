@@ -56,7 +56,7 @@ fn grouped(number: usize) -> String {
 }
 
 /// The reader's message, and where it stopped.
-fn not_json(error: &serde_json::Error) -> Fault {
+pub(crate) fn not_json(error: &serde_json::Error) -> Fault {
     let text = error.to_string();
     // "… at line 3 column 7"
     let message = text

@@ -6,9 +6,9 @@
 //! closes the loops is the gripper frame, H = (G K(θ))⁻¹ D, which can be had for every chain.
 
 use crate::math::pose::{FrameCoordinates, Pose};
-use crate::model::chain::{Chain, MAX_FREEDOMS};
+use crate::model::chain::Chain;
 use crate::model::joint::JointKind;
-use crate::model::mechanism::{MAX_CHAINS, Mechanism};
+use crate::model::mechanism::Mechanism;
 use crate::model::scaled::Scaled;
 use crate::solve::singular_values::SingularValues;
 use crate::solve::tangent::Tangent;
@@ -26,10 +26,10 @@ const HEIGHTS: (f64, f64) = (0.3, 2.0);
 
 /// Smallest singular value of the loop equations wanted at the start, in units of the mechanism's size: three times the
 /// bound below which a position is reported as nearly singular, so that a motion has room around the start.
-const FAR_FROM_SINGULAR: f64 = 3e-2;
+pub(crate) const FAR_FROM_SINGULAR: f64 = 3e-2;
 /// Smallest singular value wanted of one chain's Jacobian, in units of the base circle's radius: no joint must turn more
 /// than ten times as fast as the workpiece.
-const INDEPENDENT_JOINTS: f64 = 0.1;
+pub(crate) const INDEPENDENT_JOINTS: f64 = 0.1;
 
 /// Variations of one chain, and of the assembly of all, before the best of them is taken. Of all chains four in five need
 /// none and the rest at most 60; of the tests' assemblies two in three need none and one in a hundred more than about 40.
@@ -47,49 +47,6 @@ pub struct Example {
     pub start: Vec<f64>,
     /// Where the workpiece is at the start, and where it is to go.
     pub key_frames: [Pose; 2],
-}
-
-/// A text that names no type of linkage.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct NoType {
-    /// The part of the text that is none.
-    pub text: String,
-}
-
-/// The chains that a type names: counts and joint letters from base to workpiece, with + or blanks between.
-///
-/// # Errors
-/// Where the text is no type.
-pub fn chains_of(text: &str) -> Result<Vec<Vec<JointKind>>, NoType> {
-    let no_type = |text: &str| NoType {
-        text: text.to_owned(),
-    };
-    let mut chains = Vec::new();
-    for term in text
-        .split(|c: char| c == '+' || c.is_whitespace())
-        .filter(|term| !term.is_empty())
-    {
-        let joints = term.trim_start_matches(|c: char| c.is_ascii_digit());
-        let count = &term[..term.len() - joints.len()];
-        let count = if count.is_empty() {
-            Some(1)
-        } else {
-            count.parse().ok()
-        };
-        let kinds: Option<Vec<JointKind>> = joints.chars().map(JointKind::named).collect();
-        let kinds = kinds.filter(|kinds| {
-            (1..=MAX_FREEDOMS).contains(&kinds.iter().map(|kind| kind.freedoms()).sum())
-        });
-        let (Some(count @ 1..=MAX_CHAINS), Some(kinds)) = (count, kinds) else {
-            return Err(no_type(term));
-        };
-        chains.extend(std::iter::repeat_n(kinds, count));
-    }
-    if (1..=MAX_CHAINS).contains(&chains.len()) {
-        Ok(chains)
-    } else {
-        Err(no_type(text))
-    }
 }
 
 /// A linkage of these chains. The same chains give the same linkage.
@@ -117,7 +74,7 @@ pub fn example(kinds: &[Vec<JointKind>]) -> Example {
 }
 
 /// The first of the attempts whose quality is 1, or the best.
-fn best<T>(attempts: u32, make: impl Fn(u32) -> (f64, T)) -> T {
+pub(crate) fn best<T>(attempts: u32, make: impl Fn(u32) -> (f64, T)) -> T {
     let mut best = make(0);
     for attempt in 1..attempts {
         if best.0 >= 1.0 {
@@ -132,7 +89,7 @@ fn best<T>(attempts: u32, make: impl Fn(u32) -> (f64, T)) -> T {
 }
 
 /// A leg of these joints that is well proportioned, and whose joints do not depend on each other.
-fn well_shaped(kinds: &[JointKind]) -> Leg {
+pub(crate) fn well_shaped(kinds: &[JointKind]) -> Leg {
     let plain = Leg::plain(kinds);
     best(CHAIN_ATTEMPTS, |attempt| {
         let mut variation = Variation::new(attempt);

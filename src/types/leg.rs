@@ -185,6 +185,18 @@ pub(crate) fn rounded(x: f64, per_unit: f64) -> f64 {
     (x * per_unit).round() / per_unit
 }
 
+/// A length with two digits, such as 850.
+pub(crate) fn two_digits(x: f64) -> f64 {
+    let unit = libm::pow(10.0, libm::floor(libm::log10(x.abs())) - 1.0);
+    // Above 1 by whole numbers, below it by whole parts of 1: both keep decimal numbers short.
+    if unit >= 1.0 {
+        (x / unit).round() * unit
+    } else {
+        let per_unit = (1.0 / unit).round();
+        (x * per_unit).round() / per_unit
+    }
+}
+
 /// Changes to a leg, of an amount that grows with the number of the attempt; none at attempt 0.
 pub(crate) struct Variation {
     random: Random,
@@ -206,6 +218,12 @@ impl Variation {
     fn vary(&mut self, value: f64, range: f64, per_unit: f64) -> f64 {
         let range = range * self.amount;
         rounded(value + self.random.between(-range, range), per_unit)
+    }
+
+    /// A lean of the base from where it stands, rad about two axes.
+    pub(crate) fn lean(&mut self) -> [f64; 2] {
+        const LEAN: f64 = 30.0;
+        [(); 2].map(|()| self.angle(0.0, LEAN))
     }
 
     fn angle(&mut self, radians: f64, degrees: f64) -> f64 {

@@ -77,11 +77,16 @@ for (const [name, options] of Object.entries(PLACES)) {
   });
 }
 
-test('axe finds nothing in the gallery, the export of a picture, what is said of the document, and with things in hand', async () => {
+test('axe finds nothing in the gallery, the form for a new linkage, the export of a picture, what is said of the document, and with things in hand', async () => {
   const { page } = await browser.openPage({ viewport: { width: 1280, height: 800 } });
   await page.getByRole('button', { name: 'Examples', exact: true }).click();
   await page.locator('dialog.gallery').waitFor();
   assert.deepEqual(await violations(page), [], 'gallery');
+  await page.keyboard.press('Escape');
+  await page.getByRole('button', { name: 'New', exact: true }).click();
+  await page.getByRole('textbox', { name: 'Leg length' }).fill('1');
+  await page.locator('.new-linkage .fault:not([hidden])').waitFor();
+  assert.deepEqual(await violations(page), [], 'new linkage');
   await page.keyboard.press('Escape');
   await page.getByRole('button', { name: 'Export', exact: true }).click();
   await page.getByRole('menuitem', { name: /PNG/ }).click();

@@ -60,7 +60,14 @@ const keeps = (page, words) => page.waitForFunction((wanted) => localStorage.get
 
 test('new, edit, save, open: the same document comes back', async () => {
   const { page, problems } = await pageWithoutPickers({ viewport: { width: 1280, height: 700 }, acceptDownloads: true });
+  // Without a network the form says that it could not ask, and asks again.
+  await page.route(/\.wasm$/, (route) => route.abort());
   await page.getByRole('button', { name: 'New', exact: true }).click();
+  const dialog = page.getByRole('dialog', { name: 'New linkage' });
+  await dialog.getByRole('status').filter({ hasText: /The linkage was not made\./ }).waitFor();
+  await page.unroute(/\.wasm$/);
+  await dialog.getByRole('textbox', { name: 'Type' }).fill('TS');
+  await page.keyboard.press('Enter');
   await page.waitForFunction(() => page$$('.chain').length === 1);
   await motionIsOfDocument(page);
   await cell(page, 'name').fill('My arm');

@@ -1,7 +1,7 @@
 // Tables 2 and 3, from which a linkage can be built.
 import assert from 'node:assert/strict';
 import { after, afterEach, before, beforeEach, test } from 'node:test';
-import { openBrowser, openSample } from './browser.mjs';
+import { motionIsOfDocument, openBrowser, openSample } from './browser.mjs';
 
 let browser;
 let page;
@@ -61,14 +61,62 @@ test('finds a type, and says what types are where there is none', async () => {
   assert.equal(await panel().locator('.chip:visible').count(), 214);
 });
 
-test('a type begins a new linkage, of as many chains as leave a freedom', async () => {
-  for (const [type, label] of [['RRS', 'New linkage 5RRS'], ['TS', 'New linkage 5TS'], ['TR', 'New linkage 1TR']]) {
+test('a type begins a new linkage, of as many legs as are asked for', async () => {
+  for (const [type, fit, legs] of [['RRS', '5', '3'], ['TR', '1', '1']]) {
     await panel().getByRole('button', { name: type, exact: true }).click();
-    await page.getByRole('menuitem', { name: label }).click();
-    const chains = Number(/\d/.exec(label)[0]);
-    await page.waitForFunction(([wanted, many]) => page$$('#mechanism .chain .type').map((node) => node.value).join() === Array(many).fill(wanted).join(), [type, chains]);
+    await page.getByRole('menuitem', { name: `New linkage of ${type} legs` }).click();
+    const number = panel().getByRole('spinbutton', { name: `Legs ${type}` });
+    assert.equal(await number.inputValue(), fit);
+    await number.fill('24');
+    await panel().locator('.new-linkage .fault').filter({ hasText: /no freedom.*at most \d of these legs/ }).waitFor();
+    assert.equal(await number.getAttribute('aria-invalid'), 'true');
+    await number.fill(legs);
+    await page.keyboard.press('Enter');
+    await page.waitForFunction(([wanted, many]) => page$$('#mechanism .chain .type').map((node) => node.value).join() === Array(Number(many)).fill(wanted).join(), [type, legs]);
     assert.ok(await page.locator('#fault-banner').isHidden());
+    assert.ok(await number.isHidden());
   }
   await page.locator('#undo').click();
-  assert.deepEqual(await types(), Array(5).fill('TS'));
+  assert.deepEqual(await types(), Array(3).fill('RRS'));
+});
+
+test('new: a 3-PRS in millimetres, planned, its first key frame reached, its legs equal', async () => {
+  await page.locator('#file-menu').click();
+  await page.getByRole('menuitem', { name: 'New…' }).click();
+  const dialog = page.getByRole('dialog', { name: 'New linkage' });
+  const field = (name) => dialog.getByRole('textbox', { name, exact: true });
+  const fault = dialog.locator('.fault');
+  // A fault is told beside its field while it is typed, and Enter goes there.
+  await field('Type').fill('3 PQS');
+  await fault.filter({ hasText: /“Q” stands for no joint.*3-PRS/ }).waitFor();
+  await field('Type').fill('3 prs');
+  await fault.waitFor({ state: 'hidden' });
+  await field('Leg length').fill('150');
+  await fault.filter({ hasText: /do not reach.*from 201\./ }).waitFor();
+  assert.equal(await field('Leg length').getAttribute('aria-invalid'), 'true');
+  await field('Base radius').fill('');
+  await fault.filter({ hasText: /Base radius: this is missing/ }).waitFor();
+  await field('Unit').focus();
+  await page.keyboard.press('Enter');
+  await page.waitForFunction(() => document.activeElement.name === 'base_radius');
+  await field('Base radius').fill('350');
+  await field('Leg length').fill('600');
+  await fault.waitFor({ state: 'hidden' });
+  await page.keyboard.press('Enter');
+  await dialog.waitFor({ state: 'hidden' });
+  await sentence(/of type 3I/);
+  await motionIsOfDocument(page);
+  const { doc, status } = await page.evaluate(() => {
+    const { document: doc, trajectory } = document.querySelector('synthetica-linkage');
+    return { doc, status: trajectory.report.statuses[trajectory.status[0]] };
+  });
+  assert.equal(status, 'reached');
+  assert.deepEqual([doc.length_unit, doc.planner.metric_length], ['mm', 150]);
+  assert.deepEqual(doc.motion.key_frames.map(({ name }) => name), ['start', 'raised', 'tilted']);
+  for (const { base, joints, gripper } of doc.chains) {
+    assert.deepEqual(joints, doc.chains[0].joints);
+    assert.deepEqual([joints[2].rows[0].a, gripper.x, Math.round(Math.hypot(base.x, base.y) * 1e6) / 1e6], [600, -150, 350]);
+  }
+  await page.keyboard.press('Control+z');
+  assert.deepEqual(await types(), ['RPS', 'RPS', 'RPS']);
 });

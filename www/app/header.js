@@ -30,7 +30,7 @@ export function createHeader(app, documents, keeper) {
 
   const file = menuButton('File', () => [
     { label: 'Examples', act: lists[0] },
-    { label: 'New', act: documents.fresh },
+    { label: 'New…', hint: 'From a type and a few sizes', act: documents.fresh },
     { label: 'Open…', hint: 'Ctrl+O, or drop a file onto the page', act: documents.pick },
     { label: 'Save', hint: 'Ctrl+S', act: () => documents.save() },
     { label: 'Save as…', act: () => documents.save(true) },

@@ -279,6 +279,14 @@ export async function assemble(type) {
   return JSON.parse(await ask('assemble', type));
 }
 
+/**
+ * A document with a linkage of a type in given sizes: equal legs between two circles, closed at its start.
+ * @param {import('../pkg/synthetica.js').MakeRequest} request @returns {Promise<MechanismDocument>}
+ */
+export async function make(request) {
+  return JSON.parse(await ask('make', JSON.stringify(request)));
+}
+
 /** The JSON Schema of a document. @returns {Promise<Record<string, unknown>>} */
 export async function schema() {
   return JSON.parse(await ask('schema'));

@@ -20,7 +20,7 @@
  *
  * @typedef {'plan' | 'pull' | 'explain' | 'text' | 'find_start' | 'drive' | 'trace' | 'matrix' | 'compare_metrics' | 'export_motion'} DocumentCall
  *   methods of the packages' Session
- * @typedef {DocumentCall | 'defaults' | 'enumeration' | 'assemble' | 'schema' | 'chain_by_index' | 'assembly_by_index'} Call
+ * @typedef {DocumentCall | 'defaults' | 'enumeration' | 'assemble' | 'make' | 'schema' | 'chain_by_index' | 'assembly_by_index'} Call
  *
  * @typedef {{Session: {open: (text: string) => any}}} Module
  * @typedef {{text: string, sessions: Map<Module['Session'], any>, users: number, closed: boolean}} Open

@@ -115,6 +115,11 @@ export class Planner {
     return this.#askNoDocument('assemble', type);
   }
 
+  /** A document with a linkage of a type in a person's sizes. @param {string} request a MakeRequest as JSON @returns {Promise<string>} */
+  make(request) {
+    return this.#desk.ask({ asker: this, latest: true, call: 'make', args: [request] });
+  }
+
   /** Tables 2 and 3. @returns {Promise<import('../core/types.js').Enumeration>} */
   enumeration() {
     return this.#askNoDocument('enumeration');

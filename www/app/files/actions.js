@@ -8,6 +8,8 @@ import { encode } from '../../core/link-codec.js';
 import { readText, RefusedFile } from './reading.js';
 import { fileName, saveFile } from '../../export/save.js';
 import { openShare } from './share.js';
+import { openDialog } from '../../ui/dialog.js';
+import { newLinkageForm } from '../../panels/types/new-linkage.js';
 import { DocumentFault } from '../../planner/planner.js';
 import { faultText } from '../../core/fault-text.js';
 
@@ -84,7 +86,11 @@ export function createActs(app, chooser) {
     }
   }
 
-  const fresh = async () => open((await planner.defaults()).document);
+  function fresh() {
+    const form = newLinkageForm(app, { done: () => dialog.close() });
+    const dialog = openDialog('New linkage', form);
+    form.querySelector('input')?.select();
+  }
 
   async function share() {
     try {

@@ -10,6 +10,7 @@ import { plural } from '../../core/format.js';
 import { JOINT_TYPES } from '../../core/joint-types.js';
 import { assemblyName, grouped, typeSentence } from './type-words.js';
 import { menuButton } from '../../ui/menu.js';
+import { newLinkageForm } from './new-linkage.js';
 
 /** Constraints that a linkage may have, of six. */
 const MOST = 5;
@@ -28,18 +29,33 @@ export async function createTypes(app, panel) {
     say(what, { label: 'Undo', act: () => store.undo() });
   }
 
-  /** As many of them as leave a freedom. @param {string} type */
-  const linkageOf = (type) => {
+  /** Where the form for a new linkage stands while it is filled in. */
+  const place = element('section', { class: 'new-linkage-place', 'aria-label': 'New linkage', hidden: true });
+
+  /** Asks for number and sizes of legs of a type, as many of them at first as leave a freedom. @param {string} type @param {HTMLElement} from has the focus afterwards */
+  function fresh(type, from) {
     const constraints = tables.classes.find(({ chains }) => chains.includes(type))?.constraints ?? 1;
-    return `${Math.floor(MOST / constraints)}${type}`;
-  };
-  const fresh = async (/** @type {string} */ type) => app.open(await planner.assemble(type));
+    const close = () => {
+      place.hidden = true;
+      place.replaceChildren();
+      from.focus();
+    };
+    const form = newLinkageForm(app, { chain: { type, legs: Math.floor(MOST / constraints) }, done: close });
+    form.querySelector('button')?.after(' ', element('button', { type: 'button', click: close }, 'Cancel'));
+    form.addEventListener('keydown', (event) => {
+      if (event.key === 'Escape') close();
+    });
+    place.replaceChildren(element('h2', {}, `New linkage of ${type} legs`), form);
+    place.hidden = false;
+    form.querySelector('input')?.select();
+    place.scrollIntoView({ block: 'nearest' });
+  }
 
   /** @param {string} type */
   function chip(type) {
     const words = Array.from(type, (letter) => JOINT_TYPES[/** @type {JointType} */ (letter)].name).join(', ');
     const button = menuButton(type, () => [
-      { label: `New linkage ${linkageOf(type)}`, act: () => fresh(linkageOf(type)) },
+      { label: `New linkage of ${type} legs…`, hint: 'Their number and sizes are asked for', act: () => fresh(type, button) },
       'line',
       { label: 'Add as a new chain', act: () => make(`A chain ${type} is added.`, (doc) => addChain(doc, { ...defaults.chain, joints: jointsOf(type) })) },
       ...store.doc.chains.map(({ name }, index) => ({
@@ -97,6 +113,7 @@ export async function createTypes(app, panel) {
   panel.replaceChildren(
     element('h2', {}, 'Types'),
     sentence,
+    place,
     element('label', { class: 'field' }, element('span', {}, 'Find'), search),
     nothing,
     element('div', { class: 'title' }, element('h2', {}, 'Chains'), element('span', {}, 'Table 2: choose one to add it')),
