@@ -18,6 +18,7 @@ import { createGizmo } from './gizmo.js';
 import { keyFrameTarget } from './key-frame.js';
 import { createPointerDrags } from './pointer-drags.js';
 import { ANGLE_STEP, lengthStep } from './steps.js';
+import { howWords } from './how-words.js';
 import { createDragBar } from './toolbar.js';
 import { workpieceTarget } from './workpiece.js';
 
@@ -67,11 +68,11 @@ function connect(app, scene) {
     how = { ...how, ...change };
     gizmo.set({ mode: how.mode === 'turn' ? 'rotate' : 'translate', space: how.space });
     show();
+    bar.say(howWords(how, target === workpiece ? freedoms.words() : null));
     scene.changed();
   }
 
-  const banners = /** @type {HTMLElement} */ (canvas.parentElement?.querySelector('.banners'));
-  const bar = createDragBar(banners, choose, step);
+  const bar = createDragBar(app.find('view-foot'), choose, step);
   app.find('back-to-motion').before(...postureActions(app).flatMap((button) => [button, ' ']));
 
   /** The workpiece goes by its freedoms. */
@@ -95,8 +96,8 @@ function connect(app, scene) {
       steps: how.mode === 'turn' ? `${angle}°` : `${short(length)} ${unit}`,
       pullable: target === workpiece,
       freedoms: freedoms.words(),
+      place: target.tell(),
     });
-    bar.tell(target.tell());
   }
 
   /** The place of what is in hand on the canvas, in pixels, for scripts that take hold of it: `data-hand`. */
@@ -197,8 +198,8 @@ function connect(app, scene) {
   function done(held) {
     // Where the workpiece comes to is known when the planner has answered.
     saying = held === workpiece;
-    if (!saying) bar.say(`${held.name} at ${held.tell()}`);
     show();
+    if (!saying) bar.say(`${held.name} at ${held.tell()}`);
   }
 
   const drags = createPointerDrags(canvas, {
@@ -254,6 +255,7 @@ function connect(app, scene) {
     else if ('gtGT'.includes(key)) choose({ mode: 'move' });
     else if ('rR'.includes(key)) choose({ mode: 'turn' });
     else if ('dD'.includes(key) && target === workpiece) choose({ mode: 'freedoms' });
+    else if ('dD'.includes(key)) bar.say('Only the workpiece has freedoms to move along: a key frame moves freely.');
     else if ('xwXW'.includes(key)) choose({ space: how.space === 'world' ? 'local' : 'world' });
     else return false;
     return true;
@@ -280,10 +282,11 @@ function connect(app, scene) {
 
   /** Names of the handles: axes, or the numbers of freedoms. */
   function names() {
-    const tips = free() ? freedoms.handles.tips() : target ? gizmo.tips(how.space) : [];
-    return tips.map((at, index) => ({ at, text: free() ? String(index + 1) : 'xyz'[index], place: 'hand' }));
+    const tips = free() ? freedoms.handles.tips().map((at, index) => ({ at, text: String(index + 1) })) : gizmo.tips(how.space);
+    return tips.map((tip) => ({ ...tip, place: 'hand' }));
   }
 
+  scene.covering.add(labels.boxes);
   scene.drawn.add(() => {
     if (!target) return labels.set([], '', '');
     gizmo.look();
