@@ -92,9 +92,8 @@ export function createDragBar(place, choose, nudge) {
           )}
           ${byFreedoms
             ? nothing
-            : html`<button data-stop="space" tabindex=${tab('space')} title="Axes of the world or its own (X)" @click=${() => choose({ space: world ? 'local' : 'world' })}>
-                  ${world ? 'World axes' : 'Own axes'}</button
-                ><button
+            : html`<button data-stop="space" tabindex=${tab('space')} title="Axes of the world or its own (X)" @click=${() => choose({ space: world ? 'local' : 'world' })}>${world ? 'World axes' : 'Own axes'}</button>
+                <button
                   data-stop="snap" tabindex=${tab('snap')} title="In steps of ${steps} (or hold Shift while dragging)" aria-pressed=${how.snap}
                   @click=${() => choose({ snap: !how.snap })}>Snap ${steps}</button>`}
         </div>

@@ -8,13 +8,12 @@
  * @property {number} left from the point to the name on its usual side, above right @property {number} top negative
  * @property {number} rank those of a higher rank have the first choice
  * @property {boolean} kept shown also where it covers another one
- * @property {number} side where it stood last, from 0: above right, below right, above left, below left
  */
 
 /** @param {Box} a @param {Box} b */
 const overlap = (a, b) => a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
 
-/** From a name's point to its corner on a side. @param {Pick<Name, 'left' | 'top' | 'width' | 'height'>} name @param {number} side @returns {[number, number]} */
+/** From a name's point to its corner on a side: 0 above right, 1 below right, 2 above left, 3 below left. @param {Pick<Name, 'left' | 'top' | 'width' | 'height'>} name @param {number} side @returns {[number, number]} */
 export const offsetOn = ({ left, top, width, height }, side) => [side < 2 ? left : -left - width, side % 2 === 0 ? top : -top - height];
 
 /**
@@ -34,7 +33,7 @@ export function layOut(names, others, room) {
       return { x: name.x + right, y: name.y + down, width: name.width, height: name.height };
     };
     const inside = (/** @type {Box} */ { x, y, width, height }) => x >= 0 && y >= 0 && x + width <= room.width && y + height <= room.height;
-    const free = [name.side, 0, 1, 2, 3].filter((side) => !taken.some((box) => overlap(box, boxOn(side))));
+    const free = [0, 1, 2, 3].filter((side) => !taken.some((box) => overlap(box, boxOn(side))));
     const side = free.find((one) => inside(boxOn(one))) ?? free[0] ?? (name.kept ? 0 : -1);
     sides[index] = side;
     if (side >= 0) taken.push(boxOn(side));

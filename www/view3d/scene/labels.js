@@ -7,12 +7,12 @@ import { Vector3 } from 'three';
 import { element, setText } from '../../ui/dom.js';
 import { layOut, offsetOn } from './label-layout.js';
 
-/** The choice of a side: what is chosen comes first, then what is pointed at. */
-const RANK = { chosen: 2, pointed: 1, plain: 0 };
+/** Classes by their rank in the choice of a side. */
+const RANKED = ['', 'pointed', 'chosen'];
 
 /** @param {HTMLElement} layer covers the canvas */
 export function createLabels(layer) {
-  /** @type {(import('./label-layout.js').Name & {at: Vector3, tag: HTMLElement})[]} */
+  /** @type {(import('./label-layout.js').Name & {at: Vector3, tag: HTMLElement, side: number})[]} */
   let labels = [];
   const seen = new Vector3();
 
@@ -35,16 +35,12 @@ export function createLabels(layer) {
         const label = labels[index];
         const { tag } = label;
         label.at = at;
-        if (tag.dataset.place !== place) {
-          tag.dataset.place = place;
-          label.side = 0;
-        }
-        const look = place === chosen ? 'chosen' : place === pointed ? 'pointed' : 'plain';
-        label.rank = RANK[look];
+        if (tag.dataset.place !== place) tag.dataset.place = place;
+        label.rank = place === chosen ? 2 : place === pointed ? 1 : 0;
         label.kept = label.rank > 0;
         // Another text or other letters have another width.
-        if (tag.textContent !== text || tag.className !== look) label.width = 0;
-        tag.className = look;
+        if (tag.textContent !== text || tag.className !== RANKED[label.rank]) label.width = 0;
+        tag.className = RANKED[label.rank];
         setText(tag, text);
       });
     },
