@@ -230,6 +230,13 @@ test('in another unit of length the picture is the same, unless a pointer is dow
   const after = await pointsOf(page, bases);
   after.flat().forEach((value, i) => assert.ok(Math.abs(value - before.flat()[i]) < 1.5, `${value} px, before ${before.flat()[i]} px`));
 
+  // Back in metres, at once: no pointer is down.
+  await page.evaluate(() => document.querySelector('synthetica-linkage').linkage.store.undo());
+  await planned();
+  await drawn(page);
+  assert.equal(await page.locator(`${bases}:not([hidden])`).count(), 3);
+  (await pointsOf(page, bases)).flat().forEach((value, i) => assert.ok(Math.abs(value - before.flat()[i]) < 1.5, `${value} px, before ${before.flat()[i]} px`));
+
   // A view as narrow as a phone in portrait: all names' points are in it.
   await page.locator('#canvas').focus();
   for (let i = 0; i < 6; i++) await page.keyboard.press('+');

@@ -25,6 +25,9 @@ import { workpieceTarget } from './workpiece.js';
 /** Axis and direction of each nudging key. @type {Record<string, [0 | 1 | 2, 1 | -1]>} */
 const NUDGES = { ArrowRight: [0, 1], ArrowLeft: [0, -1], ArrowUp: [1, 1], ArrowDown: [1, -1], PageUp: [2, 1], PageDown: [2, -1] };
 
+/** Half the square around the thing in hand that no name covers, in pixels: names take clicks. */
+const FREE = 7;
+
 const KEY_FRAME = /^motion\.key_frames\[(\d+)\]/;
 
 /** @param {import('../../element/workbench.js').App} app */
@@ -41,9 +44,6 @@ function connect(app, scene) {
   app.find('labels').after(layer);
   const labels = createLabels(layer);
 
-  // Kept: to ask the canvas in every picture would lay the page out in every picture.
-  const extent = { width: canvas.clientWidth, height: canvas.clientHeight };
-  new ResizeObserver(() => Object.assign(extent, { width: canvas.clientWidth, height: canvas.clientHeight })).observe(canvas);
   const workpiece = workpieceTarget(app);
   const freedoms = createFreedoms(app, scene);
 
@@ -100,12 +100,17 @@ function connect(app, scene) {
     });
   }
 
-  /** The place of what is in hand on the canvas, in pixels, for scripts that take hold of it: `data-hand`. */
-  function tellPlace() {
+  /** Where the thing in hand is on the canvas, which names leave free. @type {import('../scene/label-layout.js').Box[]} */
+  let kept = [];
+
+  /** The place of what is in hand on the canvas, in pixels, for scripts that take hold of it: `data-hand`. @param {number} width @param {number} height */
+  function tellPlace(width, height) {
     const at = target?.pose();
     if (!at) return;
     const seen = new Vector3(at[0], at[1], at[2]).project(scene.camera);
-    canvas.dataset.hand = `${(((seen.x + 1) / 2) * extent.width).toFixed(1)} ${(((1 - seen.y) / 2) * extent.height).toFixed(1)}`;
+    const [x, y] = [((seen.x + 1) / 2) * width, ((1 - seen.y) / 2) * height];
+    canvas.dataset.hand = `${x.toFixed(1)} ${y.toFixed(1)}`;
+    kept = [{ x: x - FREE, y: y - FREE, width: 2 * FREE, height: 2 * FREE }];
   }
 
   let { frame, posture } = store.view;
@@ -286,13 +291,14 @@ function connect(app, scene) {
     return tips.map((tip) => ({ ...tip, place: 'hand' }));
   }
 
-  scene.covering.add(labels.boxes);
-  scene.drawn.add(() => {
+  scene.covering.add(() => [...kept, ...labels.boxes()]);
+  scene.drawn.add((width, height) => {
+    kept = [];
     if (!target) return labels.set([], '', '');
     gizmo.look();
     labels.set(drags.busy ? [] : names(), '', '');
-    labels.place(scene.camera, extent.width, extent.height);
-    tellPlace();
+    labels.place(scene.camera, width, height);
+    tellPlace(width, height);
   });
   store.subscribe('view', sync);
   store.subscribe('insight', () => {

@@ -116,7 +116,7 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
     view.step();
     pose(what);
     for (const { place, text, at } of marks) if (text) highlight.anchorOf(place, at);
-    for (const tell of drawn) tell();
+    for (const tell of drawn) tell(width, height);
     light.beforeDraw();
     renderer.render(root, view.camera);
     poster.drop();
@@ -135,7 +135,7 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
 
   /** @type {Set<(event: PointerEvent) => boolean>} */
   const claimants = new Set();
-  /** @type {Set<() => void>} */
+  /** @type {Set<(width: number, height: number) => void>} */
   const drawn = new Set();
   /** @type {Set<() => import('./label-layout.js').Box[]>} */
   const covering = new Set();
@@ -207,7 +207,7 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
     claimants,
     /** @param {PointerEvent} event */
     claims: (event) => [...claimants].some((claim) => claim(event)),
-    /** Called before every draw. */
+    /** Called before every draw, with the size of the canvas in CSS pixels. */
     drawn,
     /** Asked in every draw for what stands over the view, which the names must not cover. */
     covering,
