@@ -1,7 +1,11 @@
 // The 3D view: what is pointed at is named, what is clicked is selected, and the keyboard and touch can do the same.
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
-import { openBrowser, scrubTo } from './browser.mjs';
+import { convertLengths } from '../../www/core/units.js';
+import { openBrowser, scrubTo, text } from './browser.mjs';
+
+const sample = JSON.parse(readFileSync('www/mechanisms/3rps.json', 'utf8'));
 
 let browser;
 before(async () => {
@@ -200,4 +204,103 @@ test('what is pointed at elsewhere is named in the view, and the other way round
   await page.mouse.move(...at);
   await page.locator('#tip').filter({ hasText: 'key frame “between”' }).waitFor();
   await page.locator(`.track .marked[data-place="${key}"]`).waitFor();
+});
+
+/** Where a name's point is on the canvas, in pixels. */
+const pointsOf = (page, places) =>
+  page.locator(places).evaluateAll((tags) => tags.map((tag) => tag.style.transform.match(/-?[\d.]+(?=px)/g).map(Number)));
+
+test('in another unit of length the picture is the same, unless a pointer is down; Fit view shows all of a narrow view', async () => {
+  const { page, problems } = await browser.openPage({ viewport: { width: 390, height: 844 } });
+  const bases = '#labels [data-place$=".base"]';
+  const { metric_length: length, ...planner } = sample.planner;
+  const millimetres = { ...convertLengths(sample, 1000, 'mm'), planner: { ...planner, metric_length: 1000 * length } };
+  const planned = () => page.waitForFunction(() => document.querySelector('synthetica-linkage').linkage.store.result.doc === document.querySelector('synthetica-linkage').linkage.store.doc);
+  const before = await pointsOf(page, bases);
+  await page.mouse.move(200, 20);
+  await page.mouse.down();
+  // An edit, and not another document.
+  await page.evaluate((doc) => document.querySelector('synthetica-linkage').linkage.store.edit(() => doc), millimetres);
+  await planned();
+  await drawn(page);
+  assert.equal(await page.locator(`${bases}:not([hidden])`).count(), 0, 'the view does not move under a hand');
+  await page.mouse.up();
+  await drawn(page);
+  assert.equal(await page.locator(`${bases}:not([hidden])`).count(), 3);
+  const after = await pointsOf(page, bases);
+  after.flat().forEach((value, i) => assert.ok(Math.abs(value - before.flat()[i]) < 1.5, `${value} px, before ${before.flat()[i]} px`));
+
+  // Back in metres, at once: no pointer is down.
+  await page.evaluate(() => document.querySelector('synthetica-linkage').linkage.store.undo());
+  await planned();
+  await drawn(page);
+  assert.equal(await page.locator(`${bases}:not([hidden])`).count(), 3);
+  (await pointsOf(page, bases)).flat().forEach((value, i) => assert.ok(Math.abs(value - before.flat()[i]) < 1.5, `${value} px, before ${before.flat()[i]} px`));
+
+  // A view as narrow as a phone in portrait: all names' points are in it.
+  await page.locator('#canvas').focus();
+  for (let i = 0; i < 6; i++) await page.keyboard.press('+');
+  await page.evaluate(() => document.querySelector('synthetica-linkage').style.setProperty('--view-height', '600px'));
+  await page.waitForFunction(() => page$('#canvas').clientHeight > 400);
+  await page.locator('#fit').click();
+  await drawn(page);
+  assert.equal(await page.locator('#labels span:not([hidden])').count(), 6);
+  for (const [x] of await pointsOf(page, '#labels span')) assert.ok(x > 5 && x < 385, `${x} px`);
+  assert.deepEqual(problems, []);
+});
+
+test('while a joint is driven, the view has no word about a goal; Ctrl+Z gives the motion back; what is in hand says what its keys do', async () => {
+  const { page, problems } = await browser.openPage();
+  await scrubTo(page, 40);
+  await page.locator('#legend').getByText('goal motion').waitFor();
+  await page.getByRole('tab', { name: 'Teach' }).click();
+  await page.locator('.teach-row input[type=range]').first().focus();
+  await page.keyboard.press('ArrowRight');
+  await page.locator('#by-hand').waitFor();
+  await page.locator('#canvas').focus();
+  await page.keyboard.press(']');
+  await page.keyboard.press('Enter');
+  await page.locator('.readout').filter({ hasText: 'driven' }).waitFor();
+  const words = async () => `${await page.locator('.view').textContent()} ${await page.locator('#canvas-text').textContent()}`;
+  assert.doesNotMatch(await words(), /goal|from the hand/);
+  assert.match(await words(), /closest motion/);
+
+  const said = page.locator('.drag-bar [role=status]');
+  await page.keyboard.press('r');
+  await said.filter({ hasText: 'Turn: about the axes of the world.' }).waitFor();
+  await page.keyboard.press('d');
+  await said.filter({ hasText: /^Freedoms: / }).waitFor();
+  await page.keyboard.press('g');
+  await said.filter({ hasText: 'Move: along the axes of the world.' }).waitFor();
+  await page.keyboard.press('Control+z');
+  await page.locator('#by-hand').waitFor({ state: 'hidden' });
+  await page.locator('#legend').getByText('goal motion').waitFor();
+  assert.equal(await said.textContent(), '', 'what was said is no longer so');
+  assert.equal(await text(page, 'frame-number'), '41 / 129');
+
+  // The move bar hides nothing of the picture, and no names stand under the letters of the gizmo.
+  const [canvas, bar] = [await page.locator('#canvas').boundingBox(), await page.locator('.drag-bar').boundingBox()];
+  assert.ok(bar.y >= canvas.y + canvas.height, 'it stands below');
+  const boxes = await page.locator(':is(#labels, .hand-labels) span:not([hidden])').evaluateAll((tags) => tags.map((tag) => tag.getBoundingClientRect().toJSON()));
+  assert.ok(boxes.length > 5);
+  boxes.forEach((a, i) =>
+    boxes.slice(i + 1).forEach((b) => assert.ok(a.right <= b.left + 1 || b.right <= a.left + 1 || a.bottom <= b.top + 1 || b.bottom <= a.top + 1, 'no name covers another')),
+  );
+  assert.deepEqual(problems, []);
+});
+
+test('forced colours leave the lines of the scene and of the legend apart', async () => {
+  const { page } = await browser.openPage({ forcedColors: 'active' });
+  const lines = await page.locator('#legend li').evaluateAll((items) => items.map((item) => getComputedStyle(item, '::before').backgroundColor).slice(0, 3));
+  assert.equal(new Set(lines).size, 3, String(lines));
+  const colours = await page.locator('#canvas').evaluate((canvas) => {
+    const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext('2d');
+    document.querySelector('synthetica-linkage').linkage.player.draw();
+    copy.drawImage(canvas, 0, 0);
+    const { data } = copy.getImageData(0, 0, canvas.width, canvas.height);
+    let coloured = 0;
+    for (let at = 0; at < data.length; at += 4) if (Math.max(...data.slice(at, at + 3)) - Math.min(...data.slice(at, at + 3)) > 60) coloured++;
+    return coloured;
+  });
+  assert.ok(colours > 100, `${colours} pixels with a colour`);
 });

@@ -2,11 +2,13 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { Mesh, MeshBasicMaterial } from 'three';
+import { Mesh, MeshBasicMaterial, Vector3 } from 'three';
 import { createMaterials } from '../../www/view3d/scene/materials.js';
+import { createMeasure } from '../../www/view3d/scene/measure.js';
 import { gapClass, gapFrames, gapSteps } from '../../www/view3d/scene/gap-lines.js';
 import { ghostFrames } from '../../www/view3d/scene/ghosts.js';
 import { Linkage } from '../../www/view3d/scene/linkage.js';
+import { hasLeft, showsWell } from '../../www/view3d/scene/refit.js';
 import { Tube } from '../../www/view3d/scene/tube.js';
 
 const sample = JSON.parse(readFileSync(new URL('../../www/mechanisms/3rps.json', import.meta.url), 'utf8'));
@@ -74,4 +76,81 @@ test('ghosts stand at the key frames, evenly, or where they were put', () => {
   assert.deepEqual(ghostFrames('keys', motion, doc), [0, 5, 10]);
   assert.deepEqual(ghostFrames('spread', motion, doc).at(-1), 10);
   assert.deepEqual(ghostFrames([3, 40], motion, doc), [3]);
+});
+
+/** The same poses, larger by a factor and then moved along x. */
+const placed = (column, factor, along = 0) => column.map((value, i) => (i % 7 > 2 ? value : value * factor + (i % 7 === 0 ? along : 0)));
+const placedMotion = (motion, factor, along = 0) => ({
+  ...motion,
+  rows: placed(motion.rows, factor, along),
+  pose: placed(motion.pose, factor, along),
+  goal: placed(motion.goal, factor, along),
+});
+const placedDoc = (factor, along = 0) => ({
+  chains: sample.chains.map((chain) => ({ ...chain, base: { ...chain.base, z: (chain.base?.z ?? 0) * factor } })),
+  motion: { key_frames: sample.motion.key_frames.map((key) => ({ ...key, x: (key.x ?? 0) * factor + along, y: (key.y ?? 0) * factor, z: (key.z ?? 0) * factor })) },
+});
+
+function measured(motion, doc) {
+  const { size, take } = createMeasure();
+  take(motion, doc, true);
+  return size;
+}
+
+test('all sizes follow the unit of length, and all places the linkage', () => {
+  const motion = motionOf(sample, 5, 0.1);
+  const one = measured(motion, placedDoc(1));
+  const thousand = measured(placedMotion(motion, 1000), placedDoc(1000));
+  const moved = measured(placedMotion(motion, 1, 1e4), placedDoc(1, 1e4));
+  for (const of of [(size) => size.radius, (size) => size.link, (size) => size.ground, (size) => size.home.radius, (size) => size.home.centre.x]) {
+    assert.ok(Math.abs(of(thousand) / of(one) - 1000) < 1e-6, `${of}: ${of(thousand)} is not 1000 · ${of(one)}`);
+  }
+  assert.ok(Math.abs(moved.radius / one.radius - 1) < 1e-6);
+  assert.ok(Math.abs(moved.home.centre.x - one.home.centre.x - 1e4) < 1e-6);
+});
+
+test('Fit view has all frames, the goal and the key frames in it, after any edit; small edits keep the proportions', () => {
+  const motion = motionOf(sample, 5, 0.1);
+  const doc = placedDoc(1);
+  const { size, take } = createMeasure();
+  take(motion, doc, true);
+  const { link } = size;
+  doc.motion.key_frames[1].y = 2;
+  assert.equal(take(motion, doc, false), false, 'no new proportions');
+  assert.equal(size.link, link);
+  for (const { x, y, z } of doc.motion.key_frames) assert.ok(size.home.centre.distanceTo(new Vector3(x, y, z)) + 7 * link <= size.home.radius + 1e-9);
+  assert.ok(take(placedMotion(motion, 1, 10), placedDoc(1, 10), false), 'of the same size at another place');
+  assert.ok(Math.abs(size.centre.x - size.home.centre.x) < 1e-9);
+});
+
+test('a frame that runs away does not make the linkage a dot; a far key frame is shown, with a linkage of its own width', () => {
+  const motion = motionOf(sample, 5, 0.1);
+  const one = measured(motion, placedDoc(1));
+  const rows = motion.rows.slice();
+  // In the middle of the motion, whose ends are the extremes.
+  rows[7 * Math.floor(rows.length / 14)] = 1000 * one.radius;
+  assert.ok(Math.abs(measured({ ...motion, rows }, placedDoc(1)).radius / one.radius - 1) < 1e-9);
+  const doc = placedDoc(1);
+  doc.motion.key_frames[2].x = 100 * one.radius;
+  const far = measured(motion, doc);
+  assert.ok(far.home.radius > 49 * one.radius);
+  assert.ok(far.link < 10 * one.link, 'no ball of joints as large as the way');
+});
+
+test('the view is fitted anew where the scene has left it by a factor', () => {
+  const ball = (radius, x = 0) => ({ radius, centre: new Vector3(x, 0, 0) });
+  assert.ok(!hasLeft(ball(1), ball(1.9)) && !hasLeft(ball(1), ball(1, 0.9)), 'not on a small edit');
+  assert.ok(hasLeft(ball(1), ball(1000)) && hasLeft(ball(1000), ball(1)) && hasLeft(ball(1), ball(1, 10)));
+  const view = { target: new Vector3(), reach: 2 };
+  assert.ok(showsWell(view, ball(2)) && showsWell(view, ball(0.6)), 'a person has made room for it');
+  assert.ok(!showsWell(view, ball(2000)) && !showsWell(view, ball(0.002)) && !showsWell(view, ball(1, 5)));
+});
+
+test('a tube far from the origin is as fine as one that is near', () => {
+  const tube = new Tube(new MeshBasicMaterial());
+  tube.lay(placed(poses(100, 1e-3), 1, 1e6), 100, 1e-4);
+  const places = tube.mesh.geometry.getAttribute('position');
+  assert.equal(tube.mesh.position.x, 1e6);
+  for (const corner of [0, 100, 600]) assert.ok(Math.abs(Math.hypot(places.getY(corner), places.getZ(corner)) - 1e-4) < 1e-8);
+  assert.ok(Math.abs(places.getX(7 * 99) - 0.099) < 1e-6);
 });

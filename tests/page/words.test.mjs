@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { degrees, length, scientific, short } from '../../www/core/format.js';
 import { faultParts, faultText } from '../../www/core/fault-text.js';
-import { mobilitySentence, partSentence, singularSentence, worstFrame } from '../../www/core/status-words.js';
+import { describeScene, endWords, mobilitySentence, partSentence, singularSentence, worstFrame } from '../../www/core/status-words.js';
 
 test('numbers are short, with a true minus, and never say −0', () => {
   assert.deepEqual([short(1.5), short(-2), short(-0.00001), short(1 / 3), short(NaN)], ['1.5', '−2', '0', '0.3333', '–']);
@@ -41,4 +41,29 @@ test('a fault says what is wrong and what would be accepted, from its own parts 
 
 test('the worst frame is the one with the largest value', () => {
   assert.equal(worstFrame([0, 3, 1, 3]), 1);
+});
+
+/** A store that shows one frame of a motion, or a posture. */
+function storeOf(status, posture = null) {
+  const pose = Float64Array.of(1, 2, 3, 0, 0, 0, 1);
+  const goal = Float64Array.of(4, 5, 6, 0, 0, 0, 1);
+  const report = { statuses: ['reached', 'closest', 'closure_lost'], chains: [{ type: 'RPS' }] };
+  const column = Float64Array.of(0);
+  const motion = { frames: 1, report, status: Uint8Array.of(report.statuses.indexOf(status)), pose, goal, rows: pose, joints: column, translation_gap: column, rotation_gap: column };
+  return { result: { motion, doc: { name: 'Leg', length_unit: 'mm' } }, view: { frame: 0, posture: posture && { pose, goal, rows: pose, joints: column, translation_gap: 0, rotation_gap: 0, ...posture } } };
+}
+
+test('the view is described with units; a joint that is driven has no goal', () => {
+  assert.match(describeScene(storeOf('closest')), /Workpiece at \(1, 2, 3\) mm; goal at \(4, 5, 6\) mm\./);
+  const driven = describeScene(storeOf('closest', { status: 'closest', value: 0.5 }));
+  assert.match(driven, /Workpiece at \(1, 2, 3\) mm\./);
+  assert.doesNotMatch(driven, /goal/i);
+});
+
+test('where the loops are open, no distance makes it a success', () => {
+  assert.equal(endWords('closest', 0.25, 0, 'the hand', 'm'), 'closest, 0.25 m and 0° from the hand');
+  for (const text of [describeScene(storeOf('closure_lost')), describeScene(storeOf('reached', { status: 'closure_lost' }))]) {
+    assert.match(text, /closure lost: the loops could not be closed here/);
+    assert.doesNotMatch(text, /0 mm and 0°/);
+  }
 });

@@ -11,15 +11,25 @@ export function createHistory(store) {
   const undo = byId('undo');
   /** @type {HTMLButtonElement} */
   const redo = byId('redo');
-  undo.addEventListener('click', () => store.undo());
+  undo.addEventListener('click', () => undoOne(store));
   redo.addEventListener('click', () => store.redo());
 
   const show = () => {
-    undo.disabled = !store.canUndo;
+    undo.disabled = !store.canUndo && !movedByHand(store);
     redo.disabled = !store.canRedo;
   };
   store.subscribe('document', show);
+  store.subscribe('view', show);
   show();
+}
+
+/** Whether the linkage stands where a hand has moved it, and not where an iterate of the planner is. @param {Pick<Store, 'view'>} store */
+const movedByHand = ({ view: { posture } }) => posture !== null && posture.note === undefined;
+
+/** What came last goes first: a posture that a hand has moved to is no edit, and is shown until the motion is. @param {Store} store */
+export function undoOne(store) {
+  if (movedByHand(store)) store.setView({ posture: null });
+  else store.undo();
 }
 
 /**
@@ -33,7 +43,7 @@ export function createHistoryKeys({ store, keys, signal }) {
     if (key !== 'z' && key !== 'y') return;
     event.preventDefault();
     if (key === 'y' || event.shiftKey) store.redo();
-    else store.undo();
+    else undoOne(store);
   };
   keys.addEventListener('keydown', /** @type {EventListener} */ (press), { signal });
 }

@@ -8,7 +8,7 @@
 export const KEYS = [
   { keys: ['Space'], does: 'play or pause', where: 'Anywhere but in a field' },
   { keys: ['?'], does: 'show these keys', where: 'Anywhere but in a field' },
-  { keys: ['Ctrl+Z'], does: 'undo', where: 'Anywhere' },
+  { keys: ['Ctrl+Z'], does: 'undo; a linkage that was moved by hand first goes back', where: 'Anywhere' },
   { keys: ['Ctrl+Shift+Z', 'Ctrl+Y'], does: 'redo', where: 'Anywhere' },
   { keys: ['←', '→', '↑', '↓'], does: 'turn the view', where: '3D view' },
   { keys: ['Shift+arrows'], does: 'shift the view', where: '3D view' },

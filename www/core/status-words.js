@@ -4,7 +4,7 @@
  * @typedef {import('./types.js').Motion} Motion
  */
 import { angle, length, plural, short } from './format.js';
-import { groupAt, shown } from './shown.js';
+import { groupAt, isDriven, shown } from './shown.js';
 
 /**
  * How a frame or a posture ended: a sign that is told apart without colour, a word, and what it means.
@@ -96,16 +96,25 @@ export function frameSentence(store) {
   if (!motion) return '';
   const { frame, posture } = store.view;
   if (posture) return postureSentence(posture, doc?.length_unit);
-  const { word } = statusWords(statusName(motion, frame));
-  const gap = `${length(motion.translation_gap[frame], doc?.length_unit)} and ${angle(motion.rotation_gap[frame])}`;
-  return `Frame ${frame + 1} of ${motion.frames}: ${word.toLowerCase()}, ${gap} from the goal.`;
+  const name = statusName(motion, frame);
+  return `Frame ${frame + 1} of ${motion.frames}: ${endWords(name, motion.translation_gap[frame], motion.rotation_gap[frame], 'the goal', doc?.length_unit)}.`;
+}
+
+/**
+ * How a pose ended and how far it is from what was asked for. Where the loops are open, being near means nothing.
+ * @param {string} name of the status @param {number} shift @param {number} turn in radians
+ * @param {'the goal' | 'the hand'} from @param {string | undefined} unit
+ */
+export function endWords(name, shift, turn, from, unit) {
+  const { word, meaning } = statusWords(name);
+  if (name === 'closure_lost') return `${word.toLowerCase()}: ${meaning[0].toLowerCase()}${meaning.slice(1).replace(/\.$/, '')}`;
+  return `${word.toLowerCase()}, ${length(shift, unit)} and ${angle(turn)} from ${from}`;
 }
 
 /** Where the linkage was moved by hand, in one sentence. @param {import('./types.js').Posture} posture @param {string | undefined} unit */
 function postureSentence({ value, obstacle, status, translation_gap, rotation_gap }, unit) {
   if (value !== undefined) return obstacle ?? 'A joint is driven by hand; the others follow.';
-  const { word } = statusWords(status);
-  return `Pulled by hand: ${word.toLowerCase()}, ${length(translation_gap, unit)} and ${angle(rotation_gap)} from the hand.`;
+  return `Pulled by hand: ${endWords(status, translation_gap, rotation_gap, 'the hand', unit)}.`;
 }
 
 /** What the 3D view shows, as text. @param {import('./store.js').Store} store */
@@ -114,10 +123,11 @@ export function describeScene(store) {
   const now = shown(store);
   if (!motion || !now) return '';
   const { doc } = now;
-  const at = (/** @type {Float64Array} */ column) => Array.from(groupAt(column, now).subarray(0, 3), (value) => short(value, 3)).join(', ');
+  const unit = doc.length_unit ? ` ${doc.length_unit}` : '';
+  const at = (/** @type {Float64Array} */ column) => `(${Array.from(groupAt(column, now).subarray(0, 3), (value) => short(value, 3)).join(', ')})${unit}`;
   const types = motion.report.chains.map((chain) => chain.type).join(', ');
   return (
     `${doc.name || 'A linkage'}: ${plural(motion.report.chains.length, 'chain')} (${types}) carry one workpiece. ` +
-    `${frameSentence(store)} Workpiece at ${at(now.pose)}; goal at ${at(now.goal)}.`
+    `${frameSentence(store)} Workpiece at ${at(now.pose)}${isDriven(store.view) ? '' : `; goal at ${at(now.goal)}`}.`
   );
 }

@@ -2,32 +2,32 @@
  * The legend of the 3D view: which line is which, and which gap is how large.
  */
 import { length } from '../core/format.js';
-import { element } from '../ui/dom.js';
+import { isDriven } from '../core/shown.js';
+import { html, render } from '../ui/render.js';
 import { gapClass, gapFrames } from './scene/gap-lines.js';
 
 /** @param {HTMLElement} list @param {Pick<import('../element/workbench.js').App, 'store' | 'scene'>} app */
 export function createLegend(list, { store, scene }) {
-  let written = '';
-
   function show() {
     const { motion, doc } = store.result;
     if (!motion || !scene) return;
-    const { goal, closest, gaps } = store.view.show;
+    // A joint that is driven goes to no goal.
+    const driven = isDriven(store.view);
+    const goal = store.view.show.goal && !driven;
+    const gaps = store.view.show.gaps && !driven;
     const steps = scene.gapSteps;
-    const seen = new Set(gapFrames(motion, scene.linkRadius).map((frame) => gapClass(motion.translation_gap[frame], steps)));
+    const seen = new Set(gaps ? gapFrames(motion, scene.linkRadius).map((frame) => gapClass(motion.translation_gap[frame], steps)) : []);
     const size = (/** @type {number} */ step) => length(step, doc?.length_unit);
-    /** @type {[string, string][]} */
-    const items = [];
-    if (goal) items.push(['goal', 'goal motion']);
-    if (closest) items.push(['closest', 'closest motion']);
-    if (gaps) items.push(['gap', 'gap at this frame']);
-    if (gaps && seen.has(0)) items.push(['gap-0', `gap < ${size(steps[1])}`]);
-    if (gaps && seen.has(1)) items.push(['gap-1', `gap ≥ ${size(steps[1])}`]);
-    if (gaps && seen.has(2)) items.push(['gap-2', `gap ≥ ${size(steps[2])}`]);
-    const next = JSON.stringify(items);
-    if (next === written) return;
-    written = next;
-    list.replaceChildren(...items.map(([line, text]) => element('li', { class: line }, text)));
+    /** @type {[boolean, string, string][]} */
+    const lines = [
+      [goal, 'goal', 'goal motion'],
+      [store.view.show.closest, 'closest', 'closest motion'],
+      [gaps, 'gap', store.view.posture ? 'gap here' : 'gap at this frame'],
+      [seen.has(0), 'gap-0', `gap < ${size(steps[1])}`],
+      [seen.has(1), 'gap-1', `gap ≥ ${size(steps[1])}`],
+      [seen.has(2), 'gap-2', `gap ≥ ${size(steps[2])}`],
+    ];
+    render(lines.filter(([drawn]) => drawn).map(([, line, text]) => html`<li class=${line}>${text}</li>`), list);
   }
 
   store.subscribe('result', show);

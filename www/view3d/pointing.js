@@ -3,6 +3,7 @@
  * pointed at elsewhere is told here. With the keyboard, [ and ] go through the things and Enter selects.
  */
 import { element, setText } from '../ui/dom.js';
+import { isDriven } from '../core/shown.js';
 import { nameOf, thingsOf } from '../core/things.js';
 
 /** How far a pointer may move in a click, in pixels: a hand on a touch screen is less steady. */
@@ -21,6 +22,9 @@ export function createPointing({ find, store, player, scene }) {
   let waiting = false;
   /** Where a press began. @type {{x: number, y: number, id: number} | null} */
   let press = null;
+
+  /** What is not drawn while a joint is driven. @param {string} place */
+  const isAway = (place) => isDriven(store.view) && /^(goal|gap)/.test(place);
 
   /** @param {PointerEvent} event */
   const thingAt = (event) => (scene.claims(event) ? '' : scene.pick(event));
@@ -91,7 +95,7 @@ export function createPointing({ find, store, player, scene }) {
   function goOn(step) {
     const { doc } = store.result;
     if (!doc) return;
-    const things = thingsOf(doc);
+    const things = thingsOf(doc).filter((place) => !isAway(place));
     const at = things.indexOf(store.view.hovered || store.view.selected);
     const next = at < 0 ? (step > 0 ? 0 : things.length - 1) : (at + step + things.length) % things.length;
     leave();
@@ -117,8 +121,8 @@ export function createPointing({ find, store, player, scene }) {
   const show = () => {
     const { selected, hovered } = store.view;
     scene.highlight(
-      { place: selected, text: nameOf(selected, store) },
-      { place: hovered, text: pointer ? '' : nameOf(hovered, store) },
+      { place: selected, text: isAway(selected) ? '' : nameOf(selected, store) },
+      { place: hovered, text: pointer || isAway(hovered) ? '' : nameOf(hovered, store) },
     );
   };
   store.subscribe('view', show);

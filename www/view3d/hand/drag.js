@@ -18,11 +18,15 @@ import { createGizmo } from './gizmo.js';
 import { keyFrameTarget } from './key-frame.js';
 import { createPointerDrags } from './pointer-drags.js';
 import { ANGLE_STEP, lengthStep } from './steps.js';
+import { howWords } from './how-words.js';
 import { createDragBar } from './toolbar.js';
 import { workpieceTarget } from './workpiece.js';
 
 /** Axis and direction of each nudging key. @type {Record<string, [0 | 1 | 2, 1 | -1]>} */
 const NUDGES = { ArrowRight: [0, 1], ArrowLeft: [0, -1], ArrowUp: [1, 1], ArrowDown: [1, -1], PageUp: [2, 1], PageDown: [2, -1] };
+
+/** Half the square around the thing in hand that no name covers, in pixels: names take clicks. */
+const FREE = 7;
 
 const KEY_FRAME = /^motion\.key_frames\[(\d+)\]/;
 
@@ -40,9 +44,6 @@ function connect(app, scene) {
   app.find('labels').after(layer);
   const labels = createLabels(layer);
 
-  // Kept: to ask the canvas in every picture would lay the page out in every picture.
-  const extent = { width: canvas.clientWidth, height: canvas.clientHeight };
-  new ResizeObserver(() => Object.assign(extent, { width: canvas.clientWidth, height: canvas.clientHeight })).observe(canvas);
   const workpiece = workpieceTarget(app);
   const freedoms = createFreedoms(app, scene);
 
@@ -67,11 +68,11 @@ function connect(app, scene) {
     how = { ...how, ...change };
     gizmo.set({ mode: how.mode === 'turn' ? 'rotate' : 'translate', space: how.space });
     show();
+    bar.say(howWords(how, target === workpiece ? freedoms.words() : null));
     scene.changed();
   }
 
-  const banners = /** @type {HTMLElement} */ (canvas.parentElement?.querySelector('.banners'));
-  const bar = createDragBar(banners, choose, step);
+  const bar = createDragBar(app.find('view-foot'), choose, step);
   app.find('back-to-motion').before(...postureActions(app).flatMap((button) => [button, ' ']));
 
   /** The workpiece goes by its freedoms. */
@@ -95,16 +96,21 @@ function connect(app, scene) {
       steps: how.mode === 'turn' ? `${angle}°` : `${short(length)} ${unit}`,
       pullable: target === workpiece,
       freedoms: freedoms.words(),
+      place: target.tell(),
     });
-    bar.tell(target.tell());
   }
 
-  /** The place of what is in hand on the canvas, in pixels, for scripts that take hold of it: `data-hand`. */
-  function tellPlace() {
+  /** Where the thing in hand is on the canvas, which names leave free. @type {import('../scene/label-layout.js').Box[]} */
+  let kept = [];
+
+  /** The place of what is in hand on the canvas, in pixels, for scripts that take hold of it: `data-hand`. @param {number} width @param {number} height */
+  function tellPlace(width, height) {
     const at = target?.pose();
     if (!at) return;
     const seen = new Vector3(at[0], at[1], at[2]).project(scene.camera);
-    canvas.dataset.hand = `${(((seen.x + 1) / 2) * extent.width).toFixed(1)} ${(((1 - seen.y) / 2) * extent.height).toFixed(1)}`;
+    const [x, y] = [((seen.x + 1) / 2) * width, ((1 - seen.y) / 2) * height];
+    canvas.dataset.hand = `${x.toFixed(1)} ${y.toFixed(1)}`;
+    kept = [{ x: x - FREE, y: y - FREE, width: 2 * FREE, height: 2 * FREE }];
   }
 
   let { frame, posture } = store.view;
@@ -197,8 +203,8 @@ function connect(app, scene) {
   function done(held) {
     // Where the workpiece comes to is known when the planner has answered.
     saying = held === workpiece;
-    if (!saying) bar.say(`${held.name} at ${held.tell()}`);
     show();
+    if (!saying) bar.say(`${held.name} at ${held.tell()}`);
   }
 
   const drags = createPointerDrags(canvas, {
@@ -254,6 +260,7 @@ function connect(app, scene) {
     else if ('gtGT'.includes(key)) choose({ mode: 'move' });
     else if ('rR'.includes(key)) choose({ mode: 'turn' });
     else if ('dD'.includes(key) && target === workpiece) choose({ mode: 'freedoms' });
+    else if ('dD'.includes(key)) bar.say('Only the workpiece has freedoms to move along: a key frame moves freely.');
     else if ('xwXW'.includes(key)) choose({ space: how.space === 'world' ? 'local' : 'world' });
     else return false;
     return true;
@@ -280,16 +287,18 @@ function connect(app, scene) {
 
   /** Names of the handles: axes, or the numbers of freedoms. */
   function names() {
-    const tips = free() ? freedoms.handles.tips() : target ? gizmo.tips(how.space) : [];
-    return tips.map((at, index) => ({ at, text: free() ? String(index + 1) : 'xyz'[index], place: 'hand' }));
+    const tips = free() ? freedoms.handles.tips().map((at, index) => ({ at, text: String(index + 1) })) : gizmo.tips(how.space);
+    return tips.map((tip) => ({ ...tip, place: 'hand' }));
   }
 
-  scene.drawn.add(() => {
+  scene.covering.add(() => [...kept, ...labels.boxes()]);
+  scene.drawn.add((width, height) => {
+    kept = [];
     if (!target) return labels.set([], '', '');
     gizmo.look();
     labels.set(drags.busy ? [] : names(), '', '');
-    labels.place(scene.camera, extent.width, extent.height);
-    tellPlace();
+    labels.place(scene.camera, width, height);
+    tellPlace(width, height);
   });
   store.subscribe('view', sync);
   store.subscribe('insight', () => {

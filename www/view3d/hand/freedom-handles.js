@@ -157,7 +157,9 @@ export function createFreedomHandles(scene) {
       const taken = hit?.point.clone() ?? handles[index].from.clone();
       const along = { twist: screw.twist, origin };
       const seen = (/** @type {number} */ s) => movePoint(along, s, taken.clone()).project(scene.camera);
-      const step = 1e-4 * (screw.pitch === null ? scene.radius : 1);
+      // Along the screw: a length for a shift, else a radian.
+      const unit = screw.pitch === null ? scene.radius : 1;
+      const step = 1e-4 * unit;
       const aspect = scene.canvas.clientWidth / scene.canvas.clientHeight;
       // On the screen, in half heights of the canvas.
       const flat = (/** @type {Vector3} */ p) => new Vector2(p.x * aspect, p.y);
@@ -171,7 +173,7 @@ export function createFreedomHandles(scene) {
           const slope = flat(seen(s + step)).sub(here).divideScalar(step);
           const steep = slope.lengthSq();
           // Seen end on, a path goes nowhere on the screen.
-          if (steep < 1e-6) break;
+          if (steep * unit * unit < 1e-6) break;
           const most = screw.pitch === null ? scene.radius : 0.5;
           const change = Math.max(-most, Math.min(most, wanted.clone().sub(here).dot(slope) / steep));
           s += change;

@@ -13,6 +13,9 @@ const SIZE = { fine: 0.85, coarse: 1.25 };
 const TIP = 0.68;
 const SCREEN_SHARE = 1.9;
 
+/** Cosine between an arrow and the line of sight above which three.js leaves the arrow out. */
+const END_ON = 0.99;
+
 /** @param {NonNullable<import('../../element/workbench.js').App['scene']>} scene */
 export function createGizmo(scene) {
   const handle = new Object3D();
@@ -63,7 +66,7 @@ export function createGizmo(scene) {
     look() {
       controls.camera = scene.camera;
     },
-    /** The ends of its arrows, for their names. @param {'world' | 'local'} space @returns {Vector3[]} */
+    /** The ends of its arrows, for their names; none for an arrow that is seen end on. @param {'world' | 'local'} space @returns {{at: Vector3, text: string}[]} */
     tips(space) {
       const { camera } = scene;
       const height =
@@ -72,7 +75,11 @@ export function createGizmo(scene) {
           : camera.top - camera.bottom;
       const reach = (height / camera.zoom) * (controls.size / 4) * TIP;
       const turn = space === 'local' ? handle.quaternion : new Quaternion();
-      return [0, 1, 2].map((axis) => new Vector3().setComponent(axis, reach).applyQuaternion(turn).add(handle.position));
+      const sight = camera instanceof PerspectiveCamera ? handle.position.clone().sub(camera.position).normalize() : camera.getWorldDirection(new Vector3());
+      return ['x', 'y', 'z'].flatMap((text, axis) => {
+        const along = new Vector3().setComponent(axis, 1).applyQuaternion(turn);
+        return Math.abs(along.dot(sight)) > END_ON ? [] : { at: along.multiplyScalar(reach).add(handle.position), text };
+      });
     },
   };
 }

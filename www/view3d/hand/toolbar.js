@@ -1,18 +1,30 @@
 /**
- * The bar over the canvas that says what is in hand and offers how to move it.
+ * The bar beside the view that says what is in hand and offers how to move it.
  *
  * @typedef {'move' | 'turn' | 'freedoms'} Mode
  * @typedef {ReturnType<typeof import('./freedom-words.js').freedomWords>} Freedom
  * @typedef {{mode: Mode, space: 'world' | 'local', snap: boolean}} How
+ *
+ * @typedef {object} InHand
+ * @property {string} name
+ * @property {How} how
+ * @property {string} steps length of a step, with its unit
+ * @property {boolean} pullable whether it has freedoms
+ * @property {Freedom[] | null} freedoms null: not known yet
+ * @property {string} place where it is, in words
  */
-import { element, setText } from '../../ui/dom.js';
+import { element } from '../../ui/dom.js';
+import { html, nothing, render } from '../../ui/render.js';
 
 /** @type {[Mode, string, string][]} */
 const MODES = [
   ['move', 'Move', 'Move along axes (G)'],
   ['turn', 'Turn', 'Turn about axes (R)'],
-  ['freedoms', 'Freedoms', 'Move along the freedoms that exist here (F)'],
+  ['freedoms', 'Freedoms', 'Move along the freedoms that exist here (D)'],
 ];
+
+/** Which way along a freedom a key goes. @type {Record<string, 1 | -1>} */
+const WAYS = { ArrowRight: 1, ArrowUp: 1, '+': 1, '=': 1, ArrowLeft: -1, ArrowDown: -1, '-': -1 };
 
 /**
  * @param {HTMLElement} place
@@ -20,96 +32,92 @@ const MODES = [
  * @param {(index: number, sign: number) => void} nudge one step along a freedom
  */
 export function createDragBar(place, choose, nudge) {
-  const name = element('strong', {});
-  const modes = MODES.map(([mode, text, title]) =>
-    element('button', { 'data-mode': mode, title, 'aria-pressed': 'false', click: () => choose({ mode }) }, text),
-  );
-  /** @type {How} */
-  let how = { mode: 'move', space: 'world', snap: false };
-  const space = element('button', { title: 'Axes of the world or its own (X)', click: () => choose({ space: how.space === 'world' ? 'local' : 'world' }) });
-  const snap = element('button', { 'aria-pressed': 'false', click: () => choose({ snap: !how.snap }) });
-  const list = element('ul', { class: 'freedoms', 'aria-label': 'Freedoms here' });
-  const readout = element('p', { class: 'readout', 'aria-hidden': 'true' });
-  const spoken = element('p', { class: 'sr', role: 'status' });
-  const buttons = element('div', { class: 'drag-buttons', role: 'toolbar', 'aria-label': 'Drag' }, name, ...modes, space, snap);
-  buttons.append(readout);
-  const bar = element('section', { class: 'drag-bar', 'aria-label': 'In hand', hidden: true }, buttons, list, spoken);
-  place.prepend(bar);
+  const bar = element('section', { class: 'drag-bar', 'aria-label': 'In hand', hidden: true });
+  place.append(bar);
+  /** @type {InHand | null} */
+  let held = null;
+  /** For screen readers, and the place that it was said of: it goes when that is no longer so. */
+  let spoken = { text: '', place: '' };
+  /** The toolbar's one stop of the Tab key. */
+  let stop = 'move';
 
-  // One stop of the Tab key; arrows go from button to button.
-  const stops = [...modes, space, snap];
-  buttons.addEventListener('keydown', (event) => {
-    const seen = stops.filter((button) => !button.hidden);
-    const at = seen.indexOf(/** @type {HTMLButtonElement} */ (event.target));
-    const to = { ArrowRight: at + 1, ArrowLeft: at - 1, Home: 0, End: seen.length - 1 }[event.key];
+  /** Arrows go from button to button. @param {KeyboardEvent} event */
+  function go(event) {
+    const buttons = [...bar.querySelectorAll('.drag-buttons button')];
+    const at = buttons.indexOf(/** @type {Element} */ (event.target));
+    const to = { ArrowRight: at + 1, ArrowLeft: at - 1, Home: 0, End: buttons.length - 1 }[event.key];
     if (at < 0 || to === undefined) return;
     event.preventDefault();
-    seen[(to + seen.length) % seen.length].focus();
-  });
-  buttons.addEventListener('focusin', ({ target }) => {
-    for (const button of stops) button.tabIndex = button === target ? 0 : -1;
-  });
-  for (const button of stops.slice(1)) button.tabIndex = -1;
+    /** @type {HTMLElement} */ (buttons[(to + buttons.length) % buttons.length]).focus();
+  }
+
+  /** @param {FocusEvent} event */
+  function enter({ target }) {
+    stop = /** @type {HTMLElement} */ (target).dataset.stop ?? stop;
+    show();
+  }
+
+  /** @param {KeyboardEvent} event @param {number} index */
+  function along(event, index) {
+    const sign = WAYS[event.key];
+    if (!sign) return;
+    event.preventDefault();
+    nudge(index, sign);
+  }
 
   /** @param {Freedom} words @param {number} index */
-  function freedom(words, index) {
-    const step = (/** @type {number} */ sign, /** @type {string} */ text) =>
-      element('button', { 'data-way': text === '+' ? 'Forwards' : 'Backwards', click: () => nudge(index, sign) }, text);
-    const item = element('li', { 'data-freedom': index }, step(-1, '−'), element('span', {}), step(1, '+'));
-    label(item, words, index);
-    item.addEventListener('keydown', (event) => {
-      const sign = { ArrowRight: 1, ArrowUp: 1, '+': 1, '=': 1, ArrowLeft: -1, ArrowDown: -1, '-': -1 }[event.key];
-      if (!sign) return;
-      event.preventDefault();
-      nudge(index, sign);
-    });
-    return item;
+  function freedom({ short, whole }, index) {
+    const step = (/** @type {1 | -1} */ sign, /** @type {string} */ way, /** @type {string} */ text) =>
+      html`<button aria-label="${way} along freedom ${index + 1}: ${whole}" @click=${() => nudge(index, sign)}>${text}</button>`;
+    return html`<li data-freedom=${index} title=${whole} @keydown=${(/** @type {KeyboardEvent} */ event) => along(event, index)}>
+      ${step(-1, 'Backwards', '−')}<span>${index + 1} ${short}</span>${step(1, 'Forwards', '+')}
+    </li>`;
   }
 
-  /** @param {HTMLElement} item @param {Freedom} words @param {number} index */
-  function label(item, words, index) {
-    item.title = words.whole;
-    setText(item.children[1], `${index + 1} ${words.short}`);
-    for (const button of item.querySelectorAll('button')) {
-      button.setAttribute('aria-label', `${button.dataset.way} along freedom ${index + 1}: ${words.whole}`);
-    }
+  function show() {
+    bar.hidden = !held;
+    if (!held) return render(nothing, bar);
+    const { name, how, steps, pullable, freedoms, place: where } = held;
+    const byFreedoms = how.mode === 'freedoms';
+    const modes = MODES.filter(([mode]) => mode !== 'freedoms' || pullable);
+    const stops = [...modes.map(([mode]) => mode), ...(byFreedoms ? [] : ['space', 'snap'])];
+    const tab = (/** @type {string} */ one) => (one === (stops.includes(stop) ? stop : stops[0]) ? 0 : -1);
+    const world = how.space === 'world';
+    render(
+      html`<div class="drag-buttons" role="toolbar" aria-label="Drag" @keydown=${go} @focusin=${enter}>
+          <strong>${name}</strong>
+          ${modes.map(
+            ([mode, text, title]) =>
+              html`<button data-stop=${mode} tabindex=${tab(mode)} title=${title} aria-pressed=${mode === how.mode} @click=${() => choose({ mode })}>${text}</button>`,
+          )}
+          ${byFreedoms
+            ? nothing
+            : html`<button data-stop="space" tabindex=${tab('space')} title="Axes of the world or its own (X)" @click=${() => choose({ space: world ? 'local' : 'world' })}>${world ? 'World axes' : 'Own axes'}</button>
+                <button
+                  data-stop="snap" tabindex=${tab('snap')} title="In steps of ${steps} (or hold Shift while dragging)" aria-pressed=${how.snap}
+                  @click=${() => choose({ snap: !how.snap })}>Snap ${steps}</button>`}
+        </div>
+        ${byFreedoms
+          ? html`<ul class="freedoms" aria-label="Freedoms here">
+              ${freedoms?.length === 0 ? html`<li>None: the workpiece cannot move here.</li>` : (freedoms ?? []).map(freedom)}
+            </ul>`
+          : html`<p class="readout" aria-hidden="true" title=${where}>${where}</p>`}
+        <p class="sr" role="status">${spoken.text}</p>`,
+      bar,
+    );
   }
 
-  /** What the list says now. */
-  let listed = '';
   return {
-    /**
-     * @param {{name: string, how: How, steps: string, pullable: boolean, freedoms: Freedom[] | null} | null} what null: nothing is in hand;
-     *   `freedoms` null: not known yet
-     */
+    /** @param {InHand | null} what null: nothing is in hand */
     show(what) {
-      bar.hidden = !what;
-      if (!what) return;
-      how = what.how;
-      setText(name, what.name);
-      for (const button of modes) {
-        button.hidden = button.dataset.mode === 'freedoms' && !what.pullable;
-        button.setAttribute('aria-pressed', String(button.dataset.mode === how.mode));
-      }
-      const screws = how.mode === 'freedoms';
-      space.hidden = snap.hidden = readout.hidden = screws;
-      setText(space, how.space === 'world' ? 'World axes' : 'Own axes');
-      setText(snap, `Snap ${what.steps}`);
-      snap.title = `In steps of ${what.steps} (or hold Shift while dragging)`;
-      snap.setAttribute('aria-pressed', String(how.snap));
-      list.hidden = !screws;
-      const texts = what.freedoms;
-      const now = JSON.stringify(texts);
-      if (!screws || !texts || now === listed) return;
-      listed = now;
-      // The one in use keeps the focus: its words change with every step.
-      const old = /** @type {HTMLElement[]} */ ([...list.querySelectorAll('[data-freedom]')]);
-      if (old.length === texts.length && texts.length) return texts.forEach((words, index) => label(old[index], words, index));
-      list.replaceChildren(...(texts.length ? texts.map(freedom) : [element('li', {}, 'None: the workpiece cannot move here.')]));
+      held = what;
+      if (held?.place !== spoken.place) spoken = { text: '', place: '' };
+      show();
     },
-    /** @param {string} text where it is */
-    tell: (text) => setText(readout, text),
-    /** @param {string} text */
-    say: (text) => setText(spoken, text),
+    /** Says something of what is in hand as it is shown now. @param {string} text */
+    say(text) {
+      spoken = { text, place: held?.place ?? '' };
+      show();
+    },
   };
 }

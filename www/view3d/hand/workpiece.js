@@ -3,9 +3,9 @@
  */
 import { textOf } from '../../core/document-text.js';
 import { DocumentFault, PlannerFailure, Superseded } from '../../planner/planner.js';
-import { angle, length, short } from '../../core/format.js';
-import { groupAt, shown } from '../../core/shown.js';
-import { statusWords } from '../../core/status-words.js';
+import { short } from '../../core/format.js';
+import { groupAt, isDriven, shown } from '../../core/shown.js';
+import { endWords, statusWords } from '../../core/status-words.js';
 
 /**
  * @param {Pick<import('../../element/workbench.js').App, 'store' | 'planner'>} app
@@ -62,9 +62,11 @@ export function workpieceTarget({ store, planner }) {
       const place = `x ${at[0]}, y ${at[1]}, z ${at[2]}${unit ? ` ${unit}` : ''}`;
       const { posture } = store.view;
       if (!posture) return place;
-      const { sign, word } = statusWords(posture.status);
-      if (posture.status === 'reached') return `${place}; ${sign} ${word.toLowerCase()}`;
-      return `${place}; ${sign} ${word.toLowerCase()}, ${length(posture.translation_gap, unit)} and ${angle(posture.rotation_gap)} from the hand`;
+      // Neither a joint that is driven nor an iterate follows the hand on the workpiece.
+      const name = isDriven(store.view) ? 'driven' : posture.note && posture.status === 'stalled' ? 'iterate' : posture.status;
+      const { sign, word } = statusWords(name);
+      if (posture.note || ['reached', 'driven'].includes(name)) return `${place}; ${sign} ${word.toLowerCase()}`;
+      return `${place}; ${sign} ${endWords(name, posture.translation_gap, posture.rotation_gap, 'the hand', unit)}`;
     },
   };
 }

@@ -10,6 +10,7 @@
 import { MathUtils, OrthographicCamera, PerspectiveCamera, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { STANDARD_VIEWS } from '../../core/standard-views.js';
+import { hasLeft, showsWell } from './refit.js';
 
 /** Degrees of one arrow key's turn, share of the view of its shift, share of one key's zoom. */
 const TURN = 6;
@@ -39,6 +40,10 @@ export function createCamera(canvas, changed, turned) {
   let camera = perspective;
   const controls = new OrbitControls(/** @type {import('three').Camera} */ (camera), canvas);
   const home = { centre: new Vector3(), radius: 1 };
+  /** The ball that the view was fitted to. */
+  const fitted = { centre: new Vector3(), radius: 1 };
+  /** It is as it was fitted: no hand has shifted it or come closer. */
+  let untouched = false;
   const calm = matchMedia('(prefers-reduced-motion: reduce)');
   /** @type {{from: Look, to: Look, since: number} | null} */
   let move = null;
@@ -49,6 +54,7 @@ export function createCamera(canvas, changed, turned) {
   });
   controls.addEventListener('start', () => {
     turned();
+    untouched = false;
     move = null;
   });
 
@@ -118,6 +124,14 @@ export function createCamera(canvas, changed, turned) {
     return { target: centre.clone(), reach: camera === parallel ? wide : wide / Math.cos(Math.atan(SLOPE)) };
   }
 
+  /** Shows all. @param {Partial<Look>} [from] another direction @param {boolean} [smooth] */
+  function fit(from = {}, smooth = true) {
+    fitted.centre.copy(home.centre);
+    fitted.radius = home.radius;
+    untouched = true;
+    go({ ...from, ...around(home.centre, home.radius) }, smooth);
+  }
+
   canvas.addEventListener('keydown', (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const turn = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
@@ -128,6 +142,7 @@ export function createCamera(canvas, changed, turned) {
     else if (event.key === '+' || event.key === '=') go({ reach: now.reach * ZOOM }, false);
     else if (event.key === '-') go({ reach: now.reach / ZOOM }, false);
     else return;
+    untouched = untouched && !event.shiftKey && Boolean(turn);
     turned();
     event.preventDefault();
   });
@@ -152,15 +167,18 @@ export function createCamera(canvas, changed, turned) {
       });
     },
     /** Shows everything, from where it is seen now. */
-    fit() {
-      go(around(home.centre, home.radius));
-    },
+    fit: () => fit(),
     /** Shows everything as it is seen first. */
-    begin() {
-      go({ ...STANDARD_VIEWS.first, ...around(home.centre, home.radius) }, false);
+    begin: () => fit(STANDARD_VIEWS.first, false),
+    /** Shows everything where another scene has taken the place of the one that was looked at. */
+    refit() {
+      const { target, reach } = move?.to ?? look();
+      if (!hasLeft(fitted, home) || showsWell({ target, reach: reach * Math.min(1, perspective.aspect) }, home)) return;
+      fit({}, false);
     },
     /** Brings a ball into the middle. @param {Vector3} centre @param {number} radius */
     fitTo(centre, radius) {
+      untouched = false;
       go(around(centre, radius));
     },
     /** @param {keyof typeof STANDARD_VIEWS} name @param {boolean} [smooth] */
@@ -183,6 +201,7 @@ export function createCamera(canvas, changed, turned) {
       home.radius = radius;
       controls.cursor.copy(centre);
       controls.maxTargetRadius = FARTHEST_TARGET * radius;
+      clip();
     },
     /** @param {number} aspect */
     setAspect(aspect) {
@@ -191,6 +210,8 @@ export function createCamera(canvas, changed, turned) {
       parallel.left = -parallel.right;
       perspective.updateProjectionMatrix();
       parallel.updateProjectionMatrix();
+      // What was all in view stays so in a narrower one.
+      if (untouched && !move) fit({}, false);
     },
   };
 }

@@ -69,9 +69,12 @@ export class GapLines {
   lay(motion, r, radius) {
     const steps = gapSteps(radius);
     for (const mesh of this.#meshes) mesh.count = 0;
+    // Counted from the goal's first pose, as a tube's points are.
+    const first = originOf(motion.goal, 0);
+    this.group.position.copy(first);
     for (const frame of gapFrames(motion, r)) {
-      const from = originOf(motion.goal, frame);
-      const to = originOf(motion.pose, frame);
+      const from = originOf(motion.goal, frame).sub(first);
+      const to = originOf(motion.pose, frame).sub(first);
       const length = from.distanceTo(to);
       this.#line(gapClass(length, steps), from, to, length, r, `gap[${frame}]`);
     }

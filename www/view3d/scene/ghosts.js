@@ -63,7 +63,10 @@ export class Ghosts {
     mesh.geometry = body;
     mesh.count = frames.length;
     const one = new Vector3(1, 1, 1);
-    frames.forEach((frame, index) => mesh.setMatrixAt(index, new Matrix4().compose(originOf(pose, frame), turnOf(pose, frame), one)));
+    // Counted from the first pose, as a tube's points are.
+    const first = originOf(pose, 0);
+    mesh.position.copy(first);
+    frames.forEach((frame, index) => mesh.setMatrixAt(index, new Matrix4().compose(originOf(pose, frame).sub(first), turnOf(pose, frame), one)));
     mesh.userData.places = frames.map((frame) => `ghost[${frame}]`);
     mesh.instanceMatrix.needsUpdate = true;
     mesh.boundingSphere = null;

@@ -3,6 +3,9 @@
  */
 import { DirectionalLight, HemisphereLight, Vector3 } from 'three';
 
+/** How far beside a surface its shadow is looked up, as a share of the scene's radius: less shows stripes, more detaches shadows. */
+const NORMAL_BIAS = 0.01;
+
 /** Without a graphics card, the rest in milliseconds after which the picture is drawn once more, with shadows. */
 const REST = 250;
 
@@ -15,7 +18,6 @@ export function createLight(slow, changed) {
   sun.shadow.mapSize.set(1024, 1024);
   sun.shadow.radius = 5;
   sun.shadow.bias = -0.0006;
-  sun.shadow.normalBias = 0.01;
 
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let rest;
@@ -27,6 +29,7 @@ export function createLight(slow, changed) {
     aim(centre, radius) {
       sun.position.copy(centre).add(new Vector3(0.9, -0.7, 2.2).multiplyScalar(radius * 1.6));
       sun.target.position.copy(centre);
+      sun.shadow.normalBias = NORMAL_BIAS * radius;
       const reach = 1.7 * radius;
       Object.assign(sun.shadow.camera, { left: -reach, right: reach, top: reach, bottom: -reach, near: 0.1 * radius, far: 9 * radius });
       sun.shadow.camera.updateProjectionMatrix();

@@ -1,21 +1,35 @@
 /**
- * How large the scene is and where: measured from the motion, and kept while it still fits, so that typing and dragging
- * do not make the bodies and the ground jump.
+ * How large the scene is and where: measured from the motion, and the proportions of its bodies kept while they still fit,
+ * so that typing and dragging do not make the bodies and the ground jump.
  */
-import { Vector3 } from 'three';
+import { Box3, Vector3 } from 'three';
 import { POSE } from '../../core/poses.js';
 
-/** How much the scene may grow or shrink before its bodies are drawn in new proportions. */
+/** How much the scene may grow, shrink or move by, in its own sizes, before its bodies are drawn in new proportions. */
 const KEEP_SIZE = 1.5;
+const KEEP_PLACE = 0.5;
 
-/** A link's radius as a share of the scene's. */
+/** A link's radius as a share of the linkage's; in a goal that is many times larger, of at least this share of the scene. */
 const LINK_RADIUS = 0.024;
+const LEAST_SHARE = 1 / 8;
 
 /** From the lowest place of a link or a base to the ground, in link radii. */
 const CLEAR = 3.5;
 
+/** How far bodies reach beyond the points that they stand at, in link radii: the axes of a key frame, which are the longest. */
+const BODY = 7;
+
+/**
+ * A frame of the answer that lies so many sizes away is left out: size and middle are those of what the document itself
+ * asks for, the start, the goal and the key frames. A linkage of fixed links that follows its goal never comes so far.
+ */
+const RUNAWAY = 10;
+
+/** Below this share of its distance from the origin a size is rounding. */
+const ROUNDING = 1e-9;
+
 export function createMeasure() {
-  const size = { radius: 0, centre: new Vector3(), link: 0, ground: 0 };
+  const size = { radius: 0, centre: new Vector3(), link: 0, ground: 0, home: { centre: new Vector3(), radius: 1 } };
   return {
     size,
     /**
@@ -25,32 +39,73 @@ export function createMeasure() {
      * @returns {boolean} whether the proportions are new
      */
     take(motion, doc, afresh) {
-      const low = new Vector3(Infinity, Infinity, Infinity);
-      const high = low.clone().negate();
-      for (const column of [motion.rows, motion.pose, motion.goal]) {
-        for (let at = 0; at < column.length; at += POSE) {
-          const [x, y, z] = [column[at], column[at + 1], column[at + 2]];
-          if (x < low.x) low.x = x;
-          if (x > high.x) high.x = x;
-          if (y < low.y) low.y = y;
-          if (y > high.y) high.y = y;
-          if (z < low.z) low.z = z;
-          if (z > high.z) high.z = z;
-        }
-      }
-      const lowest = Math.min(low.z, ...doc.chains.map((chain) => Number(chain.base?.z) || 0));
-      const radius = Math.max(high.distanceTo(low) / 2, 1e-6);
+      const { linkage, all, each } = boxesOf(motion, doc);
+      const radius = radiusOf(all);
       const ratio = radius / size.radius;
-      const anew = afresh || !(ratio < KEEP_SIZE && ratio > 1 / KEEP_SIZE);
+      const centre = all.getCenter(new Vector3());
+      const anew = afresh || !(ratio < KEEP_SIZE && ratio > 1 / KEEP_SIZE) || centre.distanceTo(size.centre) > KEEP_PLACE * size.radius;
       if (anew) {
         size.radius = radius;
-        size.centre.addVectors(low, high).multiplyScalar(0.5);
-        size.link = LINK_RADIUS * radius;
+        size.centre.copy(centre);
+        size.link = LINK_RADIUS * Math.max(radiusOf(linkage), LEAST_SHARE * radius);
       }
+      const lowest = Math.min(all.min.z, ...doc.chains.map((chain) => Number(chain.base?.z) || 0));
       const ground = lowest - CLEAR * size.link;
       // The ground gives way at once, and comes back only with new proportions.
       if (anew || ground < size.ground) size.ground = ground;
+      // The ball that shows all of it, at every motion.
+      let far = 0;
+      each((point) => {
+        far = Math.max(far, point.distanceToSquared(centre));
+      });
+      size.home.centre.copy(centre);
+      size.home.radius = Math.sqrt(far) + BODY * size.link;
       return anew;
     },
   };
+}
+
+/** Half the diagonal; 1 for a single point. @param {Box3} box */
+function radiusOf(box) {
+  const radius = box.getSize(new Vector3()).length() / 2;
+  return radius > ROUNDING * box.getCenter(new Vector3()).length() ? radius : 1;
+}
+
+/**
+ * The box of the linkage over all frames, that of everything, and a walk through the points in it.
+ * @param {import('../../core/types.js').Motion} motion
+ * @param {import('../../core/types.js').MechanismDocument} doc
+ */
+function boxesOf({ rows, pose, goal, frames }, doc) {
+  const number = (/** @type {unknown} */ value) => (typeof value === 'number' ? value : 0);
+  const keys = Float64Array.from(doc.motion.key_frames.flatMap(({ x, y, z }) => [number(x), number(y), number(z), 0, 0, 0, 1]));
+  const start = [rows.subarray(0, rows.length / frames), pose.subarray(0, POSE)];
+  const asked = new Box3();
+  walk([...start, goal, keys], (point) => asked.expandByPoint(point));
+  const centre = asked.getCenter(new Vector3());
+  const farthest = (RUNAWAY * radiusOf(asked)) ** 2;
+  /** @param {(point: Vector3) => void} visit */
+  const eachOfLinkage = (visit) => walk([rows, pose], (point) => point.distanceToSquared(centre) <= farthest && visit(point));
+  const linkage = new Box3();
+  eachOfLinkage((point) => linkage.expandByPoint(point));
+  return {
+    linkage,
+    all: linkage.clone().union(asked),
+    /** @param {(point: Vector3) => void} visit its argument is only good until it returns */
+    each(visit) {
+      eachOfLinkage(visit);
+      walk([goal, keys], visit);
+    },
+  };
+}
+
+/** Visits the origins of all poses that are numbers. @param {Float64Array[]} columns @param {(point: Vector3) => void} visit */
+function walk(columns, visit) {
+  const point = new Vector3();
+  for (const column of columns) {
+    for (let at = 0; at < column.length; at += POSE) {
+      point.fromArray(column, at);
+      if (Number.isFinite(point.x + point.y + point.z)) visit(point);
+    }
+  }
 }

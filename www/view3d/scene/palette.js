@@ -17,6 +17,8 @@ const NAMES = /** @type {const} */ ([
 export function readPalette(element) {
   const probe = document.createElement('i');
   probe.hidden = true;
+  // Forced colours would make them all one.
+  probe.style.forcedColorAdjust = 'none';
   element.after(probe);
   const style = getComputedStyle(probe);
   const colours = NAMES.map((name) => {

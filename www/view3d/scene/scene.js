@@ -17,9 +17,11 @@ import { Linkage } from './linkage.js';
 import { createMaterials } from './materials.js';
 import { createMeasure } from './measure.js';
 import { MotionPaths } from './motion-paths.js';
+import { isDriven } from '../../core/shown.js';
 import { readPalette } from './palette.js';
 import { createPicker } from './pick.js';
 import { createPoster } from './poster.js';
+import { watchPointers } from './refit.js';
 
 /**
  * @param {{canvas: HTMLCanvasElement, labels: HTMLElement, signal?: AbortSignal, turned?: () => void}} place where it is, until when, and who is told when a
@@ -41,6 +43,7 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
   const linkage = new Linkage(materials);
   const paths = new MotionPaths(materials);
   const { size, take } = createMeasure();
+  const pointing = watchPointers(() => built && view.refit(), signal);
   const things = [linkage.group, paths.group];
   const highlight = createHighlight(things);
   const pick = createPicker(things, canvas, () => view.camera);
@@ -60,6 +63,8 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
 
   let width = 1;
   let height = 1;
+  /** What was drawn last. @type {import('../../core/poses.js').Shown | null} */
+  let last = null;
   function resize() {
     width = Math.max(1, canvas.clientWidth);
     height = Math.max(1, canvas.clientHeight);
@@ -67,6 +72,8 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
     renderer.setSize(width, height, false);
     view.setAspect(width / height);
     highlight.resize(width, height);
+    // At once: a canvas of another size is empty.
+    if (last) draw(last);
     changed();
   }
   new ResizeObserver(resize).observe(canvas);
@@ -87,8 +94,8 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
     labels.set([...standing.filter(({ place }) => !named.some((mark) => mark.place === place)), ...named], chosen.place, pointed.place);
   }
 
-  /** @type {Pick<import('../../core/types.js').View, 'show' | 'ghosts'>} */
-  let options = { show: { goal: true, closest: true, gaps: true, names: true, ground: true, axes: true }, ghosts: 'none' };
+  /** @type {Pick<import('../../core/types.js').View, 'show' | 'ghosts'> & {driven: boolean}} */
+  let options = { show: { goal: true, closest: true, gaps: true, names: true, ground: true, axes: true }, ghosts: 'none', driven: false };
   /** @type {Pick<Result, 'motion' | 'doc'>} */
   let shown = { motion: null, doc: null };
 
@@ -102,6 +109,21 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
     paths.show(what);
   }
 
+  /** @param {import('../../core/poses.js').Shown} what the columns and the frame in them that are drawn */
+  function draw(what) {
+    if (!lease.ready) return;
+    last = what;
+    view.step();
+    pose(what);
+    for (const { place, text, at } of marks) if (text) highlight.anchorOf(place, at);
+    for (const tell of drawn) tell(width, height);
+    light.beforeDraw();
+    renderer.render(root, view.camera);
+    poster.drop();
+    labels.place(view.camera, width, height, [...covering].flatMap((boxes) => boxes()));
+    canvas.dataset.draws = String(++draws);
+  }
+
   const lease = createLease(canvas, context);
   const poster = createPoster(canvas);
   signal?.addEventListener('abort', () => {
@@ -113,8 +135,10 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
 
   /** @type {Set<(event: PointerEvent) => boolean>} */
   const claimants = new Set();
-  /** @type {Set<() => void>} */
+  /** @type {Set<(width: number, height: number) => void>} */
   const drawn = new Set();
+  /** @type {Set<() => import('./label-layout.js').Box[]>} */
+  const covering = new Set();
   return {
     canvas,
     /** Whether its context is lost because it is out of sight. */
@@ -145,11 +169,12 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
     get gapSteps() {
       return gapSteps(size.radius);
     },
-    /** What is drawn, and where ghosts stand. @param {Pick<import('../../core/types.js').View, 'show' | 'ghosts'>} next */
-    choose({ show, ghosts }) {
-      if (show === options.show && ghosts === options.ghosts) return;
-      options = { show, ghosts };
-      materials.show(show);
+    /** What is drawn, and where ghosts stand. @param {Pick<import('../../core/types.js').View, 'show' | 'ghosts' | 'posture'>} next */
+    choose({ show, ghosts, posture }) {
+      const driven = isDriven({ posture });
+      if (show === options.show && ghosts === options.ghosts && driven === options.driven) return;
+      options = { show, ghosts, driven };
+      materials.show(driven ? { ...show, goal: false, gaps: false } : show);
       ground.group.visible = show.ground;
       const { motion, doc } = shown;
       if (motion && doc) paths.showGhosts(motion, ghostFrames(ghosts, motion, doc), linkage.body);
@@ -182,8 +207,10 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
     claimants,
     /** @param {PointerEvent} event */
     claims: (event) => [...claimants].some((claim) => claim(event)),
-    /** Called before every draw. */
+    /** Called before every draw, with the size of the canvas in CSS pixels. */
     drawn,
+    /** Asked in every draw for what stands over the view, which the names must not cover. */
+    covering,
 
     /**
      * Outlines what is chosen and what is pointed at, and names them unless the text is empty.
@@ -210,35 +237,22 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
       if (!motion || !doc) return;
       built = true;
       shown = { motion, doc };
-      if (take(motion, doc, afresh)) {
-        view.setHome(size.centre, size.radius * 1.03);
-        light.aim(size.centre, size.radius);
-      }
+      if (take(motion, doc, afresh)) light.aim(size.centre, size.radius);
+      view.setHome(size.home.centre, size.home.radius);
       ground.lay(size.centre, size.radius, size.ground);
       linkage.update(motion, doc, size.link, size.ground);
       paths.update(motion, doc, size, linkage.body, ghostFrames(options.ghosts, motion, doc));
       highlight.set(chosen.place, pointed.place);
       setLabels();
       if (afresh) view.begin();
+      else if (!pointing()) view.refit();
       changed();
     },
 
     /** Puts everything where it is, without drawing. @param {import('../../core/poses.js').Shown} what the columns and the frame in them */
     pose,
 
-    /** @param {import('../../core/poses.js').Shown} what the columns and the frame in them that are drawn */
-    draw(what) {
-      if (!lease.ready) return;
-      view.step();
-      pose(what);
-      for (const { place, text, at } of marks) if (text) highlight.anchorOf(place, at);
-      for (const tell of drawn) tell();
-      light.beforeDraw();
-      renderer.render(root, view.camera);
-      poster.drop();
-      labels.place(view.camera, width, height);
-      canvas.dataset.draws = String(++draws);
-    },
+    draw,
   };
 }
 

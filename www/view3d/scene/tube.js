@@ -1,5 +1,6 @@
 /**
- * A tube along a column of poses, laid anew in place: the buffers are kept and only grow.
+ * A tube along a column of poses, laid anew in place: the buffers are kept and only grow. Its points are counted from its
+ * first one, where the mesh stands: the graphics card's numbers have 7 digits, too few far from the origin.
  */
 import { BufferAttribute, BufferGeometry, DynamicDrawUsage, Mesh, Sphere, Vector3 } from 'three';
 import { POSE } from '../../core/poses.js';
@@ -31,6 +32,7 @@ export class Tube {
   lay(column, frames, radius) {
     const smooth = frames < SMOOTH_BELOW ? PIECES : 1;
     this.#reserve((frames - 1) * smooth + 1);
+    this.mesh.position.fromArray(column);
     const count = spread(column, frames, smooth, radius * 0.1, this.#points);
     this.mesh.visible = count > 1;
     if (count > 1) this.#sweep(count, radius);
@@ -101,7 +103,7 @@ const Y = new Vector3(0, 1, 0);
 const across = ({ x }) => (Math.abs(x) < 0.6 ? X : Y);
 
 /**
- * Writes the curve's points, without those that are almost the one before.
+ * Writes the curve's points from its first one, without those that are almost the one before.
  * @param {Float64Array} column @param {number} frames @param {number} smooth pieces between two frames
  * @param {number} apart least distance @param {Float64Array} points
  * @returns {number} how many
@@ -114,7 +116,7 @@ function spread(column, frames, smooth, apart, points) {
     const share = i / smooth - frame;
     let far = 0;
     for (let axis = 0; axis < 3; axis++) {
-      const at = (/** @type {number} */ step) => column[POSE * Math.min(frames - 1, Math.max(0, frame + step)) + axis];
+      const at = (/** @type {number} */ step) => column[POSE * Math.min(frames - 1, Math.max(0, frame + step)) + axis] - column[axis];
       const value = share === 0 ? at(0) : rounded(at(-1), at(0), at(1), at(2), share);
       points[3 * count + axis] = value;
       if (count > 0) far += (value - points[3 * count - 3 + axis]) ** 2;
