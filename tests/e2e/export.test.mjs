@@ -134,21 +134,20 @@ test('the saved page plays from a file, without a network', async () => {
   await rm(folder, { recursive: true });
 });
 
-test('the film shows the motion, and has a length and a size', async () => {
-  const { page, problems } = await browser.openPage();
-  await page.selectOption('#speed', '2');
-  await scrubTo(page, 20);
-  const { name, bytes } = await saved(page, () => choose(page, /WebM/));
-  assert.equal(name, '3rps.webm');
-  assert.equal(bytes.subarray(0, 4).toString('hex'), '1a45dfa3');
-  assert.ok(bytes.length > 5000, `${bytes.length} bytes`);
-  await page.locator('dialog').waitFor({ state: 'detached' });
-  assert.match(await text(page, 'frame-number'), /^21 \//, 'the playhead is where it was');
-  assert.deepEqual(problems, []);
+/** The applet with its first motion, in a browser that lacks or has something else: `change` is run before its scripts. */
+async function pageWith(change) {
+  const { page, problems } = await browser.blankPage();
+  await page.addInitScript(change);
+  await page.goto(browser.address);
+  await page.waitForFunction(() => (page$('#closure')?.textContent ?? '–') !== '–');
+  return { page, problems };
+}
 
+/** A film as a <video> plays it: size, length, at each share of it how many values differ from the first picture, and the colour of a pixel. */
+async function watched(bytes, shares, [x, y]) {
   // The page's own policy has no room for films.
   const { page: cinema } = await browser.blankPage();
-  const seen = await cinema.evaluate(async (base64) => {
+  const seen = await cinema.evaluate(async ([base64, times, at]) => {
     const data = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
     const video = Object.assign(document.createElement('video'), { src: URL.createObjectURL(new Blob([data], { type: 'video/webm' })), muted: true });
     const comes = (event) => new Promise((done, fail) => {
@@ -165,22 +164,76 @@ test('the film shows the motion, and has a length and a size', async () => {
       return pen.getImageData(0, 0, width, height).data;
     };
     const first = await pictureAt(0.01);
-    let changed = 0;
-    for (const share of [0.3, 0.5, 0.7, 0.95]) {
+    const pixel = [...pen.getImageData(...at, 1, 1).data];
+    const changes = [];
+    for (const share of times) {
       const later = await pictureAt(share * duration);
-      changed = Math.max(changed, first.reduce((sum, value, index) => sum + (Math.abs(value - later[index]) > 40), 0));
+      changes.push(first.reduce((sum, value, index) => sum + (Math.abs(value - later[index]) > 40), 0));
     }
-    return { duration, width, height, changed };
-  }, bytes.toString('base64'));
-  const view = await page.locator('#canvas').evaluate((canvas) => [canvas.clientWidth, canvas.clientHeight]);
-  assert.ok(seen.duration > 0.5 && seen.duration < 60, `${seen.duration} s`);
-  assert.ok(Math.abs(seen.width - view[0]) < 2 && Math.abs(seen.height - view[1]) < 2, `${seen.width} × ${seen.height}`);
-  assert.ok(seen.changed > 500, `${seen.changed} values change`);
+    return { duration, width, height, changes, pixel };
+  }, [bytes.toString('base64'), shares, [x, y]]);
+  await cinema.context().close();
+  return seen;
+}
+
+for (const [how, change] of [
+  ['picture by picture', () => delete globalThis.MediaRecorder],
+  ['recorded, where pictures cannot be encoded one by one', () => delete globalThis.VideoEncoder],
+  ['recorded, where there is no codec for WebM', () => (VideoEncoder.isConfigSupported = async (config) => ({ supported: false, config }))],
+]) {
+  test(`the film has the motion, its length, the view's size and the legend: ${how}`, async () => {
+    const { page, problems } = await pageWith(change);
+    await page.selectOption('#speed', '4');
+    await scrubTo(page, 20);
+    const { name, bytes } = await saved(page, () => choose(page, /WebM/));
+    assert.equal(name, '3rps.webm');
+    await page.locator('dialog').waitFor({ state: 'detached' });
+    assert.match(await text(page, 'frame-number'), /^21 \//, 'the playhead is where it was');
+    assert.deepEqual(problems, []);
+
+    const view = await page.locator('#canvas').evaluate((canvas) => [canvas.clientWidth, canvas.clientHeight]);
+    // The middle of the line of “closest motion”.
+    const line = await page.locator('#legend .closest').evaluate((item) => {
+      const [box, around] = [item.getBoundingClientRect(), page$('#canvas').getBoundingClientRect()];
+      const [red, green, blue] = getComputedStyle(item, '::before').backgroundColor.match(/\d+/g).map(Number);
+      return { at: [Math.round(box.left - around.left + 10), Math.floor(box.top - around.top + box.height / 2)], colour: [red, green, blue] };
+    });
+    const seen = await watched(bytes, [0.25, 0.5, 0.75, 0.999], line.at);
+    // Without times a motion takes five seconds, here at four times its speed.
+    assert.ok(Math.abs(seen.duration - 5 / 4) <= 0.05 * (5 / 4) + (how === 'picture by picture' ? 0 : 0.2), `${seen.duration} s`);
+    assert.ok(Math.abs(seen.width - view[0]) < 2 && Math.abs(seen.height - view[1]) < 2, `${seen.width} × ${seen.height}`);
+    assert.ok(seen.changes.every((changed) => changed > 500) && new Set(seen.changes).size === 4, `${seen.changes} values change`);
+    assert.ok(line.colour.every((value, index) => Math.abs(value - seen.pixel[index]) < 40), `${seen.pixel} where the legend has ${line.colour}`);
+  });
+}
+
+test('a film without pictures is not saved, and the page says why', async () => {
+  const { page, problems } = await pageWith(() => {
+    delete globalThis.VideoEncoder;
+    // As a browser does that has no room for a codec: a head, and nothing after it.
+    globalThis.MediaRecorder = class extends EventTarget {
+      static isTypeSupported = () => true;
+      state = 'inactive';
+      start = () => (this.state = 'recording');
+      stop = () => {
+        this.state = 'inactive';
+        this.dispatchEvent(Object.assign(new Event('dataavailable'), { data: new Blob([new Uint8Array(110)]) }));
+        this.dispatchEvent(new Event('stop'));
+      };
+    };
+  });
+  page.on('download', () => problems.push('a film was saved'));
+  await page.selectOption('#speed', '4');
+  await choose(page, /WebM/);
+  await page.locator('#notices').filter({ hasText: 'could not be made (the browser made a file of 110 bytes that is no film)' }).waitFor();
+  await page.locator('dialog').waitFor({ state: 'detached' });
+  assert.deepEqual(problems.filter((problem) => !problem.includes('110 bytes')), []);
 });
 
 test('a film that is cancelled leaves nothing behind', async () => {
   const { page, problems } = await browser.openPage();
   await scrubTo(page, 20);
+  await page.selectOption('#speed', '0.25');
   page.on('download', () => problems.push('a film was saved'));
   await choose(page, /WebM/);
   await page.waitForFunction(() => page$('dialog progress')?.value > 0.05);
@@ -191,15 +244,53 @@ test('a film that is cancelled leaves nothing behind', async () => {
   assert.deepEqual(problems, []);
 });
 
-test('a browser that cannot record says so in the menu', async () => {
-  const { page } = await browser.blankPage();
-  await page.addInitScript(() => delete globalThis.MediaRecorder);
-  await page.goto(browser.address);
-  await page.waitForFunction(() => (page$('#closure')?.textContent ?? '–') !== '–');
+test('a browser that cannot make films says so in the menu, also to the keyboard', async () => {
+  const { page, problems } = await pageWith(() => {
+    delete globalThis.MediaRecorder;
+    delete globalThis.VideoEncoder;
+  });
+  page.on('download', () => problems.push('a film was saved'));
   await page.getByRole('button', { name: 'Export', exact: true }).click();
   const item = page.getByRole('menuitem', { name: /WebM/ });
   assert.ok(await item.isDisabled());
-  assert.match(await item.textContent(), /cannot record/);
+  assert.match(await item.textContent(), /can neither encode nor record/);
+  await page.keyboard.press('f');
+  assert.match(await page.evaluate(() => pageFocus().textContent), /^Film/);
+  await page.keyboard.press('Enter');
+  assert.ok(await item.isVisible(), 'the menu stays');
+  assert.deepEqual(problems, []);
+});
+
+test('while the document is at fault, planned, or planned in part, the menu says that the motion is not its motion', async () => {
+  const { page } = await browser.openPage();
+  const button = page.getByRole('button', { name: 'Export', exact: true });
+  /** What the menu says of each thing to save, and which can be saved. */
+  const items = async () => {
+    await button.click();
+    const all = await page.getByRole('menuitem').evaluateAll((nodes) => nodes.map((node) => [node.firstChild.textContent, node.ariaDisabled !== 'true', node.querySelector('small').textContent]));
+    await page.keyboard.press('Escape');
+    return all;
+  };
+  const able = (all) => all.filter(([, can]) => can).map(([label]) => label.split(' ')[0]);
+  assert.equal(able(await items()).length, 7);
+  await page.locator('[data-path="chains[0].base.x"]').fill('far');
+  await page.locator('#fault-banner').waitFor();
+  const faulty = await items();
+  assert.deepEqual(able(faulty), ['Picture', 'Drawing']);
+  for (const [label, , hint] of faulty) assert.match(hint, /The document has a fault, and the motion that is shown is of an earlier one: mend it first/, label);
+  await page.keyboard.press('Control+z');
+  await page.locator('#fault-banner').waitFor({ state: 'hidden' });
+  // A plan that takes long, and its stop. The last plan's motion is shown until then.
+  await page.evaluate(() => document.querySelector('#linkage').linkage.store.edit((doc) => ({ ...doc, motion: { ...doc.motion, frames: 100000 } })));
+  await page.locator('#planning-stop').waitFor();
+  const planning = await items();
+  assert.deepEqual(able(planning), ['Picture', 'Drawing']);
+  for (const [label, , hint] of planning) assert.match(hint, /The document is still being planned, and the motion that is shown is of an earlier one/, label);
+  await page.locator('#planning-stop').click();
+  await page.locator('#planning-on').waitFor();
+  const part = await items();
+  assert.deepEqual(able(part), ['Picture', 'Drawing']);
+  for (const [label, , hint] of part) assert.match(hint, /planned only in part: plan the rest first/, label);
 });
 
 test('the drawing is made of shapes, says what it shows, and looks like the view', async () => {
