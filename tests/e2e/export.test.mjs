@@ -274,14 +274,18 @@ test('while the document is at fault, planned, or planned in part, the menu says
   const able = (all) => all.filter(([, can]) => can).map(([label]) => label.split(' ')[0]);
   assert.equal(able(await items()).length, 7);
   await page.locator('[data-path="chains[0].base.x"]').fill('far');
+  await page.keyboard.press('Enter');
   await page.locator('#fault-banner').waitFor();
   const faulty = await items();
   assert.deepEqual(able(faulty), ['Picture', 'Drawing']);
   for (const [label, , hint] of faulty) assert.match(hint, /The document has a fault, and the motion that is shown is of an earlier one: mend it first/, label);
-  await page.keyboard.press('Control+z');
+  await page.locator('[data-path="chains[0].base.x"]').focus();
+  await page.keyboard.press('Escape');
   await page.locator('#fault-banner').waitFor({ state: 'hidden' });
   // A plan that takes long, and its stop. The last plan's motion is shown until then.
-  await page.evaluate(() => document.querySelector('#linkage').linkage.store.edit((doc) => ({ ...doc, motion: { ...doc.motion, frames: 100000 } })));
+  await page.evaluate(() =>
+    document.querySelector('#linkage').linkage.store.edit((doc) => ({ ...doc, motion: { ...doc.motion, frames: 10_000 }, planner: { ...doc.planner, method: 'gradient' } })),
+  );
   await page.locator('#planning-stop').waitFor();
   const planning = await items();
   assert.deepEqual(able(planning), ['Picture', 'Drawing']);

@@ -5,7 +5,7 @@ import { BITS, RATE } from './film-settings.js';
 import { recordedType } from './film-type.js';
 import { withDuration } from './webm.js';
 
-/** Milliseconds for which the last picture stands before and after it is taken once more: a film ends with a picture. */
+/** Milliseconds for which the last picture stands, twice: a film ends with a picture. */
 const LAST = 50;
 
 /**
@@ -14,7 +14,7 @@ const LAST = 50;
  */
 export async function recordFilm({ canvas, seconds, draw, stopped }) {
   draw(0);
-  // Where the browser can, each picture is recorded by hand, also where drawing takes longer than it should stand.
+  // Where the browser can, each picture is recorded by hand.
   const byHand = 'CanvasCaptureMediaStreamTrack' in globalThis && 'requestFrame' in CanvasCaptureMediaStreamTrack.prototype;
   const stream = canvas.captureStream(byHand ? 0 : RATE);
   const [track] = /** @type {CanvasCaptureMediaStreamTrack[]} */ (stream.getVideoTracks());
@@ -31,22 +31,29 @@ export async function recordFilm({ canvas, seconds, draw, stopped }) {
   });
   // It may fail before it is awaited below.
   ended.catch(() => {});
+  // Drawing takes no time of the film: the recorder rests meanwhile.
+  let length = 0;
+  /** @param {number} milliseconds for which the picture that was drawn last is recorded */
+  const stand = async (milliseconds) => {
+    recorder.resume();
+    const from = performance.now();
+    take();
+    await pause(milliseconds);
+    recorder.pause();
+    length += performance.now() - from;
+  };
   try {
     recorder.start();
-    take();
-    const start = performance.now();
+    recorder.pause();
     for (let share = 0; share < 1 && !stopped(); ) {
-      share = Math.min(1, (performance.now() - start) / 1000 / seconds);
+      await stand(1000 / RATE);
+      share = Math.min(1, length / 1000 / seconds);
       draw(share);
-      take();
-      await pause(1000 / RATE);
     }
     if (!stopped()) {
-      await pause(LAST);
-      take();
-      await pause(LAST);
+      await stand(LAST);
+      await stand(LAST);
     }
-    const length = performance.now() - start;
     if (recorder.state !== 'inactive') recorder.stop();
     await ended;
     return stopped() ? null : withDuration(new Uint8Array(await new Blob(pieces).arrayBuffer()), length);

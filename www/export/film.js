@@ -31,6 +31,8 @@ export async function exportFilm({ store, scene, player, find, say }) {
   // Encoders want even numbers.
   const wish = { width: even(width * ratio) / ratio, height: even(height * ratio) / ratio, ratio };
   const canvas = element('canvas', { class: 'film' });
+  // Without transparency, which would be half of the work, and of the file.
+  canvas.getContext('2d', { alpha: false });
   const bar = element('progress', { max: 1, value: 0, 'aria-label': 'Made so far' });
   const told = element('output', {});
   let cancelled = false;
