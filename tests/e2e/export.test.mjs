@@ -134,6 +134,81 @@ test('the saved page plays from a file, without a network', async () => {
   await rm(folder, { recursive: true });
 });
 
+/** A name that would be markup, end an element, or be a part of an attribute, if it were not escaped. */
+const AWKWARD = `</title></text><script>document.title = "run"</script> & "quoted" <b>`;
+
+/** The applet's linkage with that name, and the same for its first key frame. */
+async function pageOfAwkwardNames() {
+  const { page, problems } = await browser.openPage();
+  await page.evaluate((name) => {
+    const { store } = document.querySelector('#linkage').linkage;
+    store.edit((doc) => ({ ...doc, name, motion: { ...doc.motion, key_frames: doc.motion.key_frames.map((key, at) => (at ? key : { ...key, name })) } }));
+  }, AWKWARD);
+  await page.waitForFunction(() => document.querySelector('#linkage').linkage.store.result.doc === document.querySelector('#linkage').linkage.store.doc);
+  return { page, problems };
+}
+
+test('names stand in the drawing as they are, whatever signs are in them', async () => {
+  const { page, problems } = await pageOfAwkwardNames();
+  const { bytes } = await saved(page, () => choose(page, /SVG/));
+  const found = await page.evaluate((xml) => {
+    const drawing = new DOMParser().parseFromString(xml, 'image/svg+xml');
+    const texts = (query) => [...drawing.querySelectorAll(query)].map((node) => node.textContent);
+    return { bad: texts('parsererror, script, b'), title: texts('title'), description: texts('desc')[0], names: texts('#names text'), children: drawing.querySelectorAll('title *, desc *, text *').length };
+  }, bytes.toString());
+  assert.deepEqual([found.bad, found.title, found.children], [[], [AWKWARD], 0]);
+  assert.ok(found.names.includes(AWKWARD), `${found.names}`);
+  assert.ok(found.description.startsWith(`${AWKWARD}: 3 chains`), found.description);
+  assert.deepEqual(problems, []);
+});
+
+/** Opens a saved page from a file, without a network. */
+async function opened(bytes, options) {
+  const folder = await mkdtemp(join(tmpdir(), 'synthetica-'));
+  const file = join(folder, 'saved.html');
+  await writeFile(file, bytes);
+  const { page, problems } = await browser.blankPage({ offline: true, ...options });
+  const address = String(pathToFileURL(file));
+  await page.goto(address);
+  return { page, problems, address, leave: async () => { await page.context().close(); await rm(folder, { recursive: true }); } };
+}
+
+test('the saved page has its names as they are, and runs its one script, wears its one style and loads nothing', async () => {
+  const { page } = await pageOfAwkwardNames();
+  const { bytes } = await saved(page, () => choose(page, /HTML/));
+  const { page: alone, leave } = await opened(bytes);
+  await alone.locator('#status').filter({ hasText: 'Reached' }).waitFor();
+  assert.equal(await alone.title(), `${AWKWARD} – Synthetica`);
+  assert.equal(await alone.locator('h1').textContent(), AWKWARD);
+  assert.equal(await alone.locator('script').count(), 2, 'the motion, and what plays it');
+
+  const policy = await alone.locator('meta[http-equiv="Content-Security-Policy"]').getAttribute('content');
+  const rules = Object.fromEntries(policy.split(';').map((rule) => rule.trim().split(/ (.*)/)));
+  const hash = /^'sha256-[\w+/]{43}='$/;
+  assert.deepEqual(Object.keys(rules).sort(), ['base-uri', 'default-src', 'form-action', 'script-src', 'style-src']);
+  assert.deepEqual([rules['default-src'], rules['base-uri'], rules['form-action']], ["'none'", "'none'", "'none'"]);
+  assert.match(rules['script-src'], hash);
+  assert.match(rules['style-src'], hash);
+
+  // What the policy forbids is tried where it holds, and where it does not: there it works.
+  const tried = (where) =>
+    where.evaluate(async () => {
+      const script = Object.assign(document.createElement('script'), { textContent: 'window.ran = true' });
+      const style = Object.assign(document.createElement('style'), { textContent: 'body { outline: 7px solid red }' });
+      document.body.append(script, style);
+      const image = new Image();
+      image.src = 'data:image/gif;base64,R0lGODlhAQABAAAAACwAAAAAAQABAAA=';
+      const loaded = await image.decode().then(() => true, () => false);
+      const fetched = await fetch('data:text/plain,x').then(() => true, () => false);
+      return { ran: window.ran === true, worn: getComputedStyle(document.body).outlineWidth === '7px', loaded, fetched };
+    });
+  assert.deepEqual(await tried(alone), { ran: false, worn: false, loaded: false, fetched: false });
+  await leave();
+  const { page: free, leave: leaveFree } = await opened('<!doctype html><title>Without a policy</title><body>');
+  assert.deepEqual(await tried(free), { ran: true, worn: true, loaded: true, fetched: true });
+  await leaveFree();
+});
+
 /** The applet with its first motion, in a browser that lacks or has something else: `change` is run before its scripts. */
 async function pageWith(change) {
   const { page, problems } = await browser.blankPage();
@@ -200,7 +275,7 @@ for (const [how, change] of [
     });
     const seen = await watched(bytes, [0.25, 0.5, 0.75, 0.999], line.at);
     // Without times a motion takes five seconds, here at four times its speed.
-    assert.ok(Math.abs(seen.duration - 5 / 4) <= 0.05 * (5 / 4) + (how === 'picture by picture' ? 0 : 0.2), `${seen.duration} s`);
+    assert.ok(Math.abs(seen.duration - 5 / 4) <= 0.05 * (5 / 4), `${seen.duration} s`);
     assert.ok(Math.abs(seen.width - view[0]) < 2 && Math.abs(seen.height - view[1]) < 2, `${seen.width} × ${seen.height}`);
     assert.ok(seen.changes.every((changed) => changed > 500) && new Set(seen.changes).size === 4, `${seen.changes} values change`);
     assert.ok(line.colour.every((value, index) => Math.abs(value - seen.pixel[index]) < 40), `${seen.pixel} where the legend has ${line.colour}`);
@@ -215,6 +290,8 @@ test('a film without pictures is not saved, and the page says why', async () => 
       static isTypeSupported = () => true;
       state = 'inactive';
       start = () => (this.state = 'recording');
+      pause = () => (this.state = 'paused');
+      resume = this.start;
       stop = () => {
         this.state = 'inactive';
         this.dispatchEvent(Object.assign(new Event('dataavailable'), { data: new Blob([new Uint8Array(110)]) }));

@@ -1,9 +1,10 @@
 /**
  * A film recorded while the motion plays, for browsers that cannot encode pictures one by one.
  */
+import { BufferTarget, EncodedPacketSink, EncodedVideoPacketSource, Output, WebMOutputFormat } from 'mediabunny';
+import { readFilm } from './film-check.js';
 import { BITS, RATE } from './film-settings.js';
 import { recordedType } from './film-type.js';
-import { withDuration } from './webm.js';
 
 /** Milliseconds for which the last picture stands, twice: a film ends with a picture. */
 const LAST = 50;
@@ -56,7 +57,7 @@ export async function recordFilm({ canvas, seconds, draw, stopped }) {
     }
     if (recorder.state !== 'inactive') recorder.stop();
     await ended;
-    return stopped() ? null : withDuration(new Uint8Array(await new Blob(pieces).arrayBuffer()), length);
+    return stopped() ? null : await atLength(new Uint8Array(await new Blob(pieces).arrayBuffer()), seconds);
   } finally {
     track.stop();
   }
@@ -64,3 +65,35 @@ export async function recordFilm({ canvas, seconds, draw, stopped }) {
 
 /** @param {number} milliseconds */
 const pause = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
+
+/**
+ * The same pictures, as long as the motion: browsers record a live stream without a length, in which players cannot
+ * seek, and where time was lost while it was recorded it is a little too long.
+ * @param {Uint8Array<ArrayBuffer>} film @param {number} seconds
+ */
+async function atLength(film, seconds) {
+  const { input, track } = await readFilm(film);
+  try {
+    const codec = await track.getCodec();
+    const decoderConfig = await track.getDecoderConfig();
+    if (!codec || !decoderConfig) throw new Error('the browser recorded a film that it cannot read');
+    const packets = [];
+    for await (const packet of new EncodedPacketSink(track).packets()) packets.push(packet);
+    const [from, to] = [packets[0].timestamp, packets[packets.length - 1].timestamp];
+    // The last picture begins one picture before the end.
+    const scale = (seconds - 1 / RATE) / (to - from);
+    const times = [...packets.map(({ timestamp }) => (timestamp - from) * scale), seconds];
+    const target = new BufferTarget();
+    const output = new Output({ format: new WebMOutputFormat(), target });
+    const source = new EncodedVideoPacketSource(codec);
+    output.addVideoTrack(source);
+    await output.start();
+    for (const [at, packet] of packets.entries()) {
+      await source.add(packet.clone({ timestamp: times[at], duration: times[at + 1] - times[at] }), { decoderConfig });
+    }
+    await output.finalize();
+    return target.buffer && new Uint8Array(target.buffer);
+  } finally {
+    input.dispose();
+  }
+}
