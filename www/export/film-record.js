@@ -39,7 +39,7 @@ export async function recordFilm({ canvas, seconds, draw, stopped }) {
     recorder.resume();
     const from = performance.now();
     take();
-    await pause(milliseconds);
+    await Promise.all([pause(milliseconds), presented()]);
     recorder.pause();
     length += performance.now() - from;
   };
@@ -62,6 +62,9 @@ export async function recordFilm({ canvas, seconds, draw, stopped }) {
     track.stop();
   }
 }
+
+/** Until the canvas is on the screen, which is when it is recorded; a page that is not seen waits only so long. */
+const presented = () => Promise.race([new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))), pause(1000)]);
 
 /** @param {number} milliseconds */
 const pause = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
