@@ -284,6 +284,19 @@ for (const [how, change] of [
   });
 }
 
+test('the library that writes films is loaded for a film only, and its licence is there to be read', async () => {
+  const { page, problems } = await browser.openPage();
+  const scripts = [];
+  page.on('request', (request) => scripts.push(request.url()));
+  await choose(page, /WebM/);
+  await page.getByRole('dialog', { name: 'Making the film' }).waitFor();
+  assert.ok(scripts.some((url) => /\/film-[\w-]+\.js$/.test(url)), `${scripts}`);
+  assert.deepEqual(problems, []);
+  const others = await (await fetch(`${browser.address}licences.txt`)).text();
+  assert.match(others, /^mediabunny\nhttps:\/\/www\.npmjs\.com\/package\/mediabunny\n\nMozilla Public License Version 2\.0/m);
+  assert.match(others, /^three\n/m);
+});
+
 test('a film without pictures is not saved, and the page says why', async () => {
   const { page, problems } = await pageWith(() => {
     delete globalThis.VideoEncoder;
