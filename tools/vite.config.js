@@ -5,6 +5,7 @@ import { join, relative } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build, defineConfig } from 'vite';
 import { importedAtOnce } from './imported-at-once.js';
+import { licences, packagesIn } from './licences.js';
 import { inlineScript } from './package/inline.js';
 import { pages } from './pages.js';
 import { TARGETS, tightMarkup, tightShaders } from './tight.js';
@@ -54,6 +55,15 @@ const serviceWorker = () => ({
     const text = readFileSync(at('../www/service-worker.js'), 'utf8');
     if (!text.includes(place)) throw new Error(`www/service-worker.js has lost its ${place}`);
     writeFileSync(join(dist, 'service-worker.js'), text.replace(place, JSON.stringify(list)));
+  },
+});
+
+/** Writes licences.txt: those of the packages whose code is in the build. */
+const licencesOfOthers = () => ({
+  name: 'licences-of-others',
+  apply: 'build',
+  generateBundle(_, output) {
+    this.emitFile({ type: 'asset', fileName: 'licences.txt', source: licences(packagesIn(Object.values(output))) });
   },
 });
 
@@ -108,5 +118,5 @@ export default defineConfig({
     },
   },
   worker: { format: 'es' },
-  plugins: [pages(), bundle(), tightMarkup(), tightShaders(), lastingScripts(), serviceWorker()],
+  plugins: [pages(), bundle(), tightMarkup(), tightShaders(), lastingScripts(), licencesOfOthers(), serviceWorker()],
 });

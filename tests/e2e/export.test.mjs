@@ -134,21 +134,95 @@ test('the saved page plays from a file, without a network', async () => {
   await rm(folder, { recursive: true });
 });
 
-test('the film shows the motion, and has a length and a size', async () => {
-  const { page, problems } = await browser.openPage();
-  await page.selectOption('#speed', '2');
-  await scrubTo(page, 20);
-  const { name, bytes } = await saved(page, () => choose(page, /WebM/));
-  assert.equal(name, '3rps.webm');
-  assert.equal(bytes.subarray(0, 4).toString('hex'), '1a45dfa3');
-  assert.ok(bytes.length > 5000, `${bytes.length} bytes`);
-  await page.locator('dialog').waitFor({ state: 'detached' });
-  assert.match(await text(page, 'frame-number'), /^21 \//, 'the playhead is where it was');
-  assert.deepEqual(problems, []);
+/** A name that would be markup, end an element, or be a part of an attribute, if it were not escaped. */
+const AWKWARD = `</title></text><script>document.title = "run"</script> & "quoted" <b>`;
 
+/** The applet's linkage with that name, and the same for its first key frame. */
+async function pageOfAwkwardNames() {
+  const { page, problems } = await browser.openPage();
+  await page.evaluate((name) => {
+    const { store } = document.querySelector('#linkage').linkage;
+    store.edit((doc) => ({ ...doc, name, motion: { ...doc.motion, key_frames: doc.motion.key_frames.map((key, at) => (at ? key : { ...key, name })) } }));
+  }, AWKWARD);
+  await page.waitForFunction(() => document.querySelector('#linkage').linkage.store.result.doc === document.querySelector('#linkage').linkage.store.doc);
+  return { page, problems };
+}
+
+test('names stand in the drawing as they are, whatever signs are in them', async () => {
+  const { page, problems } = await pageOfAwkwardNames();
+  const { bytes } = await saved(page, () => choose(page, /SVG/));
+  const found = await page.evaluate((xml) => {
+    const drawing = new DOMParser().parseFromString(xml, 'image/svg+xml');
+    const texts = (query) => [...drawing.querySelectorAll(query)].map((node) => node.textContent);
+    return { bad: texts('parsererror, script, b'), title: texts('title'), description: texts('desc')[0], names: texts('#names text'), children: drawing.querySelectorAll('title *, desc *, text *').length };
+  }, bytes.toString());
+  assert.deepEqual([found.bad, found.title, found.children], [[], [AWKWARD], 0]);
+  assert.ok(found.names.includes(AWKWARD), `${found.names}`);
+  assert.ok(found.description.startsWith(`${AWKWARD}: 3 chains`), found.description);
+  assert.deepEqual(problems, []);
+});
+
+/** Opens a saved page from a file, without a network. */
+async function opened(bytes, options) {
+  const folder = await mkdtemp(join(tmpdir(), 'synthetica-'));
+  const file = join(folder, 'saved.html');
+  await writeFile(file, bytes);
+  const { page, problems } = await browser.blankPage({ offline: true, ...options });
+  const address = String(pathToFileURL(file));
+  await page.goto(address);
+  return { page, problems, address, leave: async () => { await page.context().close(); await rm(folder, { recursive: true }); } };
+}
+
+test('the saved page has its names as they are, and runs its one script, wears its one style and loads nothing', async () => {
+  const { page } = await pageOfAwkwardNames();
+  const { bytes } = await saved(page, () => choose(page, /HTML/));
+  const { page: alone, leave } = await opened(bytes);
+  await alone.locator('#status').filter({ hasText: 'Reached' }).waitFor();
+  assert.equal(await alone.title(), `${AWKWARD} – Synthetica`);
+  assert.equal(await alone.locator('h1').textContent(), AWKWARD);
+  assert.equal(await alone.locator('script').count(), 2, 'the motion, and what plays it');
+
+  const policy = await alone.locator('meta[http-equiv="Content-Security-Policy"]').getAttribute('content');
+  const rules = Object.fromEntries(policy.split(';').map((rule) => rule.trim().split(/ (.*)/)));
+  const hash = /^'sha256-[\w+/]{43}='$/;
+  assert.deepEqual(Object.keys(rules).sort(), ['base-uri', 'default-src', 'form-action', 'script-src', 'style-src']);
+  assert.deepEqual([rules['default-src'], rules['base-uri'], rules['form-action']], ["'none'", "'none'", "'none'"]);
+  assert.match(rules['script-src'], hash);
+  assert.match(rules['style-src'], hash);
+
+  // What the policy forbids is tried where it holds, and where it does not: there it works.
+  const tried = (where) =>
+    where.evaluate(async () => {
+      const script = Object.assign(document.createElement('script'), { textContent: 'window.ran = true' });
+      const style = Object.assign(document.createElement('style'), { textContent: 'body { outline: 7px solid red }' });
+      document.body.append(script, style);
+      const image = new Image();
+      image.src = 'data:image/gif;base64,R0lGODlhAQABAAAAACwAAAAAAQABAAA=';
+      const loaded = await image.decode().then(() => true, () => false);
+      const fetched = await fetch('data:text/plain,x').then(() => true, () => false);
+      return { ran: window.ran === true, worn: getComputedStyle(document.body).outlineWidth === '7px', loaded, fetched };
+    });
+  assert.deepEqual(await tried(alone), { ran: false, worn: false, loaded: false, fetched: false });
+  await leave();
+  const { page: free, leave: leaveFree } = await opened('<!doctype html><title>Without a policy</title><body>');
+  assert.deepEqual(await tried(free), { ran: true, worn: true, loaded: true, fetched: true });
+  await leaveFree();
+});
+
+/** The applet with its first motion, in a browser that lacks or has something else: `change` is run before its scripts. */
+async function pageWith(change) {
+  const { page, problems } = await browser.blankPage();
+  await page.addInitScript(change);
+  await page.goto(browser.address);
+  await page.waitForFunction(() => (page$('#closure')?.textContent ?? '–') !== '–');
+  return { page, problems };
+}
+
+/** A film as a <video> plays it: size, length, at each share of it how many values differ from the first picture, and the colour of a pixel. */
+async function watched(bytes, shares, [x, y]) {
   // The page's own policy has no room for films.
   const { page: cinema } = await browser.blankPage();
-  const seen = await cinema.evaluate(async (base64) => {
+  const seen = await cinema.evaluate(async ([base64, times, at]) => {
     const data = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
     const video = Object.assign(document.createElement('video'), { src: URL.createObjectURL(new Blob([data], { type: 'video/webm' })), muted: true });
     const comes = (event) => new Promise((done, fail) => {
@@ -165,22 +239,93 @@ test('the film shows the motion, and has a length and a size', async () => {
       return pen.getImageData(0, 0, width, height).data;
     };
     const first = await pictureAt(0.01);
-    let changed = 0;
-    for (const share of [0.3, 0.5, 0.7, 0.95]) {
+    const pixel = [...pen.getImageData(...at, 1, 1).data];
+    const changes = [];
+    for (const share of times) {
       const later = await pictureAt(share * duration);
-      changed = Math.max(changed, first.reduce((sum, value, index) => sum + (Math.abs(value - later[index]) > 40), 0));
+      changes.push(first.reduce((sum, value, index) => sum + (Math.abs(value - later[index]) > 40), 0));
     }
-    return { duration, width, height, changed };
-  }, bytes.toString('base64'));
-  const view = await page.locator('#canvas').evaluate((canvas) => [canvas.clientWidth, canvas.clientHeight]);
-  assert.ok(seen.duration > 0.5 && seen.duration < 60, `${seen.duration} s`);
-  assert.ok(Math.abs(seen.width - view[0]) < 2 && Math.abs(seen.height - view[1]) < 2, `${seen.width} × ${seen.height}`);
-  assert.ok(seen.changed > 500, `${seen.changed} values change`);
+    return { duration, width, height, changes, pixel };
+  }, [bytes.toString('base64'), shares, [x, y]]);
+  await cinema.context().close();
+  return seen;
+}
+
+for (const [how, change] of [
+  ['picture by picture', () => delete globalThis.MediaRecorder],
+  ['recorded, where pictures cannot be encoded one by one', () => delete globalThis.VideoEncoder],
+  ['recorded, where there is no codec for WebM', () => (VideoEncoder.isConfigSupported = async (config) => ({ supported: false, config }))],
+]) {
+  test(`the film has the motion, its length, the view's size and the legend: ${how}`, async () => {
+    const { page, problems } = await pageWith(change);
+    await page.selectOption('#speed', '4');
+    await scrubTo(page, 20);
+    const { name, bytes } = await saved(page, () => choose(page, /WebM/));
+    assert.equal(name, '3rps.webm');
+    await page.locator('dialog').waitFor({ state: 'detached' });
+    assert.match(await text(page, 'frame-number'), /^21 \//, 'the playhead is where it was');
+    assert.deepEqual(problems, []);
+
+    const view = await page.locator('#canvas').evaluate((canvas) => [canvas.clientWidth, canvas.clientHeight]);
+    // The middle of the line of “closest motion”.
+    const line = await page.locator('#legend .closest').evaluate((item) => {
+      const [box, around] = [item.getBoundingClientRect(), page$('#canvas').getBoundingClientRect()];
+      const [red, green, blue] = getComputedStyle(item, '::before').backgroundColor.match(/\d+/g).map(Number);
+      return { at: [Math.round(box.left - around.left + 10), Math.floor(box.top - around.top + box.height / 2)], colour: [red, green, blue] };
+    });
+    const seen = await watched(bytes, [0.25, 0.5, 0.75, 0.999], line.at);
+    // Without times a motion takes five seconds, here at four times its speed.
+    assert.ok(Math.abs(seen.duration - 5 / 4) <= 0.05 * (5 / 4), `${seen.duration} s`);
+    assert.ok(Math.abs(seen.width - view[0]) < 2 && Math.abs(seen.height - view[1]) < 2, `${seen.width} × ${seen.height}`);
+    // What is recorded loses pictures where the machine has other things to do.
+    const distinct = new Set(seen.changes).size;
+    assert.ok(seen.changes[3] > 500 && distinct >= (how === 'picture by picture' ? 4 : 3), `${seen.changes} values change`);
+    assert.ok(line.colour.every((value, index) => Math.abs(value - seen.pixel[index]) < 40), `${seen.pixel} where the legend has ${line.colour}`);
+  });
+}
+
+test('the library that writes films is loaded for a film only, and its licence is there to be read', async () => {
+  const { page, problems } = await browser.openPage();
+  const scripts = [];
+  page.on('request', (request) => scripts.push(request.url()));
+  await choose(page, /WebM/);
+  await page.getByRole('dialog', { name: 'Making the film' }).waitFor();
+  assert.ok(scripts.some((url) => /\/film-[\w-]+\.js$/.test(url)), `${scripts}`);
+  assert.deepEqual(problems, []);
+  const others = await (await fetch(`${browser.address}licences.txt`)).text();
+  assert.match(others, /^mediabunny\nhttps:\/\/www\.npmjs\.com\/package\/mediabunny\n\nMozilla Public License Version 2\.0/m);
+  assert.match(others, /^three\n/m);
+});
+
+test('a film without pictures is not saved, and the page says why', async () => {
+  const { page, problems } = await pageWith(() => {
+    delete globalThis.VideoEncoder;
+    // As a browser does that has no room for a codec: a head, and nothing after it.
+    globalThis.MediaRecorder = class extends EventTarget {
+      static isTypeSupported = () => true;
+      state = 'inactive';
+      start = () => (this.state = 'recording');
+      pause = () => (this.state = 'paused');
+      resume = this.start;
+      stop = () => {
+        this.state = 'inactive';
+        this.dispatchEvent(Object.assign(new Event('dataavailable'), { data: new Blob([new Uint8Array(110)]) }));
+        this.dispatchEvent(new Event('stop'));
+      };
+    };
+  });
+  page.on('download', () => problems.push('a film was saved'));
+  await page.selectOption('#speed', '4');
+  await choose(page, /WebM/);
+  await page.locator('#notices').filter({ hasText: 'could not be made (the browser made a file of 110 bytes that is no film)' }).waitFor();
+  await page.locator('dialog').waitFor({ state: 'detached' });
+  assert.deepEqual(problems.filter((problem) => !problem.includes('110 bytes')), []);
 });
 
 test('a film that is cancelled leaves nothing behind', async () => {
   const { page, problems } = await browser.openPage();
   await scrubTo(page, 20);
+  await page.selectOption('#speed', '0.25');
   page.on('download', () => problems.push('a film was saved'));
   await choose(page, /WebM/);
   await page.waitForFunction(() => page$('dialog progress')?.value > 0.05);
@@ -191,15 +336,57 @@ test('a film that is cancelled leaves nothing behind', async () => {
   assert.deepEqual(problems, []);
 });
 
-test('a browser that cannot record says so in the menu', async () => {
-  const { page } = await browser.blankPage();
-  await page.addInitScript(() => delete globalThis.MediaRecorder);
-  await page.goto(browser.address);
-  await page.waitForFunction(() => (page$('#closure')?.textContent ?? '–') !== '–');
+test('a browser that cannot make films says so in the menu, also to the keyboard', async () => {
+  const { page, problems } = await pageWith(() => {
+    delete globalThis.MediaRecorder;
+    delete globalThis.VideoEncoder;
+  });
+  page.on('download', () => problems.push('a film was saved'));
   await page.getByRole('button', { name: 'Export', exact: true }).click();
   const item = page.getByRole('menuitem', { name: /WebM/ });
   assert.ok(await item.isDisabled());
-  assert.match(await item.textContent(), /cannot record/);
+  assert.match(await item.textContent(), /can neither encode nor record/);
+  await page.keyboard.press('f');
+  assert.match(await page.evaluate(() => pageFocus().textContent), /^Film/);
+  await page.keyboard.press('Enter');
+  assert.ok(await item.isVisible(), 'the menu stays');
+  assert.deepEqual(problems, []);
+});
+
+test('while the document is at fault, planned, or planned in part, the menu says that the motion is not its motion', async () => {
+  const { page } = await browser.openPage();
+  const button = page.getByRole('button', { name: 'Export', exact: true });
+  /** What the menu says of each thing to save, and which can be saved. */
+  const items = async () => {
+    await button.click();
+    const all = await page.getByRole('menuitem').evaluateAll((nodes) => nodes.map((node) => [node.firstChild.textContent, node.ariaDisabled !== 'true', node.querySelector('small').textContent]));
+    await page.keyboard.press('Escape');
+    return all;
+  };
+  const able = (all) => all.filter(([, can]) => can).map(([label]) => label.split(' ')[0]);
+  assert.equal(able(await items()).length, 7);
+  await page.locator('[data-path="chains[0].base.x"]').fill('far');
+  await page.keyboard.press('Enter');
+  await page.locator('#fault-banner').waitFor();
+  const faulty = await items();
+  assert.deepEqual(able(faulty), ['Picture', 'Drawing']);
+  for (const [label, , hint] of faulty) assert.match(hint, /The document has a fault, and the motion that is shown is of an earlier one: mend it first/, label);
+  await page.locator('[data-path="chains[0].base.x"]').focus();
+  await page.keyboard.press('Escape');
+  await page.locator('#fault-banner').waitFor({ state: 'hidden' });
+  // A plan that takes long, and its stop. The last plan's motion is shown until then.
+  await page.evaluate(() =>
+    document.querySelector('#linkage').linkage.store.edit((doc) => ({ ...doc, motion: { ...doc.motion, frames: 10_000 }, planner: { ...doc.planner, method: 'gradient' } })),
+  );
+  await page.locator('#planning-stop').waitFor();
+  const planning = await items();
+  assert.deepEqual(able(planning), ['Picture', 'Drawing']);
+  for (const [label, , hint] of planning) assert.match(hint, /The document is still being planned, and the motion that is shown is of an earlier one/, label);
+  await page.locator('#planning-stop').click();
+  await page.locator('#planning-on').waitFor();
+  const part = await items();
+  assert.deepEqual(able(part), ['Picture', 'Drawing']);
+  for (const [label, , hint] of part) assert.match(hint, /planned only in part: plan the rest first/, label);
 });
 
 test('the drawing is made of shapes, says what it shows, and looks like the view', async () => {

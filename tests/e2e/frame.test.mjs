@@ -88,13 +88,26 @@ test('an origin in the address must be the parent’s: nobody else hears a docum
   await frame.locator('#scrub').press('ArrowRight');
   await frame.locator('#frame-number', { hasText: '2 / 129' }).waitFor();
   assert.deepEqual(await page.evaluate(() => window.heard), []);
-  // A message from a window that is not the parent, of the right origin.
-  const { page: other } = await pageAround('embed.html?sample=2tpr');
-  await heard(other, 'ready');
-  await other.frames()[1].evaluate(() => window.postMessage({ synthetica: 1, type: 'state', state: { frame: 50 } }, '*'));
-  await send(other, { synthetica: 1, type: 'get', what: 'state', id: 2 });
-  const { state } = await (await other.waitForFunction(() => window.heard.find(({ id }) => id === 2))).jsonValue();
-  assert.equal(state.frame, 0);
+});
+
+test('a window of the parent’s origin that is not the parent is not obeyed', async () => {
+  const { page } = await pageAround('embed.html?sample=2tpr');
+  await heard(page, 'ready');
+  await page.evaluate(() => new Promise((done) => document.body.append(Object.assign(document.createElement('iframe'), { srcdoc: '<title>Beside</title>', onload: done }))));
+  const [, embedded, beside] = page.frames();
+  await embedded.evaluate(() => {
+    window.got = [];
+    addEventListener('message', ({ origin, source, data }) => window.got.push([origin, source === parent, data.state.frame]));
+  });
+  const jump = (to) => parent.frames[0].postMessage({ synthetica: 1, type: 'state', state: { frame: to } }, '*');
+  await beside.evaluate(jump, 50);
+  await embedded.waitForFunction(() => window.got.length === 1);
+  // The same words from the parent are obeyed, and by then the others were heard.
+  await page.evaluate(jump, 30);
+  await page.frameLocator('iframe[src]').locator('#frame-number', { hasText: '31 / 129' }).waitFor();
+  assert.deepEqual(await embedded.evaluate(() => window.got), [[around, false, 50], [around, true, 30]]);
+  await page.waitForFunction(() => window.heard.some(({ type, state }) => type === 'state' && state.frame === 30));
+  assert.ok(await page.evaluate(() => window.heard.every(({ state }) => state?.frame !== 50)), 'nobody went to frame 51');
 });
 
 test('without a known origin it tells only that it is ready and how high it is', async () => {

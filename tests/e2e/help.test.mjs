@@ -115,6 +115,60 @@ for (const { id, title } of lessons) {
   });
 }
 
+test('a lesson shows no number of the linkage that was open before', async () => {
+  const { page, problems } = await browser.openPage();
+  await page.evaluate(() => {
+    window.counts = new Set();
+    const look = () => {
+      for (const output of page$$('.lesson [data-value=count]')) window.counts.add(output.textContent);
+    };
+    new MutationObserver(look).observe(document.querySelector('#linkage').shadowRoot, { subtree: true, childList: true, characterData: true });
+  });
+  await fromMenu(page, /How many freedoms/);
+  await page.waitForFunction(() => window.counts.has('−2'));
+  // The 3RPS has 3, and the lesson says of its four-bar that counting gives −2.
+  assert.deepEqual(await page.evaluate(() => [...window.counts]), ['…', '−2']);
+  await page.evaluate(() => document.querySelector('#linkage').linkage.store.edit((doc) => ({ ...doc, chains: [] })));
+  await page.waitForFunction(() => page$('.lesson [data-value=count]').textContent === '…', null, { polling: 50 });
+  assert.deepEqual(problems, []);
+});
+
+test('a printed lesson is whole: the words of its buttons, the linkage, the answers, the link', async () => {
+  const { page } = await browser.blankPage({ colorScheme: 'dark' });
+  await page.goto(`${browser.address}?lesson=why`);
+  await page.waitForFunction(() => /closest|reached/.test(page$('.lesson [data-value=status]')?.textContent));
+  // While the print is made: what is seen of the lesson then, and whether there is a linkage in its picture.
+  await page.emulateMedia({ media: 'print', colorScheme: 'dark' });
+  await page.evaluate(() =>
+    addEventListener('beforeprint', () => {
+      const seen = (node) => node.checkVisibility({ visibilityProperty: true }) && node.offsetHeight > 0;
+      const canvas = page$('#lesson canvas');
+      const pixels = canvas && new Uint32Array(canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data.buffer);
+      window.printed = {
+        text: page$('#lesson').innerText,
+        buttons: page$$('.lesson button').map((button) => [button.textContent, seen(button)]),
+        tools: page$$('.lesson-tools button, .bar, #canvas, #tabs').filter(seen).length,
+        answers: page$$('.lesson details p').map(seen),
+        colours: canvas && seen(canvas) ? new Set(pixels).size : 0,
+        ink: getComputedStyle(page$('.lesson p')).color,
+      };
+    }),
+  );
+  const pdf = (await page.pdf({ format: 'A4' })).toString('latin1');
+  const printed = await page.evaluate(() => window.printed);
+  assert.ok(printed.buttons.length >= 3 && printed.buttons.every(([words, seen]) => words && seen), JSON.stringify(printed.buttons));
+  assert.ok(printed.answers.length >= 2 && printed.answers.every(Boolean), 'the answers');
+  assert.equal(printed.tools, 0, 'nothing to click');
+  assert.ok(printed.colours > 200, `${printed.colours} colours in the picture`);
+  assert.equal(printed.ink, 'rgb(0, 0, 0)', 'dark on white paper');
+  assert.match(printed.text, /Why the 3RPS cannot follow[^]*3 chains \(RPS, RPS, RPS\)[^]*Remove chain 3[^]*\?lesson=why/);
+  assert.match(pdf, /\/Subtype \/Image/);
+  assert.match(pdf, /\/URI \(http[^)]*\?lesson=why\)/);
+  await page.emulateMedia({ media: 'screen' });
+  assert.equal(await page.locator('.lesson details[open]').count(), 0, 'on the screen all is as it was');
+  assert.equal(await page.locator('.print-only canvas').count(), 0);
+});
+
 /** Waits until an output of the lesson reads so. */
 const reads = (page, value, wanted) =>
   page.waitForFunction(([name, pattern]) => new RegExp(pattern).test(page$(`.lesson [data-value=${name}]`)?.textContent), [value, wanted]);

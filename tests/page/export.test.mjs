@@ -1,31 +1,21 @@
-// Files that are exported: a film's duration, a packed motion, names.
+// Files that are exported: what is amiss with the motion, a packed motion, names.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { pack, unpack } from '../../www/player-page/pack.js';
-import { withDuration } from '../../www/export/webm.js';
+import { notWhole } from '../../www/export/not-whole.js';
 import { fileName } from '../../www/export/save.js';
 
-const HEAD = [0x1a, 0x45, 0xdf, 0xa3, 0x80, 0x18, 0x53, 0x80, 0x67, 0x01, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff];
-const INFO = [0x15, 0x49, 0xa9, 0x66];
-const SCALE = [0x2a, 0xd7, 0xb1, 0x83, 0x0f, 0x42, 0x40];
-const REST = [0x16, 0x54, 0xae, 0x6b, 0x80];
-
-test('a film is told its duration once, whatever the form of the size', () => {
-  for (const size of [[0x87], [0x40, 0x07], [0x01, 0, 0, 0, 0, 0, 0, 7]]) {
-    const film = Uint8Array.from([...HEAD, ...INFO, ...size, ...SCALE, ...REST]);
-    const told = withDuration(film, 5000);
-    const duration = new Uint8Array(new Float64Array([5000]).buffer).reverse();
-    const whole = [...HEAD, ...INFO, 1, 0, 0, 0, 0, 0, 0, 18, ...SCALE, 0x44, 0x89, 0x88, ...duration, ...REST];
-    assert.deepEqual([...told], whole);
-    assert.equal(withDuration(told, 1), told);
-  }
-});
-
-test('what is no film of that form stays as it is', () => {
-  for (const bytes of [[], HEAD, [...HEAD, ...INFO], [...HEAD, ...INFO, 0xff], [...HEAD, ...INFO, 0]]) {
-    const film = Uint8Array.from(bytes);
-    assert.equal(withDuration(film, 1), film);
-  }
+test('a file is only written of the whole motion of the document, and what is amiss is said', () => {
+  const doc = {};
+  const result = { motion: { partial: false }, doc, fault: null, trouble: '' };
+  assert.equal(notWhole({ doc, result }), '');
+  for (const [change, words] of [
+    [{ fault: { message: '' }, doc: {} }, /a fault, and the motion that is shown is of an earlier one/],
+    [{ trouble: 'down', doc: {} }, /planner failed.*earlier one/],
+    [{ doc: {} }, /still being planned.*earlier one/],
+    [{ doc: null, motion: null }, /still being planned$/],
+    [{ motion: { partial: true } }, /only in part/],
+  ]) assert.match(notWhole({ doc, result: { ...result, ...change } }), words);
 });
 
 test('a packed motion comes back: numbers to the bit, what is only drawn to 7 digits', async () => {

@@ -6,6 +6,7 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build } from 'vite';
 import { importedAtOnce } from '../imported-at-once.js';
+import { licences, packagesIn } from '../licences.js';
 import { TARGETS, tightMarkup, tightShaders } from '../tight.js';
 import { documentTypes } from './document-types.js';
 import { inlineScript } from './inline.js';
@@ -49,12 +50,8 @@ async function modules(entry, { wasm, worker, codeSplitting }) {
     plugins: [asWritten([wasm, worker]), planner({ wasm: `./${wasm}`, worker: `./${worker}` }), tightMarkup(), tightShaders()],
   });
   for (const name of [wasm, worker]) copyFileSync(at(`tools/package/files/${name}`), dist(name));
-  const sources = output.flatMap(({ moduleIds = [] }) => moduleIds);
-  return [...new Set(sources.map((id) => id.match(/\/node_modules\/((?:@[^/]+\/)?[^/]+)/)?.[1]).filter(Boolean))].sort();
+  return packagesIn(output);
 }
-
-/** Other people's code within comes with their licences. @param {string[]} packages */
-const licences = (packages) => packages.map((name) => `${name}\n\n${readFileSync(at(`tools/node_modules/${name}/LICENSE`), 'utf8').trim()}\n`).join('\n\n');
 
 /** Those of the functions come from the code, those of documents from the schema; the element's are written by hand, and checked against it. */
 function types() {

@@ -1,5 +1,5 @@
 /**
- * A film of one pass of the motion, recorded while it plays, as WebM.
+ * A film of one pass of the motion, as WebM: what is drawn in it, the dialog while it is made, and the saved file.
  *
  * @typedef {import('../element/workbench.js').App} App
  */
@@ -9,21 +9,20 @@ import { fileName, saveFile } from './save.js';
 import { frameAt } from '../core/playhead.js';
 import { shown } from '../core/shown.js';
 import { openDialog } from '../ui/dialog.js';
-import { filmType } from './film-type.js';
+import { checkFilm } from './film-check.js';
+import { encodeFilm } from './film-encode.js';
+import { recordFilm } from './film-record.js';
+import { WIDEST } from './film-settings.js';
+import { encodes, recordedType } from './film-type.js';
+import { drawLegend } from './legend.js';
 import { drawPicture } from './picture.js';
-import { withDuration } from './webm.js';
-
-const RATE = 30; // pictures a second
-const WIDEST = 1280; // pixels; more is beyond what browsers encode while they draw
-const BITS = 8_000_000; // a second: no blocks in even surfaces
-/** Milliseconds for which the last picture stands before and after it is taken once more: a film ends with a picture. */
-const LAST = 100;
 
 /** @param {App} app */
-export async function exportFilm({ store, scene, player, say }) {
-  const { motion, doc: mechanism } = store.result;
-  const type = filmType();
-  if (!scene || !motion || !mechanism || !type) return;
+export async function exportFilm({ store, scene, player, find, say }) {
+  // What is filmed stays the same, whatever is planned meanwhile.
+  const { result } = store;
+  const { motion, doc } = result;
+  if (!scene || !motion || !doc) return;
   const { frame, playing } = store.view;
   player.pause();
 
@@ -32,81 +31,64 @@ export async function exportFilm({ store, scene, player, say }) {
   // Encoders want even numbers.
   const wish = { width: even(width * ratio) / ratio, height: even(height * ratio) / ratio, ratio };
   const canvas = element('canvas', { class: 'film' });
-  const bar = element('progress', { max: 1, value: 0, 'aria-label': 'Recorded' });
+  // Without transparency, which would be half of the work, and of the file.
+  canvas.getContext('2d', { alpha: false });
+  const bar = element('progress', { max: 1, value: 0, 'aria-label': 'Made so far' });
   const told = element('output', {});
-  let stopped = false;
-  const stop = () => {
-    stopped = true;
-  };
-  const dialog = openDialog('Recording the film', canvas, element('p', {}, bar, ' ', told), element('button', { click: stop }, 'Cancel'));
-  dialog.addEventListener('close', stop);
-  // A page that is not seen is not drawn.
-  const hidden = () => {
-    if (document.hidden) stop();
-  };
-  document.addEventListener('visibilitychange', hidden);
+  let cancelled = false;
+  const dialog = openDialog('Making the film', canvas, element('p', {}, bar, ' ', told), element('button', { click: () => dialog.close() }, 'Cancel'));
+  dialog.addEventListener('close', () => {
+    cancelled = true;
+  });
 
   const seconds = player.passSeconds;
   const [from, to] = [motion.time[0], motion.time[motion.frames - 1]];
   /** @param {number} share of the pass */
   const draw = (share) => {
-    const what = shown({ result: store.result, view: { ...store.view, posture: null, frame: frameAt(motion.time, from + share * (to - from)) } });
+    const what = shown({ result, view: { ...store.view, posture: null, frame: frameAt(motion.time, from + share * (to - from)) } });
     if (what) scene.pose(what);
     drawPicture(scene, wish, canvas);
+    drawLegend(find('legend'), scene.canvas, canvas, ratio);
     bar.value = share;
     setText(told, `${(share * seconds).toFixed(1)} of ${seconds.toFixed(1)} s`);
   };
 
   try {
-    draw(0);
-    // Where the browser can, each picture is recorded by hand, also where drawing takes longer than it should stand.
-    const byHand = 'CanvasCaptureMediaStreamTrack' in globalThis && 'requestFrame' in CanvasCaptureMediaStreamTrack.prototype;
-    const stream = canvas.captureStream(byHand ? 0 : RATE);
-    const [track] = /** @type {CanvasCaptureMediaStreamTrack[]} */ (stream.getVideoTracks());
-    const take = () => {
-      if (byHand) track.requestFrame();
-    };
-    const recorder = new MediaRecorder(stream, { mimeType: type, videoBitsPerSecond: BITS });
-    /** @type {Blob[]} */
-    const pieces = [];
-    recorder.addEventListener('dataavailable', ({ data }) => pieces.push(data));
-    const ended = new Promise((resolve, reject) => {
-      recorder.addEventListener('stop', resolve);
-      recorder.addEventListener('error', () => reject(new Error('the browser stopped recording')));
-    });
-    recorder.start();
-    take();
-    const start = performance.now();
-    for (let share = 0; share < 1 && !stopped; ) {
-      share = Math.min(1, (performance.now() - start) / 1000 / seconds);
-      draw(share);
-      take();
-      await pause(1000 / RATE);
-    }
-    if (!stopped) {
-      await pause(LAST);
-      take();
-      await pause(LAST);
-    }
-    const length = performance.now() - start;
-    recorder.stop();
-    await ended;
-    track.stop();
-    if (stopped) return say(document.hidden ? 'The recording ended when the page was hidden.' : 'The recording was cancelled.');
-    const film = withDuration(new Uint8Array(await new Blob(pieces).arrayBuffer()), length);
-    const name = fileName(mechanism, 'webm');
+    const shot = { canvas, seconds, draw, stopped: () => cancelled };
+    const film = (encodes() ? await encodeFilm(shot) : null) ?? (cancelled ? null : await recorded(shot));
+    if (typeof film === 'string') return say(film);
+    if (cancelled || !film) return say('The film was cancelled.');
+    await checkFilm(film, seconds);
+    const name = fileName(doc, 'webm');
     saveFile(name, new Blob([film], { type: 'video/webm' }));
     say(`Saved ${name}.`);
   } finally {
-    document.removeEventListener('visibilitychange', hidden);
     dialog.close();
     player.frame = frame;
+    player.invalidate();
     if (playing) player.play();
+  }
+}
+
+/**
+ * Recorded as it plays: a page that is not seen is not drawn, so the recording ends with that.
+ * @param {import('./film-settings.js').Shot} shot
+ * @returns {Promise<Uint8Array<ArrayBuffer> | string | null>} the film, or why there is none; null if it was cancelled
+ */
+async function recorded(shot) {
+  if (!recordedType()) throw new Error('this browser can neither encode nor record one');
+  let hidden = document.hidden;
+  const watch = () => {
+    hidden ||= document.hidden;
+  };
+  document.addEventListener('visibilitychange', watch);
+  try {
+    const film = await recordFilm({ ...shot, stopped: () => hidden || shot.stopped() });
+    return hidden && !shot.stopped() ? 'The film ended when the page was hidden: this browser can only record what is seen.' : film;
+  } finally {
+    document.removeEventListener('visibilitychange', watch);
   }
 }
 
 /** @param {number} pixels */
 const even = (pixels) => 2 * Math.max(1, Math.floor(pixels / 2));
-
-/** @param {number} milliseconds */
-const pause = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));

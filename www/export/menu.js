@@ -5,7 +5,8 @@
  */
 import { byId } from '../ui/dom.js';
 import { menuButton } from '../ui/menu.js';
-import { filmType } from './film-type.js';
+import { notWhole } from './not-whole.js';
+import { canFilm } from './film-type.js';
 
 /** @param {App} app */
 export function createExport(app) {
@@ -22,25 +23,26 @@ export function createExport(app) {
 
   byId('menus').append(
     menuButton('Export', () => {
-      const nothing = !store.result.motion;
-      const unseen = nothing || !scene;
-      // The planner writes these three from the whole motion.
-      const part = store.result.motion?.partial;
-      const whole = (/** @type {string} */ hint) => (part ? 'The motion is planned only in part: plan the rest first' : hint);
+      const why = notWhole(store);
+      const unseen = scene ? '' : 'This browser shows no 3D graphics (WebGL 2)';
+      const nothing = store.result.motion ? '' : why;
+      const film = canFilm() ? '' : 'This browser can neither encode nor record films';
+      /**
+       * An item that is there to be chosen unless there is a reason against it, which then stands in its hint's place.
+       * @param {string} label @param {string} hint @param {string} reason @param {() => void} act
+       */
+      const item = (label, hint, reason, act) => ({ label, hint: reason || hint, disabled: reason !== '', act });
+      // A picture is of what is seen, also where that is not of the document.
+      const seen = (/** @type {string} */ hint) => (why ? `${hint}. ${why}` : hint);
       return [
-        { label: 'Picture (PNG) …', hint: 'The view, in any size', disabled: unseen, act: attempt(async () => (await import('./png.js')).exportPng(app)) },
-        { label: 'Drawing (SVG)', hint: 'The view as shapes, for print and to edit', disabled: unseen, act: attempt(async () => (await import('./svg.js')).exportSvg(app)) },
-        {
-          label: 'Film (WebM)',
-          hint: filmType() ? 'One pass at the speed that is set' : 'This browser cannot record a canvas; Chromium and Firefox can',
-          disabled: unseen || !filmType(),
-          act: attempt(async () => (await import('./film.js')).exportFilm(app)),
-        },
-        { label: 'Playing page (HTML)', hint: 'One file that plays this motion, without a network', disabled: nothing, act: attempt(async () => (await import('./html.js')).exportHtml(app)) },
+        item('Picture (PNG) …', seen('The view, in any size'), unseen || nothing, attempt(async () => (await import('./png.js')).exportPng(app))),
+        item('Drawing (SVG)', seen('The view as shapes, for print and to edit'), unseen || nothing, attempt(async () => (await import('./svg.js')).exportSvg(app))),
+        item('Film (WebM)', 'One pass at the speed that is set', unseen || film || why, attempt(async () => (await import('./film.js')).exportFilm(app))),
+        item('Playing page (HTML)', 'One file that plays this motion, without a network', why, attempt(async () => (await import('./html.js')).exportHtml(app))),
         'line',
-        { label: 'Table (CSV)', hint: whole('Joints, poses, gaps at every frame; degrees'), disabled: nothing || part, act: motion('csv') },
-        { label: 'Data (JSON)', hint: whole('The same with the document'), disabled: nothing || part, act: motion('json') },
-        { label: 'MuJoCo model (MJCF)', hint: whole('Every joint, loops closed by welds, a key frame a frame'), disabled: nothing || part, act: motion('mjcf') },
+        item('Table (CSV)', 'Joints, poses, gaps at every frame; degrees', why, motion('csv')),
+        item('Data (JSON)', 'The same with the document', why, motion('json')),
+        item('MuJoCo model (MJCF)', 'Every joint, loops closed by welds, a key frame a frame', why, motion('mjcf')),
       ];
     }),
   );

@@ -2,7 +2,8 @@
  * Menu buttons, by the ARIA pattern: arrow keys and letters go through the items, Escape and a click outside close.
  *
  * @typedef {{label: string, hint?: string, key?: string, checked?: boolean, disabled?: boolean, act: () => void} | 'line'} MenuItem
- *   `key` does the same without the menu; an item that is `checked` or not is a switch
+ *   `key` does the same without the menu; an item that is `checked` or not is a switch; one that is `disabled` can be
+ *   reached, so that its hint, which says why, can be read, but does nothing
  */
 import { element, focusBeside } from './dom.js';
 
@@ -17,7 +18,7 @@ export function menuButton(label, items) {
   const menu = element('div', { class: 'menu', role: 'menu', popover: 'auto', id: `menu-${++made}`, 'aria-label': label });
   const button = element('button', { class: 'menu-button', 'aria-haspopup': 'menu', 'aria-expanded': 'false', 'aria-controls': menu.id }, label);
 
-  const entries = () => /** @type {HTMLButtonElement[]} */ ([...menu.querySelectorAll('button:not(:disabled)')]);
+  const entries = () => /** @type {HTMLButtonElement[]} */ ([...menu.querySelectorAll('button')]);
   const close = () => menu.hidePopover();
 
   /** @param {number} focused index of the item that is entered; -1 for the last */
@@ -26,11 +27,12 @@ export function menuButton(label, items) {
       ...items().map((item) => {
         if (item === 'line') return element('hr', { role: 'separator' });
         const act = () => {
+          if (item.disabled) return;
           close();
           item.act();
         };
         const role = item.checked === undefined ? 'menuitem' : 'menuitemcheckbox';
-        const entry = element('button', { role, tabindex: -1, disabled: item.disabled, click: act, 'aria-keyshortcuts': item.key }, item.label);
+        const entry = element('button', { role, tabindex: -1, click: act, 'aria-keyshortcuts': item.key, 'aria-disabled': item.disabled ? 'true' : undefined }, item.label);
         if (item.checked !== undefined) entry.setAttribute('aria-checked', String(item.checked));
         if (item.key) entry.append(element('kbd', { 'aria-hidden': 'true' }, item.key));
         if (item.hint) entry.append(element('small', {}, item.hint));

@@ -1,5 +1,5 @@
 /**
- * A lesson beside the linkage: its text, its buttons that act on the page, and numbers that follow the motion.
+ * A lesson beside the linkage: its text, its buttons that act on the page, numbers that follow the motion, and its print.
  *
  * @typedef {import('../../element/workbench.js').AppWithPanels} App
  * @typedef {{id: string, title: string, text: string, doc: string}} Lesson
@@ -11,6 +11,10 @@ import { parsePath, valueAt } from '../../core/path.js';
 import { sampleOf, sampleText } from '../../core/samples.js';
 import { convertLengths } from '../../core/units.js';
 import { statusName, statusWords, worstFrame } from '../../core/status-words.js';
+import { preparePrint } from './lesson-print.js';
+
+/** What stands for a number while the motion of the shown document is not planned. */
+const UNKNOWN = '…';
 
 /** @param {App} app @param {Lesson} lesson */
 export function showLesson(app, lesson) {
@@ -33,9 +37,10 @@ export function showLesson(app, lesson) {
   find('tab-lesson').hidden = false;
   tabs.choosePanel(panel);
 
+  const address = new URL(`?lesson=${lesson.id}`, location.href);
+  address.hash = '';
+
   async function copyLink() {
-    const address = new URL(`?lesson=${lesson.id}`, location.href);
-    address.hash = '';
     const copied = await navigator.clipboard?.writeText(address.href).then(() => true, () => false);
     say(copied ? 'A link to this lesson is copied.' : address.href);
   }
@@ -99,24 +104,35 @@ export function showLesson(app, lesson) {
 
   function show() {
     const { motion, doc, fault } = store.result;
-    if (!motion || !doc) return;
+    // Numbers of the motion before, beside a text about this one, would contradict it.
+    const values = motion && doc && doc === store.doc ? valuesOf(motion, doc) : {};
+    for (const output of body.querySelectorAll('output')) {
+      const name = output.dataset.value ?? '';
+      setText(output, name === 'warnings' && fault ? fault.message : (values[name] ?? (name === 'warnings' ? '' : UNKNOWN)));
+    }
+  }
+
+  /**
+   * What the lesson's outputs show.
+   * @param {import('../../core/types.js').Motion} motion @param {import('../../core/types.js').MechanismDocument} doc
+   * @returns {Record<string, string>}
+   */
+  function valuesOf(motion, doc) {
     const { frame } = store.view;
     const worst = worstFrame(motion.metric);
     const gap = (/** @type {number} */ at) => `${length(motion.translation_gap[at], doc.length_unit)} and ${angle(motion.rotation_gap[at])}`;
-    /** @type {Record<string, string>} */
-    const values = {
+    return {
       count: String(motion.report.mobility_count).replace('-', '−'),
       rank: String(motion.report.mobility_rank),
-      warnings: fault ? fault.message : (motion.report.warnings.find(({ code }) => code === 'start-open')?.message ?? ''),
+      warnings: motion.report.warnings.find(({ code }) => code === 'start-open')?.message ?? '',
       frame: String(frame + 1),
       shift: length(motion.translation_gap[frame], doc.length_unit),
       turn: angle(motion.rotation_gap[frame]),
       status: statusWords(statusName(motion, frame)).word.toLowerCase(),
       worst: gap(worst),
     };
-    for (const output of body.querySelectorAll('output')) setText(output, values[output.dataset.value ?? ''] ?? '');
   }
-  const leave = [store.subscribe('result', show), store.subscribe('view', show)];
+  const leave = [store.subscribe('document', show), store.subscribe('result', show), store.subscribe('view', show), preparePrint(app, body, address.href)];
   show();
   return { close };
 }

@@ -36,7 +36,7 @@ const MARGIN = 0.06;
 
 /** @param {HTMLElement} host @param {PlotOptions} options */
 export function createPlot(host, { series, log = false, floor = 1e-16, zero = false, span = 1e-9, write = (value) => short(value), sync, onHover, onScrub, signal }) {
-  const colour = createColours(host);
+  let colour = createColours(host);
   const line = element('div', { class: 'playhead' });
   /** @type {number | null} */
   let playhead = null;
@@ -111,7 +111,10 @@ export function createPlot(host, { series, log = false, floor = 1e-16, zero = fa
       hooks: { draw: [place] },
     },
     [[], ...series.map(() => [])],
-    host,
+    (self, begin) => {
+      host.append(self.root);
+      begin();
+    },
   );
   plot.over.append(line);
 
@@ -125,12 +128,12 @@ export function createPlot(host, { series, log = false, floor = 1e-16, zero = fa
   const { over } = plot;
   const under = (/** @type {PointerEvent} */ event) => plot.posToIdx(event.clientX - over.getBoundingClientRect().left);
   if (onHover) {
-    over.addEventListener('pointermove', (event) => event.pointerType !== 'touch' && onHover(under(event)));
-    over.addEventListener('pointerleave', () => onHover(null));
+    over.addEventListener('pointermove', (event) => event.pointerType !== 'touch' && onHover?.(under(event)));
+    over.addEventListener('pointerleave', () => onHover?.(null));
   }
   if (onScrub) {
     over.classList.add('scrubs');
-    const scrub = (/** @type {PointerEvent} */ event) => onScrub(under(event));
+    const scrub = (/** @type {PointerEvent} */ event) => onScrub?.(under(event));
     over.addEventListener('pointerdown', (event) => {
       if (event.button !== 0) return;
       over.setPointerCapture(event.pointerId);
@@ -159,6 +162,11 @@ export function createPlot(host, { series, log = false, floor = 1e-16, zero = fa
     life.abort('destroyed');
     follow.disconnect();
     plot.destroy();
+    // V8 keeps the first object with a getter that some code made, and uPlot makes one: what it holds must not hold the page.
+    host = element('div');
+    colour = createColours(host);
+    write = String;
+    onHover = onScrub = signal = undefined;
   }
   // uPlot listens to the window: it must not outlive its page's interest.
   signal?.addEventListener('abort', destroy, { signal: life.signal });
