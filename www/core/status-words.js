@@ -4,7 +4,7 @@
  * @typedef {import('./types.js').Motion} Motion
  */
 import { angle, length, plural, short } from './format.js';
-import { groupAt, shown } from './shown.js';
+import { groupAt, isDriven, shown } from './shown.js';
 
 /**
  * How a frame or a posture ended: a sign that is told apart without colour, a word, and what it means.
@@ -12,18 +12,19 @@ import { groupAt, shown } from './shown.js';
  */
 const STATUS = {
   reached: { sign: '●', word: 'Reached', meaning: 'The workpiece is at the goal.' },
-  closest: { sign: '◐', word: 'Closest', meaning: 'The goal is out of reach. No pose nearby comes closer.' },
-  at_limit: { sign: '◧', word: 'At a limit', meaning: 'A joint limit keeps the workpiece from coming closer.' },
+  closest: { sign: '◐', word: 'Closest', meaning: 'The closest pose found on this branch of the linkage: no pose nearby comes closer to the goal.' },
+  at_limit: { sign: '◧', word: 'At a limit', meaning: 'The closest pose found on this branch: a joint limit keeps the workpiece from coming closer.' },
   stalled: { sign: '△', word: 'Stalled', meaning: 'The planner stopped before it could show that this is the closest pose.' },
   iterate: { sign: '◇', word: 'On the way', meaning: 'A step of the planner: loops closed, the closest pose not reached yet.' },
   driven: { sign: '◆', word: 'Driven', meaning: 'One joint is driven by hand; the others follow, and every loop stays closed.' },
-  closure_lost: { sign: '✕', word: 'Closure lost', meaning: 'The loops could not be closed here. Do not trust this frame.' },
+  closure_lost: { sign: '✕', word: 'Closure lost', meaning: 'The loops could not be closed here; the last closed position is shown instead. Do not trust this frame.' },
 };
 
 /** What the same ends mean where a hand pulls at the workpiece. @type {Record<string, string>} */
 export const PULLED = {
   reached: 'The workpiece is where the hand has it.',
-  closest: 'The hand asks for more than the linkage can reach. No pose nearby comes closer.',
+  closest: 'The closest pose found on this branch of the linkage: no pose nearby comes closer to where the hand pulls.',
+  closure_lost: 'The loops could not be closed where the hand pulls; the linkage stays at its last closed position.',
 };
 
 /** @param {Motion} motion @param {number} frame */
@@ -46,11 +47,30 @@ export function countStatuses(motion) {
 /** Of a motion that was stopped, how far it goes; else empty. @param {Motion | null} motion */
 export const partSentence = (motion) => (motion?.partial ? `Planned to frame ${motion.frames} of ${motion.goal_frames}: the rest is not planned.` : '');
 
-/** @param {ArrayLike<number>} column @returns {number} the frame of its largest value */
+/** @param {ArrayLike<number>} column @returns {number} the frame of its largest value, the first of several */
 export function worstFrame(column) {
   let worst = 0;
   for (let frame = 1; frame < column.length; frame++) if (column[frame] > column[worst]) worst = frame;
   return worst;
+}
+
+/**
+ * The two largest gaps of a motion and their frames; they need not fall in the same one.
+ * @param {Pick<Motion, 'translation_gap' | 'rotation_gap'>} motion
+ */
+export function largestGaps({ translation_gap, rotation_gap }) {
+  const [shift, turn] = [worstFrame(translation_gap), worstFrame(rotation_gap)];
+  return { shift: { frame: shift, value: translation_gap[shift] }, turn: { frame: turn, value: rotation_gap[turn] } };
+}
+
+/**
+ * Up to which size a gap is rounding, and shown as none: what a goal that counts as reached may leave, in the report's
+ * metric. Half the angle turns a quaternion, and half the shift over the length moves a dual one, so both count double.
+ * @param {Pick<Motion, 'report'>} motion
+ */
+export function roundingGaps({ report: { bounds, metric } }) {
+  const difference = Math.sqrt(2 * bounds.reached);
+  return { shift: 2 * difference * metric.length, turn: 2 * difference };
 }
 
 /** What the metrics are called. @type {Record<string, string>} */
@@ -96,15 +116,23 @@ export function frameSentence(store) {
   if (!motion) return '';
   const { frame, posture } = store.view;
   if (posture) return postureSentence(posture, doc?.length_unit);
-  const { word } = statusWords(statusName(motion, frame));
+  const name = statusName(motion, frame);
+  const { word } = statusWords(name);
+  if (name === 'closure_lost') return `Frame ${frame + 1} of ${motion.goal_frames}: closure lost; the last closed position is shown.`;
   const gap = `${length(motion.translation_gap[frame], doc?.length_unit)} and ${angle(motion.rotation_gap[frame])}`;
-  return `Frame ${frame + 1} of ${motion.frames}: ${word.toLowerCase()}, ${gap} from the goal.`;
+  return `Frame ${frame + 1} of ${motion.goal_frames}: ${word.toLowerCase()}, ${gap} from the goal.`;
 }
 
-/** Where the linkage was moved by hand, in one sentence. @param {import('./types.js').Posture} posture @param {string | undefined} unit */
-function postureSentence({ value, obstacle, status, translation_gap, rotation_gap }, unit) {
-  if (value !== undefined) return obstacle ?? 'A joint is driven by hand; the others follow.';
+/**
+ * Where the linkage stands in place of a frame, in one sentence.
+ * @param {NonNullable<import('./types.js').View['posture']>} posture @param {string | undefined} unit
+ */
+export function postureSentence(posture, unit) {
+  const { note, obstacle, status, translation_gap, rotation_gap } = posture;
+  if (isDriven(posture)) return obstacle ?? 'A joint is driven by hand; the others follow.';
   const { word } = statusWords(status);
+  if (note) return `${note} ${length(translation_gap, unit)} and ${angle(rotation_gap)} from the goal.`;
+  if (status === 'closure_lost') return 'Pulled by hand: the loops could not be closed there; the linkage stays at its last closed position.';
   return `Pulled by hand: ${word.toLowerCase()}, ${length(translation_gap, unit)} and ${angle(rotation_gap)} from the hand.`;
 }
 
@@ -116,8 +144,7 @@ export function describeScene(store) {
   const { doc } = now;
   const at = (/** @type {Float64Array} */ column) => Array.from(groupAt(column, now).subarray(0, 3), (value) => short(value, 3)).join(', ');
   const types = motion.report.chains.map((chain) => chain.type).join(', ');
-  return (
-    `${doc.name || 'A linkage'}: ${plural(motion.report.chains.length, 'chain')} (${types}) carry one workpiece. ` +
-    `${frameSentence(store)} Workpiece at ${at(now.pose)}; goal at ${at(now.goal)}.`
-  );
+  const chains = plural(motion.report.chains.length, 'chain');
+  const goal = isDriven(store.view.posture) ? '' : `; goal at ${at(now.goal)}`;
+  return `${doc.name || 'A linkage'}: ${chains} (${types}) ${motion.report.chains.length === 1 ? 'carries' : 'carry'} one workpiece. ${frameSentence(store)} Workpiece at ${at(now.pose)}${goal}.`;
 }

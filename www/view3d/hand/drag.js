@@ -292,7 +292,7 @@ function connect(app, scene) {
     tellPlace();
   });
   store.subscribe('view', sync);
-  store.subscribe('insight', () => {
+  store.subscribe('why', () => {
     if (free()) show();
   });
   store.subscribe('document', () => {

@@ -2,7 +2,7 @@
  * The bar over the canvas that says what is in hand and offers how to move it.
  *
  * @typedef {'move' | 'turn' | 'freedoms'} Mode
- * @typedef {ReturnType<typeof import('./freedom-words.js').freedomWords>} Freedom
+ * @typedef {ReturnType<typeof import('../../core/freedom-words.js').freedomInWords>} Freedom
  * @typedef {{mode: Mode, space: 'world' | 'local', snap: boolean}} How
  */
 import { element, setText } from '../../ui/dom.js';
@@ -11,7 +11,7 @@ import { element, setText } from '../../ui/dom.js';
 const MODES = [
   ['move', 'Move', 'Move along axes (G)'],
   ['turn', 'Turn', 'Turn about axes (R)'],
-  ['freedoms', 'Freedoms', 'Move along the freedoms that exist here (F)'],
+  ['freedoms', 'Freedoms', 'Move along the freedoms that exist here (D)'],
 ];
 
 /**
