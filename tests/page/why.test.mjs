@@ -1,6 +1,7 @@
 // Why not closer, and the iterations, in words.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { groups } from '../../www/panels/algorithm/matrix-picture.js';
 import { contraction, iterateInWords } from '../../www/panels/algorithm/algorithm-words.js';
 import { postureOf } from '../../www/panels/algorithm/posture-of.js';
 import { direction, freedomInWords } from '../../www/core/freedom-words.js';
@@ -58,7 +59,9 @@ test('values and bounds of the certificate stand side by side, and are Rust’s'
     bounds: { closure: 'at most 1.0e−10', misfit: 'at most 1.0e−6', gradient: 'at most 1.0e−7', curvature: 'at least −1.0e−9' },
   });
   assert.equal(of({}).bounds.gradient, 'at most 2.5e−10', 'by hand it is Newton’s method that answers');
-  assert.equal(of({ note: 'Iterate 3.' }).gradient, 3.1e-12, 'the gradient of an iterate is in the measure of its bound, not ‖a‖');
+  // An iterate of the gradient method: ‖a‖ is another measure than that of the bound.
+  end.projected_gradient = NaN;
+  assert.equal(of({ note: 'Iterate 3.' }).gradient, 3.1e-12);
   assert.equal(of({ note: 'Iterate 3.' }, null).gradient, undefined);
 });
 
@@ -68,6 +71,8 @@ test('an iterate reached the goal by the bound of its motion', () => {
   const trace = { goal: pose, newton: { ...course, pose, rows: pose, metric: Float64Array.of(1e-18) } };
   assert.equal(postureOf(trace, 'newton', 0, { reached: 1e-17 }).status, 'reached');
   assert.equal(postureOf(trace, 'newton', 0, { reached: 1e-19 }).status, 'closest');
+  assert.equal(postureOf(trace, 'newton', 0, { reached: 1e-17 }).projected_gradient, 0);
+  assert.ok(Number.isNaN(postureOf({ ...trace, gradient: trace.newton }, 'gradient', 0, { reached: 1e-17 }).projected_gradient), '‖a‖ is no posture’s projected gradient');
 });
 
 test('the chain that holds most is named with what it forbids', () => {
@@ -97,4 +102,10 @@ test('a linear course contracts by its factor; the last iterate stops', () => {
   assert.ok(Math.abs(contraction(course, 1) - 0.5) < 1e-9);
   assert.match(iterateInWords('gradient', course, count - 1, { frame: 3 }).steps.at(-1)[0], /stop/);
   assert.equal(iterateInWords('gradient', course, 0, { frame: 3 }).heading, 'The start: the answer of frame 3.');
+});
+
+test('the blocks of [A] have the chains’ names', () => {
+  const at = groups({ freedoms: [3, 2], rows: 14, columns: 13 }, ['crank', 'chain 2']);
+  assert.deepEqual(at.columns.map(({ name }) => name), ['crank', 'chain 2', 'q']);
+  assert.deepEqual(at.rows.map(({ name }) => name), ['crank', 'chain 2', '|q| = 1']);
 });

@@ -127,16 +127,15 @@ export function createStatus({ find, store, player }) {
 /**
  * The numbers of the certificate that depend on who answers, and what every number is at most or at least in an answer: all of
  * them Rust's. A planned frame is held against the bounds of its motion, whose method may have one of its own; by hand it
- * is always Newton's method that answers; an iterate is no answer, and its gradient is Newton's measure, as in a frame.
+ * is always Newton's method that answers; an iterate of the gradient method, whose ‖a‖ is another measure, has Newton's here.
  * @param {import('../../core/store.js').Store} store @param {NonNullable<ReturnType<typeof shownEnd>>} end
  */
 export function certificateNumbers({ result: { motion }, view: { posture }, why }, end) {
   const bounds = motion?.report.bounds;
   const atMost = (/** @type {number | undefined} */ bound) => (bound === undefined ? '' : `at most ${scientific(bound)}`);
-  const iterate = Boolean(posture?.note);
   const curvature = why?.least_curvature;
   return {
-    gradient: iterate ? why?.projected_gradient : end.projected_gradient,
+    gradient: Number.isFinite(end.projected_gradient) ? end.projected_gradient : why?.projected_gradient,
     curvature,
     bounds: {
       closure: atMost(bounds?.closure),
