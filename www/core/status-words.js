@@ -127,7 +127,7 @@ export function frameSentence(store) {
  * Where the linkage stands in place of a frame, in one sentence.
  * @param {NonNullable<import('./types.js').View['posture']>} posture @param {string | undefined} unit
  */
-export function postureSentence(posture, unit) {
+function postureSentence(posture, unit) {
   const { note, obstacle, status, translation_gap, rotation_gap } = posture;
   if (isDriven(posture)) return obstacle ?? 'A joint is driven by hand; the others follow.';
   const { word } = statusWords(status);

@@ -54,7 +54,7 @@ export function createCard(chart, { hidden, sync, signal, onHover, onScrub }) {
     element(
       'header',
       {},
-      element('h2', {}, chart.title, ' ', unit),
+      element('h2', {}, chart.title, ...(unit ? [' ', unit] : [])),
       element('ul', {}, ...values.map((value, i) => element('li', {}, ...(many ? [toggles[i]] : []), value))),
     ),
     host,
