@@ -24,7 +24,7 @@ use synthetica::plan::settings::{Settings, extent};
 use synthetica::solve::close_start::Start;
 use synthetica::solve::drive::{self, Driven, Obstacle};
 use synthetica::solve::objective::objective;
-use synthetica::study::why::{Insight, explain};
+use synthetica::study::why::{Held, Insight, explain};
 
 /// Every document of www/mechanisms, by name.
 fn documents() -> Vec<(String, String)> {
@@ -483,6 +483,35 @@ fn is_consistent(
         .filter(|s| **s > 1e-6)
         .count();
     assert!(variables - rank >= insight.mobility_rank, "{case}");
+}
+
+/// A slider that may not lengthen as far as the motion asks.
+#[test]
+fn joints_at_limits_are_told() {
+    let text = include_str!("../www/mechanisms/3rps.json");
+    let mut document: serde_json::Value = serde_json::from_str(text).expect("JSON");
+    document["chains"][0]["joints"][1]["limits"] = serde_json::json!([{ "max": 1.3 }]);
+    let problem = problem_of(&document.to_string());
+    let motion = problem.plan();
+    let mut seen = 0;
+    for frame in 0..motion.frames() {
+        let (joints, goal) = (motion.joints_at(frame), &motion.goals[frame]);
+        let held = problem
+            .explain(joints, &numbers(goal))
+            .expect("an insight")
+            .held;
+        let pressed = [Held {
+            variable: 1,
+            largest: true,
+        }];
+        match motion.status[frame] {
+            Status::AtLimit => assert_eq!(held, pressed, "frame {frame}"),
+            Status::Closest => assert_eq!(held, [], "frame {frame}"),
+            Status::Reached | Status::Stalled | Status::ClosureLost => {}
+        }
+        seen += usize::from(motion.status[frame] == Status::AtLimit);
+    }
+    assert!(seen > 10, "{seen} frames at the limit");
 }
 
 #[test]

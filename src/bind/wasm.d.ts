@@ -192,6 +192,9 @@ export interface Insight {
    * balances the goal's pull −∂f/∂ξ, limits included, and its share of the sum of all (0 to 1; all 0 where nothing is
    * held back). An overconstrained linkage can split the load in many ways: the one with the least sum of squares. */
   chains: { wrench: number[]; share: number }[];
+  /** The joint variables that the goal's pull presses against a limit, counted from 0 through all chains: at their
+   * largest value, or at their smallest. */
+  held: { variable: number; largest: boolean }[];
 }
 
 /** The iterates of one method at one frame: those of the first 60 iterations, later ones ever further apart, the last. */

@@ -42,6 +42,17 @@ pub struct Insight {
     pub blocked_part: [f64; 6],
     /// How each chain holds the workpiece back.
     pub chains: Vec<Hold>,
+    /// The joint variables that the goal's pull presses against a limit.
+    pub held: Vec<Held>,
+}
+
+/// A joint variable that is held at a limit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Held {
+    /// Counted through all chains, from 0.
+    pub variable: usize,
+    /// At its largest value; else at its smallest.
+    pub largest: bool,
 }
 
 /// A chain's part in holding the workpiece back from the goal.
@@ -129,7 +140,17 @@ pub fn explain(solver: &mut Solver, joints: &[f64], goal: &Pose) -> Insight {
         free_part: in_units(&free_part),
         blocked_part: in_units(&(gap - free_part)),
         chains: holds(held, scaled, metric.length, reached),
+        held: at_limits(&holding),
     }
+}
+
+fn at_limits(holding: &Holding) -> Vec<Held> {
+    let held = holding.held().into_iter();
+    held.map(|variable| Held {
+        variable,
+        largest: holding.stops()[variable] == Stop::Max,
+    })
+    .collect()
 }
 
 /// Origin's way and rotation vector from one pose to another.

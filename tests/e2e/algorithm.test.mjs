@@ -1,7 +1,7 @@
 // The planner's own iterations at one frame: steps, the matrix [A], convergence, the linkage that steps along.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { cell, number, openBrowser, scrubTo } from './browser.mjs';
+import { cell, number, openBrowser, scrubTo, text } from './browser.mjs';
 
 let browser;
 before(async () => {
@@ -38,7 +38,7 @@ test('the gradient steps from the answer before to the minimum, in words, equati
   await press(page, 'Last iterate');
   await panel(page).getByText('No direction comes nearer any more: stop.').waitFor();
   assert.ok((await value(page, 'f − f*')) < 1e-8);
-  assert.ok((await value(page, 'projected gradient')) <= 1e-7);
+  assert.ok((await value(page, '‖a‖')) <= 1e-7);
   assert.ok((await value(page, 'Closure')) < 1e-10);
   await press(page, 'Previous iterate');
   await press(page, 'First iterate');
@@ -76,16 +76,45 @@ test('the slider goes by keyboard; steps play and stop', async () => {
   await panel(page).getByRole('button', { name: 'Play steps' }).waitFor();
 });
 
-test('the linkage in the view is the iterate, and the frame comes back on leaving', async () => {
-  const { page } = await openAlgorithm(60);
-  await page.getByText('Back to the motion').waitFor();
-  await page.getByText(/Start of the iterations/).waitFor();
+test('the linkage in the view is the iterate once one is chosen, not before, and the frame comes back on leaving', async () => {
+  const { page } = await openAlgorithm(60, { viewport: { width: 1120, height: 700 } });
+  const byHand = page.locator('#by-hand-text');
+  assert.ok(await byHand.isHidden(), 'opening the panel leaves the pose as it was');
+  assert.equal(await text(page, 'frame-title'), 'This frame', 'and the certificate');
   await press(page, 'Next iterate');
-  await page.getByText(/Iterate 1 of \d+, gradient/).waitFor();
+  await byHand.filter({ hasText: /Iterate 1 of \d+, gradient/ }).waitFor();
+  assert.equal(await text(page, 'frame-title'), 'This posture');
   await page.getByRole('tab', { name: 'Charts' }).click();
-  await page.getByText('Back to the motion').waitFor({ state: 'hidden' });
+  await byHand.waitFor({ state: 'hidden' });
   await page.getByRole('tab', { name: 'Algorithm' }).click();
-  await page.getByText(/Iterate 1 of \d+, gradient/).waitFor();
+  await heading(page).filter({ hasText: 'Iterate 1 of' }).waitFor();
+  assert.ok(await byHand.isHidden(), 'nor does coming back');
+});
+
+test('one number is called projected gradient, in the panel and in the certificate', async () => {
+  const { page } = await openAlgorithm(60, { viewport: { width: 1120, height: 700 } });
+  assert.equal(await panel(page).locator('dt', { hasText: /projected gradient/i }).count(), 0, 'the gradient’s ‖a‖ is another measure');
+  await panel(page).getByRole('radio', { name: /Newton/ }).check();
+  const slider = panel(page).getByRole('slider', { name: 'Iterate' });
+  await slider.focus();
+  for (const key of ['End', 'Home']) {
+    await page.keyboard.press(key);
+    // The start is closed and not at a minimum: a number that says something.
+    await page.waitForFunction(([at]) => page$('.steps input[type=range]').value === at, [key === 'Home' ? '0' : await slider.getAttribute('max')]);
+  }
+  await page.waitForFunction(() => {
+    const own = [...page$$('.algorithm dl div')].find((row) => row.querySelector('dt').textContent === 'Projected gradient');
+    return Number(own.querySelector('output').textContent.replaceAll('−', '-')) > 1e-3 && own.querySelector('output').textContent === page$('#gradient').textContent;
+  });
+});
+
+test('the keyboard keeps its place when the iterates end', async () => {
+  const { page } = await openAlgorithm(60);
+  const last = panel(page).getByRole('button', { name: 'Last iterate' });
+  await last.focus();
+  await page.keyboard.press('Enter');
+  await panel(page).getByText('No direction comes nearer any more: stop.').waitFor();
+  assert.equal(await page.evaluate(() => pageFocus().getAttribute('aria-label')), 'Last iterate');
 });
 
 test('[A] has its blocks, its singular values and its rank in words and as a table', async () => {
@@ -124,9 +153,11 @@ test('another frame or document has its own iterations; while the motion plays t
   await scrubTo(page, 90);
   await panel(page).getByText('Frame 91 of').waitFor();
   await page.locator('#play').click();
-  await panel(page).getByText('Pause it to look into').waitFor();
-  await page.locator('#play').click();
+  await panel(page).getByText('to look into the iterations of one frame').waitFor();
+  await panel(page).getByRole('button', { name: 'Pause' }).click();
   await heading(page).waitFor();
+  assert.equal(await page.locator('#play').getAttribute('aria-label'), 'Play');
+  await page.waitForFunction(() => pageFocus().getAttribute('aria-label') === 'Iterate', undefined, { timeout: 5000 });
   await cell(page, 'chains[0].joints[1].rows[0].alpha').fill('80');
   await panel(page).locator('.matrix rect').first().waitFor();
   assert.deepEqual(problems, []);

@@ -207,3 +207,37 @@ test('on a phone the charts are a tab among the others', async () => {
   assert.ok(await page.locator('#mechanism').isVisible(), 'the tables are back');
   assert.deepEqual(problems, []);
 });
+
+test('with forced colours the curves of a chart are still told apart, and the bands of the strip', async () => {
+  const { page } = await openCharts({ viewport: { width: 1000, height: 690 } });
+  const joints = chart(page, 'chain 1, angles');
+  await joints.scrollIntoViewIfNeeded();
+  await page.waitForFunction(() => page$('[aria-label="chain 1, angles"] .value').textContent !== '');
+  await page.emulateMedia({ forcedColors: 'active' });
+  // As a canvas writes them.
+  const inks = () =>
+    joints.evaluate((section) => {
+      const canvas = section.querySelector('canvas');
+      const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+      const seen = new Map();
+      for (let i = 0; i < data.length; i += 4) {
+        if (data[i + 3] < 250) continue;
+        const colour = `rgb(${data[i]}, ${data[i + 1]}, ${data[i + 2]})`;
+        seen.set(colour, (seen.get(colour) ?? 0) + 1);
+      }
+      const probe = section.appendChild(document.createElement('i'));
+      const system = ['CanvasText', 'LinkText', 'VisitedText'].map((name) => {
+        probe.style.color = name;
+        return getComputedStyle(probe).color;
+      });
+      probe.remove();
+      return system.map((colour) => seen.get(colour) ?? 0);
+    });
+  const series = await joints.locator('li').count();
+  assert.ok(series >= 3, `${series} curves`);
+  for (let tries = 0; tries < 50 && (await inks()).some((count) => count < 20); tries++) await page.evaluate(() => new Promise(requestAnimationFrame));
+  assert.ok((await inks()).every((count) => count >= 20), `each curve in a colour of the system: ${await inks()}`);
+  const fills = await page.evaluate(() => ['reached', 'closest'].map((name) => getComputedStyle(page$(`#strip .band.${name}`)).fill));
+  assert.notEqual(fills[0], fills[1]);
+  assert.ok(!fills.includes(await page.evaluate(() => getComputedStyle(document.documentElement).backgroundColor)), 'nor is a band lost in the ground');
+});

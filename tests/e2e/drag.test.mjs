@@ -243,9 +243,20 @@ test('a posture becomes a key frame or the start', async () => {
 for (const [sample, count] of [['', 3], ['four-bar.json', 1]]) {
   test(`${sample || '3rps.json'}: as many freedoms are offered as there are, and each moves the workpiece`, async () => {
     await pieceInHand({ viewport: { width: 1280, height: 800 } }, sample);
-    await page.keyboard.press('d');
+    // Every way to move is chosen by the key that its tooltip names.
+    for (const mode of ['Turn', 'Move', 'Freedoms']) {
+      const button = page.getByRole('toolbar', { name: 'Drag' }).getByRole('button', { name: mode, exact: true });
+      await page.keyboard.press(/\((\w)\)$/.exec(await button.getAttribute('title'))[1].toLowerCase());
+      assert.equal(await button.getAttribute('aria-pressed'), 'true', mode);
+    }
     const freedoms = page.locator('.freedoms [data-freedom]');
     await freedoms.first().waitFor();
+    // The same words on the handles' buttons and in the info panel.
+    const words = await freedoms.evaluateAll((all) => all.map(({ title }) => title));
+    assert.deepEqual(
+      await page.locator('.why-freedoms li').evaluateAll((all) => all.map(({ textContent }) => textContent.charAt(0).toLowerCase() + textContent.slice(1))),
+      words,
+    );
     assert.equal(await freedoms.count(), count);
     for (let i = 0; i < count; i++) {
       await freedoms.nth(i).getByRole('button', { name: /^Forwards/ }).focus();

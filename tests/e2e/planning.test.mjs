@@ -19,6 +19,12 @@ const long = JSON.stringify({ ...sample, motion: { ...sample.motion, frames: FRA
 const openLong = (page) => page.locator('#file').setInputFiles({ name: 'long.json', mimeType: 'application/json', buffer: Buffer.from(long) });
 const says = (page, pattern) => page.locator('#planning-text').filter({ hasText: pattern }).waitFor();
 const frames = (page) => page.evaluate(() => window.document.querySelector('synthetica-linkage').trajectory.frames);
+/** Where a line stands in what holds it, from 0 to 1. */
+const share = (line) =>
+  line.evaluate((node) => {
+    const [at, within] = [node.getBoundingClientRect(), node.parentElement.getBoundingClientRect()];
+    return (at.left + at.width / 2 - within.left) / within.width;
+  });
 const frameOf = (sentence) => Number(sentence.match(/frame (\d+) of 10000/)[1]);
 
 test('a long plan says how far it is; Stop, by the keyboard, shows what there is so far, and it goes on from there', async () => {
@@ -47,6 +53,17 @@ test('a long plan says how far it is; Stop, by the keyboard, shows what there is
   assert.equal(await page.evaluate(() => pageFocus().id), 'planning-on', 'the focus stays');
   assert.deepEqual(await violations(page), []);
 
+  // Clock, strip and charts go over the same frames: all of the goal motion.
+  await scrubTo(page, planned - 1);
+  assert.equal(await text(page, 'frame-number'), `${planned} / ${FRAMES}`);
+  await page.getByRole('tab', { name: 'Charts' }).click();
+  const chart = page.getByRole('region', { name: 'Translation gap', exact: true });
+  await chart.locator('.playhead').waitFor();
+  const wanted = (planned - 1) / (FRAMES - 1);
+  assert.ok(Math.abs((await share(chart.locator('.playhead'))) - wanted) < 0.02, 'in the chart');
+  assert.ok(Math.abs((await share(page.locator('#strip-playhead'))) - wanted) < 0.02, 'on the strip');
+
+  await page.locator('#planning-on').focus();
   await page.keyboard.press('Enter');
   await says(page, /^Planning frame/);
   assert.ok(frameOf(await text(page, 'planning-text')) > planned);

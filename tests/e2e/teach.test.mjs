@@ -46,6 +46,19 @@ test('a slider drives its joint; the others follow, every loop stays closed', as
   assert.ok(after.filter((value, i) => value !== before[i]).length > 5, 'the others follow');
   assert.equal(await text(page, 'frame-word'), 'Driven');
   assert.ok(number(await text(page, 'closure')) <= 1e-10);
+  // A joint that is driven has no goal: nothing is said of one, of a gap, or of what holds the workpiece back.
+  await page.waitForFunction(() => /driven/.test(page$('#live').textContent) && page$('#why-title')?.textContent === 'What is free here' && !page$('#why').matches('.waiting, .unsaid, [hidden]'));
+  const said = await page.evaluate(() => {
+    const parts = ['#info > section:first-child', '#why', '#live', '#canvas-text', '#by-hand'].map((id) => page$(id).cloneNode(true));
+    for (const part of parts) for (const gone of part.querySelectorAll('[hidden]')) gone.remove();
+    return [...parts.map((part) => part.textContent), page$('#scrub').getAttribute('aria-valuetext')].join(' ');
+  });
+  assert.match(said, /Driven/);
+  assert.doesNotMatch(said, /goal|gap|metric|gradient|holds|closer|certified/i);
+  await page.getByRole('tab', { name: 'Algorithm' }).click();
+  const note = page.getByRole('tabpanel', { name: 'Algorithm' });
+  await note.getByRole('button', { name: 'Go back to the motion' }).waitFor();
+  assert.doesNotMatch(await note.locator('p').first().textContent(), /goal|gap/i);
   await page.getByRole('tabpanel', { name: 'Teach' }).getByRole('button', { name: 'Back to the motion' }).click();
   await page.waitForFunction((d) => Number(page$('.teach-row[data-variable="1"] input[type=text]').value) === d, before[1]);
   assert.notEqual(await text(page, 'frame-word'), 'Driven');

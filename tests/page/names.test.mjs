@@ -25,6 +25,8 @@ test('names say what and where', () => {
     'gap[1]': 'gap at frame 2: 0.12 m, 45°',
   };
   for (const [place, name] of Object.entries(expected)) assert.equal(nameOf(place, shown), name);
+  const named = { ...shown, result: { motion, doc: { ...doc, chains: [{ ...doc.chains[0], name: 'crank' }, { ...doc.chains[1], name: '' }] } } };
+  assert.deepEqual(['chains[0]', 'chains[0].base', 'chains[1]'].map((place) => nameOf(place, named)), ['crank: RPS', 'base of crank', 'chain 2: RPS'], 'a chain by its own name, where it has one');
   for (const gone of ['', 'chains[7]', 'chains[0].joints[9]', 'motion.key_frames[5]']) assert.equal(nameOf(gone, shown), '');
 });
 

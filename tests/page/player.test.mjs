@@ -131,4 +131,5 @@ test('a typed frame is taken, or refused in words', () => {
   assert.equal(readFrame('200', 129), 'There is no frame 200: type a whole number from 1 to 129.');
   for (const text of ['0', '-1', '1.5', 'x', '1e2']) assert.match(String(readFrame(text, 129)), /There is no frame .* from 1 to 129/);
   assert.match(String(readFrame('', 129)), /^Type a whole number/);
+  assert.equal(readFrame('200', 129, 1000), 'Frame 200 is not planned: type a whole number from 1 to 129.');
 });

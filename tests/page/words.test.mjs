@@ -3,7 +3,9 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { degrees, length, scientific, short } from '../../www/core/format.js';
 import { faultParts, faultText } from '../../www/core/fault-text.js';
-import { describeScene, endWords, mobilitySentence, partSentence, singularSentence, worstFrame } from '../../www/core/status-words.js';
+import {
+  describeScene, endWords, frameSentence, largestGaps, mobilitySentence, partSentence, singularSentence, statusWords, worstFrame,
+} from '../../www/core/status-words.js';
 
 test('numbers are short, with a true minus, and never say −0', () => {
   assert.deepEqual([short(1.5), short(-2), short(-0.00001), short(1 / 3), short(NaN)], ['1.5', '−2', '0', '0.3333', '–']);
@@ -43,27 +45,42 @@ test('the worst frame is the one with the largest value', () => {
   assert.equal(worstFrame([0, 3, 1, 3]), 1);
 });
 
-/** A store that shows one frame of a motion, or a posture. */
-function storeOf(status, posture = null) {
-  const pose = Float64Array.of(1, 2, 3, 0, 0, 0, 1);
-  const goal = Float64Array.of(4, 5, 6, 0, 0, 0, 1);
-  const report = { statuses: ['reached', 'closest', 'closure_lost'], chains: [{ type: 'RPS' }] };
-  const column = Float64Array.of(0);
-  const motion = { frames: 1, report, status: Uint8Array.of(report.statuses.indexOf(status)), pose, goal, rows: pose, joints: column, translation_gap: column, rotation_gap: column };
-  return { result: { motion, doc: { name: 'Leg', length_unit: 'mm' } }, view: { frame: 0, posture: posture && { pose, goal, rows: pose, joints: column, translation_gap: 0, rotation_gap: 0, ...posture } } };
-}
-
-test('the view is described with units; a joint that is driven has no goal', () => {
-  assert.match(describeScene(storeOf('closest')), /Workpiece at \(1, 2, 3\) mm; goal at \(4, 5, 6\) mm\./);
-  const driven = describeScene(storeOf('closest', { status: 'closest', value: 0.5 }));
-  assert.match(driven, /Workpiece at \(1, 2, 3\) mm\./);
-  assert.doesNotMatch(driven, /goal/i);
+test('the largest gaps are the true ones, each with its own frame', () => {
+  const motion = { metric: [0, 3, 1], translation_gap: [0, 0.1, 0.2], rotation_gap: [0.3, 2, 1] };
+  assert.deepEqual(largestGaps(motion), { shift: { frame: 2, value: 0.2 }, turn: { frame: 1, value: 2 } });
 });
 
-test('where the loops are open, no distance makes it a success', () => {
-  assert.equal(endWords('closest', 0.25, 0, 'the hand', 'm'), 'closest, 0.25 m and 0° from the hand');
-  for (const text of [describeScene(storeOf('closure_lost')), describeScene(storeOf('reached', { status: 'closure_lost' }))]) {
-    assert.match(text, /closure lost: the loops could not be closed here/);
-    assert.doesNotMatch(text, /0 mm and 0°/);
+/** A store with one frame, or a posture in its place. */
+function storeOf(status, posture = null) {
+  const column = Float64Array.of(0);
+  const pose = Float64Array.of(1, 2, 3, 0, 0, 0, 1);
+  const report = { statuses: ['reached', 'closest', 'at_limit', 'stalled', 'closure_lost'], chains: [{ type: 'RPS' }] };
+  const motion = {
+    frames: 1, goal_frames: 10000, report, status: [report.statuses.indexOf(status)], translation_gap: column, rotation_gap: column, pose, goal: pose,
+    joints: column, rows: pose,
+  };
+  return { result: { motion, doc: { length_unit: 'm' } }, view: { frame: 0, posture: posture && { pose, goal: pose, joints: column, rows: pose, translation_gap: 0, rotation_gap: 0, ...posture } } };
+}
+
+test('closure lost is not told as a success, and out of reach is not said of what was only not found', () => {
+  for (const sentence of [frameSentence(storeOf('closure_lost')), frameSentence(storeOf('closest', { status: 'closure_lost' }))]) {
+    assert.match(sentence, /closure lost: .*last closed position/);
+    assert.doesNotMatch(sentence, /0 m|0°/);
   }
+  assert.match(statusWords('closest').meaning, /closest pose found on this branch/);
+  assert.doesNotMatch(statusWords('closest').meaning, /out of reach/);
+});
+
+test('a frame counts among all frames of the goal motion, also where only a part is planned', () => {
+  assert.equal(frameSentence(storeOf('reached')), 'Frame 1 of 10000: reached, 0 m and 0° from the goal.');
+});
+
+test('where a joint is driven nothing is said of a goal', () => {
+  const driven = storeOf('reached', { status: 'reached', value: 1 });
+  assert.doesNotMatch(`${frameSentence(driven)} ${describeScene(driven)} ${statusWords('driven').meaning}`, /goal/i);
+  assert.match(describeScene(storeOf('reached')), /Workpiece at \(1, 2, 3\) m; goal at \(1, 2, 3\) m\./);
+});
+
+test('how a pose ended, and how far it is from what was asked for', () => {
+  assert.equal(endWords('closest', 0.25, 0, 'the hand', 'm'), 'closest, 0.25 m and 0° from the hand');
 });

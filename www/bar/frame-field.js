@@ -3,12 +3,17 @@
  */
 import { focusBeside, setText } from '../ui/dom.js';
 
-/** The index of a typed frame, or why it is none. @param {string} text @param {number} frames @returns {number | string} */
-export function readFrame(text, frames) {
+/**
+ * The index of a typed frame, or why it is none.
+ * @param {string} text @param {number} frames that are planned @param {number} [all] frames of the goal motion
+ * @returns {number | string}
+ */
+export function readFrame(text, frames, all = frames) {
   const typed = text.trim().replace(/\s*\/.*$/, '');
   const frame = Number(typed);
   if (/^\d+$/.test(typed) && frame >= 1 && frame <= frames) return frame - 1;
   const accepted = `a whole number from 1 to ${frames}`;
+  if (/^\d+$/.test(typed) && frame > frames && frame <= all) return `Frame ${typed} is not planned: type ${accepted}.`;
   return typed === '' ? `Type ${accepted}.` : `There is no frame ${typed}: type ${accepted}.`;
 }
 
@@ -19,6 +24,7 @@ export function createFrameField({ find, store }, goTo) {
   const field = find('frame-field');
   const refusal = find('frame-refusal');
   const frames = () => store.result.motion?.frames ?? 1;
+  const read = () => readFrame(field.value, frames(), store.result.motion?.goal_frames);
 
   /** @param {string} text */
   function refuse(text) {
@@ -51,14 +57,14 @@ export function createFrameField({ find, store }, goTo) {
     if (event.key !== 'Enter') return;
     // Or the button, which gets the focus, would take the key as a click.
     event.preventDefault();
-    const read = readFrame(field.value, frames());
-    if (typeof read === 'string') return refuse(read);
-    goTo(read);
+    const typed = read();
+    if (typeof typed === 'string') return refuse(typed);
+    goTo(typed);
     close();
   });
   field.addEventListener('blur', () => {
-    const read = readFrame(field.value, frames());
-    if (typeof read === 'number' && read !== store.view.frame && !field.hidden) goTo(read);
+    const typed = read();
+    if (typeof typed === 'number' && typed !== store.view.frame && !field.hidden) goTo(typed);
     close();
   });
 }

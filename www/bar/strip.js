@@ -20,13 +20,12 @@ export function drawStrip(svg, motion) {
   svg.setAttribute('viewBox', `0 0 ${last} ${HEIGHT}`);
   svg.replaceChildren();
 
-  // Square root: ½|q − g|² is quadratic in the gap, and a small gap should still be seen.
-  let highest = 0;
-  for (const value of motion.metric) highest = Math.max(highest, Math.sqrt(value));
+  const gaps = stripGaps(motion);
+  const highest = gaps.reduce((most, gap) => Math.max(most, gap), 0);
   const top = HEIGHT - BAND - 2;
   let path = `M0 ${top}`;
   for (let frame = 0; frame < motion.frames; frame++) {
-    const share = highest > 1e-6 ? Math.sqrt(motion.metric[frame]) / highest : 0;
+    const share = highest > 0 ? gaps[frame] / highest : 0;
     path += `L${frame} ${(top - share * (top - 1)).toFixed(2)}`;
   }
   add(svg, 'path', { d: `${path}L${motion.frames - 1} ${top}Z`, class: 'gap' });
@@ -49,6 +48,14 @@ export function drawStrip(svg, motion) {
     first = end + 1;
   }
 }
+
+/**
+ * The gap of every frame: the square root of ½|q − g|², which is quadratic in the gap, so that a small one is still seen; none
+ * where the goal counts as reached, since what is left there is rounding.
+ * @param {Pick<Motion, 'metric' | 'status' | 'report'>} motion
+ */
+export const stripGaps = (motion) =>
+  motion.metric.map((value, frame) => (motion.report.statuses[motion.status[frame]] === 'reached' ? 0 : Math.sqrt(value)));
 
 /** @param {SVGSVGElement} svg @param {string} tag @param {Record<string, string | number>} attributes */
 function add(svg, tag, attributes) {

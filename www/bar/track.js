@@ -2,11 +2,12 @@
  * The track of the animation bar: strip, key frames, playhead and slider as one control, by pointer, touch and keyboard.
  * The slider itself is not drawn; it has the focus, the keys and the words.
  */
-import { angle, length, short } from '../core/format.js';
-import { element, setText } from '../ui/dom.js';
+import { angle, length } from '../core/format.js';
+import { setText } from '../ui/dom.js';
+import { html, nothing, render } from '../ui/render.js';
 import { allTimes, keyFrameFrames } from '../core/playhead.js';
 import { drawStrip } from './strip.js';
-import { countStatuses, frameSentence, partSentence, statusName, statusWords } from '../core/status-words.js';
+import { countStatuses, frameSentence, partSentence, largestGaps, statusName, statusWords } from '../core/status-words.js';
 
 const PAGE = 10;
 /** Least share of the track beside a key frame in which its name is written. */
@@ -29,6 +30,12 @@ export function createTrack({ find, store }, goTo) {
   /** The last frame of the goal motion: so far goes the track. */
   const last = () => Math.max(1, (store.result.motion?.goal_frames ?? 1) - 1);
   const share = (/** @type {number} */ frame) => `${(100 * frame) / last()}%`;
+
+  /** @param {import('../core/types.js').Motion} motion */
+  function most(motion) {
+    const { shift, turn } = largestGaps(motion);
+    return `at most ${length(shift.value, store.result.doc?.length_unit)} and ${angle(turn.value)}`;
+  }
 
   /** @param {PointerEvent} event */
   function frameUnder(event) {
@@ -87,61 +94,47 @@ export function createTrack({ find, store }, goTo) {
   }
 
   function showTicks() {
-    const { motion, doc } = store.result;
-    if (!motion || !doc) return;
-    keys = keyFrameFrames(doc, allTimes(motion));
+    const { doc } = store.result;
+    const { selected, hovered } = store.view;
+    if (!doc) return;
     const names = doc.motion.key_frames.map(({ name }, i) => name || `key frame ${i + 1}`);
-    const signature = JSON.stringify([names, keys, motion.goal_frames]);
-    if (ticks.dataset.signature === signature) return;
-    ticks.dataset.signature = signature;
-    ticks.replaceChildren(
-      ...keys.map((frame, i) => {
+    render(
+      keys.map((frame, i) => {
         const place = `motion.key_frames[${i}]`;
         const room = Math.min(...[keys[i - 1], keys[i + 1]].filter((other) => other !== undefined).map((other) => Math.abs(other - frame))) / last();
-        const tick = element(
-          'button',
-          {
-            class: 'tick',
-            tabindex: -1,
-            title: `${names[i]}, frame ${frame + 1}`,
-            'aria-label': `To key frame ${names[i]}, frame ${frame + 1}`,
-            'data-frame': frame,
-            'data-place': place,
-            // By a screen reader; a pointer has gone there when it went down.
-            click: (/** @type {MouseEvent} */ event) => event.detail === 0 && goTo(frame),
-            pointerenter: () => store.setView({ hovered: place }),
-            pointerleave: () => store.view.hovered === place && store.setView({ hovered: '' }),
-          },
-          ...(room >= ROOM ? [element('span', {}, names[i])] : []),
-        );
-        tick.style.left = share(frame);
-        tick.style.setProperty('--room', String(room));
-        return tick;
+        // By a screen reader; a pointer has gone there when it went down.
+        const click = (/** @type {MouseEvent} */ event) => event.detail === 0 && goTo(frame);
+        const leave = () => store.view.hovered === place && store.setView({ hovered: '' });
+        return html`<button
+          class=${place === selected || place === hovered ? 'tick marked' : 'tick'}
+          tabindex="-1" title=${`${names[i]}, frame ${frame + 1}`} aria-label=${`To key frame ${names[i]}, frame ${frame + 1}`}
+          data-frame=${frame} data-place=${place} .style=${`left: ${share(frame)}; --room: ${room}`}
+          @click=${click} @pointerenter=${() => store.setView({ hovered: place })} @pointerleave=${leave}
+        >${room >= ROOM ? html`<span>${names[i]}</span>` : nothing}</button>`;
       }),
+      ticks,
     );
   }
 
   function show() {
     const { motion } = store.result;
     if (!motion) return;
-    const { frame, selected, hovered, posture } = store.view;
+    const { frame, posture } = store.view;
     scrub.value = String(frame);
     scrub.setAttribute('aria-valuetext', frameSentence(store));
     playhead.style.left = share(frame);
     track.classList.toggle('away', posture !== null);
-    for (const tick of /** @type {NodeListOf<HTMLElement>} */ (ticks.querySelectorAll('.tick'))) {
-      tick.classList.toggle('marked', tick.dataset.place === selected || tick.dataset.place === hovered);
-    }
+    showTicks();
   }
 
   store.subscribe('view', show);
   function take() {
-    const { motion } = store.result;
-    if (!motion) return;
+    const { motion, doc } = store.result;
+    if (!motion || !doc) return;
+    keys = keyFrameFrames(doc, allTimes(motion));
     if (scrub.max !== String(motion.frames - 1)) scrub.max = String(motion.frames - 1);
     drawStrip(strip, motion);
-    strip.setAttribute('aria-label', `Gap at every frame, at most ${short(Math.sqrt(2 * Math.max(...motion.metric)))}: ${countStatuses(motion)}. ${partSentence(motion)}`.trim());
-    showTicks();
+    strip.setAttribute('aria-label', `Gap at every frame, ${most(motion)}: ${countStatuses(motion)}. ${partSentence(motion)}`.trim());
     show();
   }
   store.subscribe('result', take);

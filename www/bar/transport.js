@@ -69,8 +69,8 @@ export function createTransport(app) {
     find('by-hand').hidden = posture === null;
     setText(find('by-hand-text'), posture?.note ?? 'Moved by hand.');
     const timed = isTimed(doc);
-    setText(find('frame-number'), `${frame + 1} / ${motion.frames}`);
-    setText(find('frame-time'), `t = ${motion.time[frame].toFixed(timed ? 2 : 3)}${timed ? ' s' : ''}`);
+    setText(find('frame-number'), `${frame + 1} / ${motion.goal_frames}`);
+    setText(find('frame-time'), `t = ${motion.time[frame].toFixed(timed ? 2 : 3).replace('-', '−')}${timed ? ' s' : ''}`);
     find('frame-time').title = timed ? 'Time' : 'From 0 to 1: the key frames name no times';
   }
   /** A speed that is none of those offered is offered too. */

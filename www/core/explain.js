@@ -1,5 +1,5 @@
 /**
- * Keeps the store's insight in step with what is shown: asks the planner why the workpiece rests there, at once when
+ * Keeps the store's `why` in step with what is shown: asks the planner why the workpiece rests there, at once when
  * the view rests, a few times a second while it moves.
  */
 import { textOf } from './document-text.js';
@@ -10,7 +10,7 @@ import { groupAt, shown } from './shown.js';
 const PAUSE = 120;
 
 /** @param {Pick<import('./linkage.js').Parts, 'store' | 'planner'>} app */
-export function createInsight({ store, planner }) {
+export function createExplainer({ store, planner }) {
   /** The columns and the index of the last question, to tell whether anything else is shown now. @type {unknown[]} */
   let asked = [];
   /** @type {ReturnType<typeof setTimeout> | undefined} */
@@ -27,12 +27,13 @@ export function createInsight({ store, planner }) {
     last = performance.now();
     try {
       const insight = await planner.explain(textOf(what.doc), groupAt(what.joints, what).slice(), groupAt(what.goal, what).slice());
-      if (asked === question) store.setInsight(insight);
+      const { doc, joints, goal, index } = what;
+      if (asked === question) store.setWhy({ ...insight, of: { doc, joints, goal, index } });
     } catch (error) {
       if (error instanceof Superseded) return;
       // Open loops hold nothing, and a planner that failed says so where the motion is planned.
       if (!(error instanceof DocumentFault || error instanceof PlannerFailure)) throw error;
-      if (asked === question) store.setInsight(null);
+      if (asked === question) store.setWhy(null);
     }
   }
 

@@ -17,8 +17,11 @@ export function shown({ result: { motion, doc }, view: { frame, posture } }) {
   return { doc, index: Math.min(frame, frames - 1), frames, joints, pose, rows, goal };
 }
 
-/** Whether a joint is driven by hand: the linkage then goes to no goal. @param {Pick<import('./types.js').View, 'posture'>} view */
-export const isDriven = ({ posture }) => posture?.value !== undefined;
+/**
+ * Whether the posture is one of a joint driven by hand: it has no goal.
+ * @param {import('./types.js').View['posture']} posture
+ */
+export const isDriven = (posture) => posture?.value !== undefined;
 
 /** One frame's group of a column. @param {Float64Array} column @param {{index: number, frames: number}} at */
 export function groupAt(column, { index, frames }) {

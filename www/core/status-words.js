@@ -12,18 +12,19 @@ import { groupAt, isDriven, shown } from './shown.js';
  */
 const STATUS = {
   reached: { sign: '●', word: 'Reached', meaning: 'The workpiece is at the goal.' },
-  closest: { sign: '◐', word: 'Closest', meaning: 'The goal is out of reach. No pose nearby comes closer.' },
-  at_limit: { sign: '◧', word: 'At a limit', meaning: 'A joint limit keeps the workpiece from coming closer.' },
+  closest: { sign: '◐', word: 'Closest', meaning: 'The closest pose found on this branch of the linkage: no pose nearby comes closer to the goal.' },
+  at_limit: { sign: '◧', word: 'At a limit', meaning: 'The closest pose found on this branch: a joint limit keeps the workpiece from coming closer.' },
   stalled: { sign: '△', word: 'Stalled', meaning: 'The planner stopped before it could show that this is the closest pose.' },
   iterate: { sign: '◇', word: 'On the way', meaning: 'A step of the planner: loops closed, the closest pose not reached yet.' },
   driven: { sign: '◆', word: 'Driven', meaning: 'One joint is driven by hand; the others follow, and every loop stays closed.' },
-  closure_lost: { sign: '✕', word: 'Closure lost', meaning: 'The loops could not be closed here. Do not trust this frame.' },
+  closure_lost: { sign: '✕', word: 'Closure lost', meaning: 'The loops could not be closed here; the last closed position is shown instead. Do not trust this frame.' },
 };
 
 /** What the same ends mean where a hand pulls at the workpiece. @type {Record<string, string>} */
 export const PULLED = {
   reached: 'The workpiece is where the hand has it.',
-  closest: 'The hand asks for more than the linkage can reach. No pose nearby comes closer.',
+  closest: 'The closest pose found on this branch of the linkage: no pose nearby comes closer to where the hand pulls.',
+  closure_lost: 'The loops could not be closed where the hand pulls; the linkage stays at its last closed position.',
 };
 
 /** @param {Motion} motion @param {number} frame */
@@ -46,11 +47,30 @@ export function countStatuses(motion) {
 /** Of a motion that was stopped, how far it goes; else empty. @param {Motion | null} motion */
 export const partSentence = (motion) => (motion?.partial ? `Planned to frame ${motion.frames} of ${motion.goal_frames}: the rest is not planned.` : '');
 
-/** @param {ArrayLike<number>} column @returns {number} the frame of its largest value */
+/** @param {ArrayLike<number>} column @returns {number} the frame of its largest value, the first of several */
 export function worstFrame(column) {
   let worst = 0;
   for (let frame = 1; frame < column.length; frame++) if (column[frame] > column[worst]) worst = frame;
   return worst;
+}
+
+/**
+ * The two largest gaps of a motion and their frames; they need not fall in the same one.
+ * @param {Pick<Motion, 'translation_gap' | 'rotation_gap'>} motion
+ */
+export function largestGaps({ translation_gap, rotation_gap }) {
+  const [shift, turn] = [worstFrame(translation_gap), worstFrame(rotation_gap)];
+  return { shift: { frame: shift, value: translation_gap[shift] }, turn: { frame: turn, value: rotation_gap[turn] } };
+}
+
+/**
+ * Up to which size a gap is rounding, and shown as none: what a goal that counts as reached may leave, in the report's
+ * metric. Half the angle turns a quaternion, and half the shift over the length moves a dual one, so both count double.
+ * @param {Pick<Motion, 'report'>} motion
+ */
+export function roundingGaps({ report: { bounds, metric } }) {
+  const difference = Math.sqrt(2 * bounds.reached);
+  return { shift: 2 * difference * metric.length, turn: 2 * difference };
 }
 
 /** What the metrics are called. @type {Record<string, string>} */
@@ -97,7 +117,7 @@ export function frameSentence(store) {
   const { frame, posture } = store.view;
   if (posture) return postureSentence(posture, doc?.length_unit);
   const name = statusName(motion, frame);
-  return `Frame ${frame + 1} of ${motion.frames}: ${endWords(name, motion.translation_gap[frame], motion.rotation_gap[frame], 'the goal', doc?.length_unit)}.`;
+  return `Frame ${frame + 1} of ${motion.goal_frames}: ${endWords(name, motion.translation_gap[frame], motion.rotation_gap[frame], 'the goal', doc?.length_unit)}.`;
 }
 
 /**
@@ -106,14 +126,18 @@ export function frameSentence(store) {
  * @param {'the goal' | 'the hand'} from @param {string | undefined} unit
  */
 export function endWords(name, shift, turn, from, unit) {
-  const { word, meaning } = statusWords(name);
-  if (name === 'closure_lost') return `${word.toLowerCase()}: ${meaning[0].toLowerCase()}${meaning.slice(1).replace(/\.$/, '')}`;
-  return `${word.toLowerCase()}, ${length(shift, unit)} and ${angle(turn)} from ${from}`;
+  if (name === 'closure_lost') return 'closure lost: the loops could not be closed here, and the last closed position is shown';
+  return `${statusWords(name).word.toLowerCase()}, ${length(shift, unit)} and ${angle(turn)} from ${from}`;
 }
 
-/** Where the linkage was moved by hand, in one sentence. @param {import('./types.js').Posture} posture @param {string | undefined} unit */
-function postureSentence({ value, obstacle, status, translation_gap, rotation_gap }, unit) {
-  if (value !== undefined) return obstacle ?? 'A joint is driven by hand; the others follow.';
+/**
+ * Where the linkage stands in place of a frame, in one sentence.
+ * @param {NonNullable<import('./types.js').View['posture']>} posture @param {string | undefined} unit
+ */
+function postureSentence(posture, unit) {
+  const { note, obstacle, status, translation_gap, rotation_gap } = posture;
+  if (isDriven(posture)) return obstacle ?? 'A joint is driven by hand; the others follow.';
+  if (note) return `${note} ${length(translation_gap, unit)} and ${angle(rotation_gap)} from the goal.`;
   return `Pulled by hand: ${endWords(status, translation_gap, rotation_gap, 'the hand', unit)}.`;
 }
 
@@ -127,7 +151,7 @@ export function describeScene(store) {
   const at = (/** @type {Float64Array} */ column) => `(${Array.from(groupAt(column, now).subarray(0, 3), (value) => short(value, 3)).join(', ')})${unit}`;
   const types = motion.report.chains.map((chain) => chain.type).join(', ');
   return (
-    `${doc.name || 'A linkage'}: ${plural(motion.report.chains.length, 'chain')} (${types}) carry one workpiece. ` +
-    `${frameSentence(store)} Workpiece at ${at(now.pose)}${isDriven(store.view) ? '' : `; goal at ${at(now.goal)}`}.`
+    `${doc.name || 'A linkage'}: ${plural(motion.report.chains.length, 'chain')} (${types}) ${motion.report.chains.length === 1 ? 'carries' : 'carry'} one workpiece. ` +
+    `${frameSentence(store)} Workpiece at ${at(now.pose)}${isDriven(store.view.posture) ? '' : `; goal at ${at(now.goal)}`}.`
   );
 }

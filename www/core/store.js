@@ -1,15 +1,15 @@
 /**
  * A linkage's kinds of state: the document (saved, undoable), the result (a function of the document), the view
- * (neither), the insight (a function of what the view shows), and the progress of a plan that takes long. Knows no DOM
+ * (neither), the why (a function of what the view shows), and the progress of a plan that takes long. Knows no DOM
  * and no planner.
  *
  * @typedef {import('./types.js').MechanismDocument} MechanismDocument
  * @typedef {import('./types.js').Result} Result
  * @typedef {import('./types.js').View} View
- * @typedef {import('./types.js').Insight} Insight
+ * @typedef {import('./types.js').Why} Why
  * @typedef {import('./types.js').Origin} Origin
  * @typedef {import('./types.js').Planning} Planning
- * @typedef {'document' | 'origin' | 'result' | 'view' | 'insight' | 'planning'} Part
+ * @typedef {'document' | 'origin' | 'result' | 'view' | 'why' | 'planning'} Part
  * @typedef {{doc: MechanismDocument, past: MechanismDocument[], future: MechanismDocument[]}} History
  * @typedef {ReturnType<typeof createStore>} Store
  */
@@ -38,12 +38,12 @@ export function createStore(first) {
     projection: 'perspective', show: { goal: true, closest: true, gaps: true, names: true, axes: true, ground: true }, ghosts: 'none',
   };
   let readonly = false;
-  /** @type {Insight | null} */
-  let insight = null;
+  /** @type {Why | null} */
+  let why = null;
   /** @type {Planning | null} */
   let planning = null;
   /** @type {Record<Part, Set<() => void>>} */
-  const listeners = { document: new Set(), origin: new Set(), result: new Set(), view: new Set(), insight: new Set(), planning: new Set() };
+  const listeners = { document: new Set(), origin: new Set(), result: new Set(), view: new Set(), why: new Set(), planning: new Set() };
 
   /** @param {Part} part */
   const tell = (part) => {
@@ -66,8 +66,8 @@ export function createStore(first) {
     get view() {
       return view;
     },
-    get insight() {
-      return insight;
+    get why() {
+      return why;
     },
     get planning() {
       return planning;
@@ -202,11 +202,11 @@ export function createStore(first) {
       tell('planning');
     },
 
-    /** What is known of the posture that is shown; null while it is being asked for. @param {Insight | null} next */
-    setInsight(next) {
-      if (next === insight) return;
-      insight = next;
-      tell('insight');
+    /** What is known of the posture that is shown; null while it is being asked for. @param {Why | null} next */
+    setWhy(next) {
+      if (next === why) return;
+      why = next;
+      tell('why');
     },
   };
 }

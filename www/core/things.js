@@ -6,6 +6,7 @@
  * @typedef {import('./types.js').MechanismDocument} MechanismDocument
  * @typedef {Pick<import('./store.js').Store, 'result' | 'view'>} Shown
  */
+import { chainName } from './chain-name.js';
 import { angle, length } from './format.js';
 import { JOINT_TYPES, chainType } from './joint-types.js';
 import { covers, parsePath } from './path.js';
@@ -56,13 +57,13 @@ export function nameOf(place, { result, view }) {
   }
   const chain = head === 'chains' && typeof first === 'number' ? doc.chains[first] : undefined;
   if (!chain) return '';
-  const number = Number(first) + 1;
-  if (part === 'base' || part === 'gripper') return `${part} of chain ${number}`;
-  if (part !== 'joints' || typeof second !== 'number') return `chain ${number}: ${chainType(chain)}`;
+  const name = chainName(chain, Number(first));
+  if (part === 'base' || part === 'gripper') return `${part} of ${name}`;
+  if (part !== 'joints' || typeof second !== 'number') return `${name}: ${chainType(chain)}`;
   const joint = chain.joints[second];
   if (!joint) return '';
-  if (inner === 'rows') return second === 0 ? `link from the base of chain ${number} to its first joint` : `link ${second} of chain ${number}`;
-  return `chain ${number}, joint ${second + 1}: ${joint.type}, ${JOINT_TYPES[joint.type].name}`;
+  if (inner === 'rows') return second === 0 ? `link from the base of ${name} to its first joint` : `link ${second} of ${name}`;
+  return `${name}, joint ${second + 1}: ${joint.type}, ${JOINT_TYPES[joint.type].name}`;
 }
 
 /** @param {number | null} frame null for what is shown now @param {Shown} shown */

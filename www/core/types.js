@@ -45,6 +45,9 @@
  * gives access to it, and the document as it stands there; null where only this browser has it.
  * @typedef {{title: string, handle: FileSystemFileHandle | null, saved: MechanismDocument | null}} Origin
  *
+ * Why the workpiece rests where it is shown: Rust's answer, with the columns and the index that it was asked for.
+ * @typedef {Insight & {of: {doc: MechanismDocument, joints: Float64Array, goal: Float64Array, index: number}}} Why
+ *
  * What is looked at. `posture` is shown in place of the frame while the linkage is moved by hand (pulled or taught) or
  * by an algorithm, which then has a `note` that says so;
  * playing, scrubbing or an edit ends it. `selected` and `hovered` are places of the document, such as `chains[1]`,

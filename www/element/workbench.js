@@ -17,11 +17,11 @@
  *   scene: ReturnType<typeof import('../view3d/scene/scene.js').createScene>,
  *   explain: () => void,
  * }} App what every part may use: `find` an element of the shadow tree; `narrow` if it has the width of a phone; `scene`
- *   null where there is no WebGL; `explain` keeps the store's insight up to date from then on
+ *   null where there is no WebGL; `explain` keeps the store's `why` up to date from then on
  * @typedef {App & {tabs: ReturnType<typeof import('../ui/tabs.js').createTabs>}} AppWithPanels
  */
 import { finder } from '../ui/dom.js';
-import { createInsight } from '../core/explain.js';
+import { createExplainer } from '../core/explain.js';
 import { createStage } from './canvas-area.js';
 import { createBanners } from '../panels/info/banners.js';
 import { createByHand } from '../view3d/by-hand.js';
@@ -50,7 +50,7 @@ export async function createWorkbench(linkage, place) {
   const narrow = () => bench.clientWidth < PHONE;
   let explained = false;
   const explain = () => {
-    if (!explained) createInsight(app);
+    if (!explained) createExplainer(app);
     explained = true;
   };
   const { scene } = createStage({ find, store, player: linkage.player, signal });

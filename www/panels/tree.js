@@ -5,6 +5,7 @@
  * @typedef {{path: string, name: string, more?: string, children?: Item[]}} Item
  */
 import { element, focusBeside } from '../ui/dom.js';
+import { chainName } from '../core/chain-name.js';
 import { JOINT_TYPES, chainType } from '../core/joint-types.js';
 
 /** @param {import('../core/types.js').MechanismDocument} doc @returns {Item[]} */
@@ -14,7 +15,7 @@ function itemsOf({ chains, motion }) {
       const path = `chains[${c}]`;
       return {
         path,
-        name: chain.name || `chain ${c + 1}`,
+        name: chainName(chain, c),
         more: chainType(chain),
         children: [
           { path: `${path}.base`, name: 'base', more: `G${c + 1}` },

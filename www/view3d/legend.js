@@ -12,7 +12,7 @@ export function createLegend(list, { store, scene }) {
     const { motion, doc } = store.result;
     if (!motion || !scene) return;
     // A joint that is driven goes to no goal.
-    const driven = isDriven(store.view);
+    const driven = isDriven(store.view.posture);
     const goal = store.view.show.goal && !driven;
     const gaps = store.view.show.gaps && !driven;
     const steps = scene.gapSteps;

@@ -24,7 +24,7 @@ export function createPointing({ find, store, player, scene }) {
   let press = null;
 
   /** What is not drawn while a joint is driven. @param {string} place */
-  const isAway = (place) => isDriven(store.view) && /^(goal|gap)/.test(place);
+  const isAway = (place) => isDriven(store.view.posture) && /^(goal|gap)/.test(place);
 
   /** @param {PointerEvent} event */
   const thingAt = (event) => (scene.claims(event) ? '' : scene.pick(event));

@@ -9,6 +9,18 @@ import { plural, scientific } from '../../core/format.js';
 
 export const METHODS = /** @type {const} */ ({ gradient: 'Gradient (the paper’s)', newton: 'Newton (the default)' });
 
+/**
+ * The slope by which each method stops. They are two measures of one thing, and differ by a factor: the gradient goes through joints and
+ * dual quaternion together, Newton through motions of the workpiece.
+ */
+export const SLOPES = {
+  gradient: {
+    name: '‖a‖ of Eq. 31',
+    meaning: 'the pull of the goal projected on the null space of [A], joints and dual quaternion together; lengths in units of the metric’s length. Not the projected gradient of the certificate, which is measured as Newton’s method does',
+  },
+  newton: { name: 'Projected gradient', meaning: 'the slope of f along the free directions, as in the certificate; lengths as shares of the mechanism’s size' },
+};
+
 /** Number of iterates that are kept. @param {History} history */
 export const kept = (history) => history.iteration.length;
 
@@ -57,7 +69,7 @@ export function iterateInWords(method, history, at, { frame, freedoms }) {
   /** @type {[string, string][]} */
   const steps = [
     [`Each chain’s constraint wrenches leave the free twists of the workpiece. The loops are open by ${open}.`, 'Nᵢᵀ ξ = −Nᵢᵀ eᵢ'],
-    [`Slope of f along the free directions: ${slope}.`, '∇f on ξ'],
+    [`Projected gradient, the slope of f along the free directions: ${slope}.`, '∇f on ξ'],
   ];
   if (last) steps.push([history.converged ? 'Flat, and f curves upwards in every free direction: a certified minimum.' : 'Stop: not certified.', '']);
   else if (history.guarded[at + 1] && !history.guarded[at]) {

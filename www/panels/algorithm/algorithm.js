@@ -7,11 +7,13 @@
  * @typedef {import('./algorithm-words.js').Method} Method
  */
 import { textOf } from '../../core/document-text.js';
-import { element, setText } from '../../ui/dom.js';
+import { chainName } from '../../core/chain-name.js';
+import { element } from '../../ui/dom.js';
+import { html, render } from '../../ui/render.js';
 import { scientific } from '../../core/format.js';
 import { wear } from '../../ui/style-sheets.js';
 import { Superseded } from '../../planner/planner.js';
-import { iterateInWords, kept, leastMetric } from './algorithm-words.js';
+import { SLOPES, iterateInWords, kept, leastMetric } from './algorithm-words.js';
 import { createConvergence } from './convergence.js';
 import { createMatrixPicture } from './matrix-picture.js';
 import { plotLook } from '../charts/plot.js';
@@ -35,49 +37,41 @@ export function createAlgorithm({ root, store, planner, player, signal }, panel)
   let seen = false;
 
   const note = element('p', { class: 'muted' });
-  const heading = element('h2');
-  const list = element('ol', { class: 'flow' });
-  /** @type {Record<string, HTMLElement>} */
-  const numbers = {};
-  const row = (/** @type {string} */ key, /** @type {string} */ name, /** @type {string} */ title) => {
-    numbers[key] = element('output', {}, '–');
-    return element('div', {}, element('dt', { title }, name), element('dd', {}, numbers[key]));
-  };
-  const table = element(
-    'dl',
-    { class: 'numbers' },
-    row('metric', 'f = ½‖q − g‖²', 'Eq. 29'),
-    row('above', 'f − f*', 'above the minimum'),
-    row('slope', '‖a‖, projected gradient', 'Eq. 31'),
-    row('closure', 'Closure', 'how far the loops are open: lengths as shares of the mechanism’s size, or rad'),
-    row('sigma', 'σ min of [A]', 'the smallest singular value that is not 0 because of surplus constraints: lengths as shares of the mechanism’s size, about the workpiece’s origin'),
-  );
+  const iterate = element('div');
   const steps = createSteps({
-    choose: (index) => show(index),
+    choose: (index) => show(index, true),
     chooseMethod(chosen) {
       method = chosen;
-      show(0);
+      show(0, mine !== null);
     },
   });
   const matrix = createMatrixPicture((hovered) => store.setView({ hovered }));
   const convergence = createConvergence((chosen, index) => {
     method = chosen;
-    show(index);
+    show(index, true);
   }, signal);
   const body = element(
     'div',
     { class: 'algorithm', hidden: true },
-    element('section', { class: 'block', 'aria-label': 'Iteration' }, steps.root, heading, list, table),
+    element('section', { class: 'block', 'aria-label': 'Iteration' }, steps.root, iterate),
     matrix.root,
     convergence.root,
   );
   panel.replaceChildren(note, body);
 
-  /** @param {string} text */
+  /** @param {unknown} text or a template with a button in it; '' for nothing */
   function say(text) {
     note.hidden = text === '';
-    setText(note, text);
+    render(html`${text}`, note);
   }
+
+  /** The button in the note had the focus: it goes on among the iterates, once they are there. */
+  let goOn = false;
+  /** Does what must be done before there are iterations to look into. @param {() => void} act */
+  const first = (act) => () => {
+    goOn = true;
+    act();
+  };
 
   /** Gives the view its frame back. */
   function release() {
@@ -90,12 +84,19 @@ export function createAlgorithm({ root, store, planner, player, signal }, panel)
   async function refresh() {
     const { motion, doc } = store.result;
     if (!seen || !motion || !doc) return;
-    if (store.view.playing) {
+    const { playing, posture } = store.view;
+    const away = posture !== null && posture !== mine;
+    if (playing || away) {
       steps.stop();
       mine = null;
       body.hidden = true;
       made = { doc: null, frame: -1 };
-      return say('The motion plays. Pause it to look into the iterations of one frame.');
+      return say(
+        playing
+          ? html`The motion plays. <button @click=${first(() => player.pause())}>Pause</button> to look into the iterations of one frame.`
+          : html`The linkage is moved by hand. <button @click=${first(() => store.setView({ posture: null }))}>Go back to the motion</button> to look
+              into the iterations of one frame.`,
+      );
     }
     const frame = Math.min(store.view.frame, motion.frames - 1);
     if (made.doc === doc && made.frame === frame) return;
@@ -110,60 +111,82 @@ export function createAlgorithm({ root, store, planner, player, signal }, panel)
     } catch (error) {
       if (error instanceof Superseded) return;
       trace = null;
-      say(`The iterations could not be found (${error instanceof Error ? error.message : error}).`);
+      body.hidden = true;
+      return say(`The iterations could not be found (${error instanceof Error ? error.message : error}).`);
     }
-    const open = trace !== null && kept(trace.gradient) === 0;
-    body.hidden = !trace || open;
-    if (!trace) return;
+    const open = kept(trace.gradient) === 0;
+    body.hidden = open;
     if (open) return say('The loops cannot be closed from this start: there is nothing to iterate.');
     say(
-      `Frame ${frame + 1} of ${motion.frames}: both methods start from ${frame > 0 ? `the answer of frame ${frame}` : 'the start of the motion'}. ` +
-        'Scrub to another frame to look into that one.',
+      `Frame ${frame + 1} of ${motion.goal_frames}: both methods start from ${frame > 0 ? `the answer of frame ${frame}` : 'the start of the motion'}. ` +
+        'The view shows the frame until an iterate is chosen here. Scrub to another frame to look into that one.',
     );
     convergence.show(trace);
-    show(0);
+    show(0, false);
+    if (goOn) steps.focus();
+    goOn = false;
   }
 
-  /** @param {number} index of an iterate that is kept */
-  function show(index) {
+  /** @param {number} index of an iterate that is kept @param {boolean} inView whether the view shows it in place of the frame */
+  function show(index, inView) {
     const { motion, doc } = store.result;
     if (!trace || !motion || !doc || !seen) return;
     const history = trace[method];
     const last = kept(history) - 1;
     at = Math.min(last, Math.max(0, index));
     steps.show(method, at, history);
-    numbers.metric.textContent = scientific(history.metric[at]);
-    numbers.above.textContent = scientific(Math.abs(history.metric[at] - leastMetric(trace)));
-    numbers.slope.textContent = scientific(history.projected_gradient[at]);
-    numbers.closure.textContent = scientific(history.closure[at]);
-    numbers.sigma.textContent = scientific(history.sigma_min[at]);
-    sayStep();
     convergence.point(method, history.iteration[at]);
-    mine = postureOf(trace, method, at, motion.report.bounds);
-    store.setView({ posture: mine });
-    player.invalidate();
-    planner.matrix(textOf(doc), mine.joints.slice()).then(
-      (answer) => {
-        matrix.show(answer);
-        sayStep(answer.columns - answer.rank);
-      },
-      (error) => {
-        if (!(error instanceof Superseded)) throw error;
-      },
-    );
+    const posture = postureOf(trace, method, at, motion.report.bounds);
+    draw();
+    if (inView) {
+      mine = posture;
+      store.setView({ posture });
+      player.invalidate();
+    }
+    showMatrix(doc, posture.joints);
   }
 
-  /** @param {number} [freedoms] directions of the null space */
-  function sayStep(freedoms) {
+  /** The joint values whose matrix was asked for last. @type {unknown} */
+  let asked = null;
+  /** @param {import('../../core/types.js').MechanismDocument} doc @param {Float64Array} joints */
+  async function showMatrix(doc, joints) {
+    asked = joints;
+    try {
+      const answer = await planner.matrix(textOf(doc), joints.slice());
+      if (asked !== joints) return;
+      matrix.show(answer, doc.chains.map(chainName));
+      draw(answer.columns - answer.rank);
+    } catch (error) {
+      if (error instanceof Superseded || asked !== joints) return;
+      matrix.fail(`[A] could not be found (${error instanceof Error ? error.message : error}).`);
+    }
+  }
+
+  /** The iterate in words and numbers. @param {number} [freedoms] directions of the null space, once they are known */
+  function draw(freedoms) {
     if (!trace) return;
-    const { heading: title, steps: lines } = iterateInWords(method, trace[method], at, { frame: made.frame, freedoms });
-    setText(heading, title);
-    list.replaceChildren(...lines.map(([text, equation]) => element('li', {}, text, ' ', element('span', { class: 'equation' }, equation))));
+    const history = trace[method];
+    const { heading, steps: lines } = iterateInWords(method, history, at, { frame: made.frame, freedoms });
+    const slope = SLOPES[method];
+    const row = (/** @type {string} */ name, /** @type {string} */ title, /** @type {number} */ value) =>
+      html`<div><dt title=${title}>${name}</dt><dd><output>${scientific(value)}</output></dd></div>`;
+    render(
+      html`<h2>${heading}</h2>
+        <ol class="flow">${lines.map(([text, equation]) => html`<li>${text} <span class="equation">${equation}</span></li>`)}</ol>
+        <dl class="numbers">
+          ${row('f = ½‖q − g‖²', 'Eq. 29', history.metric[at])}
+          ${row('f − f*', 'above the minimum', Math.abs(history.metric[at] - leastMetric(trace)))}
+          ${row(slope.name, slope.meaning, history.projected_gradient[at])}
+          ${row('Closure', 'how far the loops are open: lengths as shares of the mechanism’s size, or rad', history.closure[at])}
+          ${row('σ min of [A]', 'the smallest singular value that is not 0 because of surplus constraints: lengths as shares of the mechanism’s size, about the workpiece’s origin', history.sigma_min[at])}
+        </dl>`,
+      iterate,
+    );
   }
 
   new IntersectionObserver((entries) => {
     seen = entries[entries.length - 1].isIntersecting;
-    if (seen) refresh().then(() => !mine && trace && !store.view.playing && !store.view.posture && show(at));
+    if (seen) refresh();
     else release();
   }).observe(panel);
   store.subscribe('result', refresh);

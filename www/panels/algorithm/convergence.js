@@ -6,12 +6,13 @@
  */
 import { element, setText } from '../../ui/dom.js';
 import { scientific } from '../../core/format.js';
-import { METHODS, above, comparison, kept, leastMetric } from './algorithm-words.js';
+import { METHODS, SLOPES, above, comparison, kept, leastMetric } from './algorithm-words.js';
 import { createPlot } from '../charts/plot.js';
 
-const SERIES = [
+/** @param {Method} method */
+const seriesOf = (method) => [
   { name: 'f − f*', colour: 'var(--chart-0)' },
-  { name: 'projected gradient', colour: 'var(--chart-1)', dash: [6, 3] },
+  { name: SLOPES[method].name, colour: 'var(--chart-1)', dash: [6, 3] },
 ];
 /** Rows of the table, at most. */
 const ROWS = 40;
@@ -29,7 +30,7 @@ export function createConvergence(choose, signal) {
       element('div', { class: 'rows', tabindex: 0, role: 'region', 'aria-label': `Convergence of ${METHODS[method]}` }, table),
     );
     const heading = element('h4', {}, METHODS[method]);
-    const plot = createPlot(host, { series: SERIES, log: true, floor: 1e-17, write: scientific, onScrub: (at) => choose(method, at), signal });
+    const plot = createPlot(host, { series: seriesOf(method), log: true, floor: 1e-17, write: scientific, onScrub: (at) => choose(method, at), signal });
     /** @type {Trace | null} */
     let shown = null;
     function fill() {
@@ -39,7 +40,7 @@ export function createConvergence(choose, signal) {
       const every = Math.ceil(kept(history) / ROWS);
       const rows = rest.map((_, at) => at).filter((at) => at % every === 0 || at === rest.length - 1);
       table.replaceChildren(
-        element('thead', {}, element('tr', {}, ...['iteration', 'f − f*', 'projected gradient'].map((name) => element('th', { scope: 'col' }, name)))),
+        element('thead', {}, element('tr', {}, ...['iteration', ...seriesOf(method).map(({ name }) => name)].map((name) => element('th', { scope: 'col' }, name)))),
         element(
           'tbody',
           {},
@@ -55,7 +56,7 @@ export function createConvergence(choose, signal) {
         shown = trace;
         const history = trace[method];
         plot.setData(Array.from(history.iteration), [above(history, leastMetric(trace)), history.projected_gradient]);
-        host.setAttribute('aria-label', `${METHODS[method]}: ${history.last} iterations, logarithmic; the projected gradient falls from ${scientific(history.projected_gradient[0])} to ${scientific(history.projected_gradient.at(-1) ?? NaN)}. Values are in the table.`);
+        host.setAttribute('aria-label', `${METHODS[method]}: ${history.last} iterations, logarithmic; ${SLOPES[method].name} goes from ${scientific(history.projected_gradient[0])} to ${scientific(history.projected_gradient.at(-1) ?? NaN)}. Values are in the table.`);
         fill();
       },
       /** @param {number | null} iteration */
@@ -68,7 +69,7 @@ export function createConvergence(choose, signal) {
       'section',
       { class: 'block wide-block', 'aria-label': 'Convergence' },
       element('h3', {}, 'Convergence'),
-      element('ul', { class: 'keys-of-lines' }, element('li', { class: 'solid' }, 'f − f*, distance to the minimum'), element('li', { class: 'dashed' }, 'projected gradient')),
+      element('ul', { class: 'keys-of-lines' }, element('li', { class: 'solid' }, 'f − f*, distance to the minimum'), element('li', { class: 'dashed' }, `${SLOPES.gradient.name}, or Newton’s projected gradient`)),
       element('div', { class: 'side-by-side' }, ...plots.map(({ root }) => root)),
       words,
     ),

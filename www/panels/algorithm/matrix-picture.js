@@ -13,6 +13,8 @@ const ZERO = 1e-14;
 const PALE = 1e-2;
 const CELL = 8;
 const LEFT = 54;
+/** Of a chain's name, as many as there is room for beside the picture. */
+const LETTERS = 9;
 const TOP = 16;
 /** Where the bars of singular values end, as powers of ten. */
 const LEAST = -17;
@@ -26,17 +28,17 @@ function svg(tag, attributes = {}, ...children) {
   return made;
 }
 
-/** The groups of rows and of columns, with where each begins. @param {Matrix} matrix */
-export function groups({ freedoms, rows, columns }) {
+/** The groups of rows and of columns, with where each begins. @param {Matrix} matrix @param {string[]} names of the chains */
+export function groups({ freedoms, rows, columns }, names) {
   let first = 0;
   const chains = freedoms.map((count, i) => {
-    const group = { name: `chain ${i + 1}`, first, count };
+    const group = { name: names[i], first, count };
     first += count;
     return group;
   });
   return {
     columns: [...chains, { name: 'q', first, count: columns - first }],
-    rows: [...freedoms.map((_, i) => ({ name: `chain ${i + 1}`, first: 6 * i, count: 6 })), { name: '|q| = 1', first: rows - 2, count: 2 }],
+    rows: [...freedoms.map((_, i) => ({ name: names[i], first: 6 * i, count: 6 })), { name: '|q| = 1', first: rows - 2, count: 2 }],
   };
 }
 
@@ -60,6 +62,8 @@ export function createMatrixPicture(point) {
   const details = element('details', { class: 'data', toggle: () => fill() }, element('summary', {}, 'Values of [A] and σ'), table);
   /** @type {Matrix | null} */
   let shown = null;
+  /** Names of the chains. @type {string[]} */
+  let chains = [];
 
   picture.addEventListener('pointermove', (event) => {
     const chain = /** @type {Element} */ (event.target).getAttribute('data-chain');
@@ -70,7 +74,7 @@ export function createMatrixPicture(point) {
   /** @param {Matrix} matrix */
   function draw(matrix) {
     const { rows, columns, values, freedoms } = matrix;
-    const at = groups(matrix);
+    const at = groups(matrix, chains);
     const [width, height] = [LEFT + columns * CELL + 1, TOP + rows * CELL + 1];
     picture.setAttribute('viewBox', `0 0 ${width} ${height}`);
     picture.setAttribute('aria-label', `Matrix A, ${rows} by ${columns}. Each chain’s joints move its own six rows, the workpiece q all; two more rows keep q a unit dual quaternion.`);
@@ -98,7 +102,7 @@ export function createMatrixPicture(point) {
       ...at.columns.map(({ name, first, count }, i) =>
         svg('text', { x: LEFT + (first + count / 2) * CELL, y: TOP - 5, 'text-anchor': 'middle' }, i < freedoms.length ? `θ${subscript(i + 1)}` : name),
       ),
-      ...at.rows.map(({ name, first, count }) => svg('text', { x: LEFT - 6, y: TOP + (first + count / 2) * CELL + 4, 'text-anchor': 'end' }, name)),
+      ...at.rows.map(({ name, first, count }) => svg('text', { x: LEFT - 6, y: TOP + (first + count / 2) * CELL + 4, 'text-anchor': 'end' }, name.length > LETTERS ? `${name.slice(0, LETTERS - 1)}…` : name)),
     ];
     const frame = svg('rect', { class: 'frame', x: LEFT, y: TOP, width: columns * CELL, height: rows * CELL });
     picture.replaceChildren(...cells, ...rules, frame, ...labels);
@@ -130,7 +134,7 @@ export function createMatrixPicture(point) {
   function fill() {
     if (!details.open || !shown) return;
     const { values, columns, singular_values: sigma } = shown;
-    const at = groups(shown);
+    const at = groups(shown, chains);
     const heads = at.columns.map(({ name, count }) => element('th', { scope: 'colgroup', colspan: count }, name === 'q' ? name : `θ of ${name}`));
     const names = at.rows.flatMap(({ name, count }) => Array.from({ length: count }, (_, i) => `${name}, ${i + 1}`));
     table.replaceChildren(
@@ -158,9 +162,18 @@ export function createMatrixPicture(point) {
 
   return {
     root: element('section', { class: 'block', 'aria-label': 'Matrix [A]' }, element('h3', {}, '[A] at this iterate'), picture, bars, words, details),
-    /** @param {Matrix} matrix */
-    show(matrix) {
+    /** @param {string} text */
+    fail(text) {
+      shown = null;
+      picture.replaceChildren();
+      bars.replaceChildren();
+      table.replaceChildren();
+      setText(words, text);
+    },
+    /** @param {Matrix} matrix @param {string[]} names of the chains */
+    show(matrix, names) {
       shown = matrix;
+      chains = names;
       draw(matrix);
       drawBars(matrix);
       setText(words, rankInWords(matrix));

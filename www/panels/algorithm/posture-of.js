@@ -34,7 +34,8 @@ export function postureOf(trace, method, at, { reached }) {
     rotation_gap: 2 * Math.acos(Math.min(1, turn)),
     closure: history.closure[at],
     misfit: history.misfit[at],
-    projected_gradient: history.projected_gradient[at],
+    // ‖a‖ of the gradient method is another measure than a posture's.
+    projected_gradient: method === 'newton' ? history.projected_gradient[at] : NaN,
     iterations: history.iteration[at],
     sigma_min: history.sigma_min[at],
   };

@@ -71,6 +71,7 @@ export function createSteps({ choose, chooseMethod }) {
       slider,
     ),
     stop,
+    focus: () => slider.focus(),
     /** @param {Method} method @param {number} index @param {import('../../core/types.js').History} history */
     show(method, index, history) {
       at = index;
@@ -79,8 +80,9 @@ export function createSteps({ choose, chooseMethod }) {
       slider.max = String(last);
       slider.value = String(at);
       slider.setAttribute('aria-valuetext', `iterate ${history.iteration[at]} of ${history.last}`);
-      first.disabled = back.disabled = at === 0;
-      on.disabled = end.disabled = at === last;
+      // A disabled button would lose the focus of a keyboard that stepped to the end.
+      for (const one of [first, back]) one.setAttribute('aria-disabled', String(at === 0));
+      for (const one of [on, end]) one.setAttribute('aria-disabled', String(at === last));
     },
   };
 }

@@ -4,10 +4,12 @@
  * @typedef {import('./chart-list.js').Chart} Chart
  *
  * What all charts share: the scale along x, and what is done with a frame that is pointed at.
- * @typedef {{x: ArrayLike<number>, heads: [string, ArrayLike<number>, number][]}} Along values of the scale; columns of the table with their decimals
+ * @typedef {{x: ArrayLike<number>, extent: [number, number] | null, heads: [string, ArrayLike<number>, number][]}} Along values of the scale, its extent
+ *   where only a part of the motion is planned, and columns of the table with their decimals
  * @typedef {{hidden: Set<string>, sync: string, signal: AbortSignal, onHover: (frame: number | null) => void, onScrub: (frame: number) => void}} Shared
  */
 import { element, setText } from '../../ui/dom.js';
+import { html, nothing, render } from '../../ui/render.js';
 import { short } from '../../core/format.js';
 import { summary, tableFrames, withUnit, writeValue } from './chart-list.js';
 import { createPlot } from './plot.js';
@@ -52,7 +54,7 @@ export function createCard(chart, { hidden, sync, signal, onHover, onScrub }) {
     element(
       'header',
       {},
-      element('h2', {}, chart.title, ' ', unit),
+      element('h2', {}, chart.title, ...(unit ? [' ', unit] : [])),
       element('ul', {}, ...values.map((value, i) => element('li', {}, ...(many ? [toggles[i]] : []), value))),
     ),
     host,
@@ -76,7 +78,7 @@ export function createCard(chart, { hidden, sync, signal, onHover, onScrub }) {
   });
 
   /** @type {Along} */
-  let along = { x: [], heads: [] };
+  let along = { x: [], extent: null, heads: [] };
 
   function openTable() {
     if (!data.open) return;
@@ -86,25 +88,26 @@ export function createCard(chart, { hidden, sync, signal, onHover, onScrub }) {
 
   function fillTable() {
     const { every, shown: frames } = tableFrames(along.x.length);
-    const columns = shown.series.map(({ name }) =>
-      element('th', { scope: 'col' }, many ? name : 'value', ...(shown.unit ? [element('small', {}, shown.unit)] : [])),
-    );
-    table.replaceChildren(
-      element('caption', {}, every > 1 ? `${shown.title}, every ${every}th of ${along.x.length} frames` : `${shown.title}, all ${along.x.length} frames`),
-      element('thead', {}, element('tr', {}, element('th', { scope: 'col' }, 'frame'), ...along.heads.map(([head]) => element('th', { scope: 'col' }, head)), ...columns)),
-      element(
-        'tbody',
-        {},
-        ...frames.map((frame) =>
-          element(
-            'tr',
-            {},
-            element('th', { scope: 'row' }, String(frame + 1)),
-            ...along.heads.map(([, column, decimals]) => element('td', {}, short(column[frame], decimals))),
-            ...shown.series.map((one) => element('td', {}, writeValue(shown, one.values[frame]))),
-          ),
-        ),
-      ),
+    const { length } = along.x;
+    render(
+      html`<caption>${every > 1 ? `${shown.title}, every ${every}th of ${length} frames` : `${shown.title}, all ${length} frames`}</caption>
+        <thead>
+          <tr>
+            <th scope="col">frame</th>
+            ${along.heads.map(([head]) => html`<th scope="col">${head}</th>`)}
+            ${shown.series.map(({ name }) => html`<th scope="col">${many ? name : 'value'}${shown.unit ? html`<small>${shown.unit}</small>` : nothing}</th>`)}
+          </tr>
+        </thead>
+        <tbody>
+          ${frames.map(
+            (frame) => html`<tr>
+              <th scope="row">${frame + 1}</th>
+              ${along.heads.map(([, column, decimals]) => html`<td>${short(column[frame], decimals)}</td>`)}
+              ${shown.series.map((one) => html`<td>${writeValue(shown, one.values[frame])}</td>`)}
+            </tr>`,
+          )}
+        </tbody>`,
+      table,
     );
   }
 
@@ -114,7 +117,7 @@ export function createCard(chart, { hidden, sync, signal, onHover, onScrub }) {
     update(next, scale) {
       shown = next;
       along = scale;
-      plot.setData(along.x, next.series.map((one) => one.values));
+      plot.setData(along.x, next.series.map((one) => one.values), along.extent);
       host.setAttribute('aria-label', summary(next));
       if (data.open) fillTable();
     },

@@ -16,8 +16,9 @@
  * @property {boolean} [steps]
  * @property {number} span smallest extent of the scale: less is rounding
  */
+import { chainName } from '../../core/chain-name.js';
 import { degrees, lengthUnit, scientific, short } from '../../core/format.js';
-import { worstFrame } from '../../core/status-words.js';
+import { roundingGaps, statusName, worstFrame } from '../../core/status-words.js';
 
 /** What is offered, in this order. @type {Record<string, string>} */
 export const GROUPS = {
@@ -31,12 +32,19 @@ export const GROUPS = {
   iterations: 'Iterations',
 };
 
+/** How much larger than rounding the smallest extent of a scale is: what is told apart there is no rounding. */
+const ABOVE_ROUNDING = 100;
+
 /** A table with more rows than this is thinned. */
 const MAX_ROWS = 500;
 
 /** @param {Motion} motion @param {string | undefined} unit of length @returns {Chart[]} */
 export function chartsOf(motion, unit) {
   const length = lengthUnit(unit);
+  const rounding = roundingGaps(motion);
+  // What a goal that is met leaves is rounding: which frames those are is Rust's word.
+  const met = Uint8Array.from({ length: motion.frames }, (_, frame) => Number(statusName(motion, frame) === 'reached'));
+  const gap = (/** @type {Float64Array} */ values) => values.map((value, frame) => (met[frame] ? 0 : value));
   /** @param {string} group @param {ArrayLike<number>} values @param {string} of unit @param {Partial<Chart>} more @returns {Chart} */
   const single = (group, values, of, more) => ({
     id: group,
@@ -45,13 +53,13 @@ export function chartsOf(motion, unit) {
     unit: of,
     series: [{ name: GROUPS[group], values }],
     zero: true,
-    span: 1e-9,
+    span: 0,
     ...more,
   });
   return [
-    single('translation', motion.translation_gap, length, { span: 1e-6 }),
-    single('rotation', motion.rotation_gap.map(degrees), '°', { span: 1e-4 }),
-    single('metric', motion.metric, '', { span: 1e-9 }),
+    single('translation', gap(motion.translation_gap), length, { span: ABOVE_ROUNDING * rounding.shift }),
+    single('rotation', gap(motion.rotation_gap).map(degrees), '°', { span: degrees(ABOVE_ROUNDING * rounding.turn) }),
+    single('metric', gap(motion.metric), '', { span: ABOVE_ROUNDING ** 2 * motion.report.bounds.reached }),
     ...jointCharts(motion, length),
     single('sigma', motion.sigma_min, '', { log: true, zero: false, floor: 1e-12 }),
     single('closure', motion.closure, '', { log: true, zero: false }),
@@ -83,7 +91,7 @@ function jointCharts(motion, length) {
       .map((one) => ({
         id: `joints ${chain} ${one.kind}`,
         group: 'joints',
-        title: `${name || `chain ${chain + 1}`}, ${one.kind}`,
+        title: `${chainName({ name }, chain)}, ${one.kind}`,
         unit: one.unit,
         span: one.span,
         series: one.series,

@@ -7,6 +7,7 @@
  */
 import { element, setText } from '../../ui/dom.js';
 import { short } from '../../core/format.js';
+import { allTimes, isTimed } from '../../core/playhead.js';
 import { wear } from '../../ui/style-sheets.js';
 import { createCard } from './chart-card.js';
 import { chartsOf, GROUPS } from './chart-list.js';
@@ -31,7 +32,7 @@ export function createCharts({ root, store, player, signal }, panel) {
   /** @type {number | null} */
   let hovered = null;
   /** @type {Along} */
-  let along = { x: [], heads: [] };
+  let along = { x: [], extent: null, heads: [] };
   let request = 0;
   /** The charts that the plots' height is fitted to. */
   let fitted = '';
@@ -72,11 +73,15 @@ export function createCharts({ root, store, player, signal }, panel) {
   function refresh() {
     const { motion, doc } = store.result;
     if (!motion) return;
-    const timed = doc?.motion.key_frames[0]?.time != null;
+    const timed = isTimed(doc);
     const time = timed ? 'time, s' : 't, 0 to 1';
     scale.options[1].text = time;
+    const over = scale.value === 'time';
+    const times = allTimes(motion);
     along = {
-      x: scale.value === 'time' ? motion.time : Float64Array.from({ length: motion.frames }, (_, frame) => frame + 1),
+      x: over ? motion.time : Float64Array.from({ length: motion.frames }, (_, frame) => frame + 1),
+      // As far as the strip of the animation bar goes: over all frames of the goal motion.
+      extent: motion.partial ? (over ? [times[0], times[times.length - 1]] : [1, motion.goal_frames]) : null,
       heads: [[time, motion.time, timed ? 2 : 4]],
     };
     const wanted = chartsOf(motion, doc?.length_unit).filter(({ group }) => store.view.charts.includes(group));

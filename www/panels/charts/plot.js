@@ -16,7 +16,7 @@
  * @property {number} [floor]
  * @property {boolean} [zero] the scale begins at zero
  * @property {number} [span] smallest extent of the scale, so that rounding is not drawn as a mountain range
- * @property {(value: number) => string} [write] a value on the scale as text
+ * @property {(value: number) => string} [write] a value on a logarithmic scale as text
  * @property {string} [sync] plots with the same key share the cursor
  * @property {(index: number | null) => void} [onHover] the point under the cursor, null when it has left
  * @property {AbortSignal} [signal] ends it
@@ -25,6 +25,7 @@
 import uPlot from 'uplot';
 import { element } from '../../ui/dom.js';
 import { short } from '../../core/format.js';
+import { logTicks, tickText } from './ticks.js';
 
 /** What a tree with plots in it wears. */
 export { default as plotLook } from 'uplot/dist/uPlot.min.css?inline';
@@ -40,6 +41,8 @@ export function createPlot(host, { series, log = false, floor = 1e-16, zero = fa
   const line = element('div', { class: 'playhead' });
   /** @type {number | null} */
   let playhead = null;
+  /** Of the scale along x, where it goes further than the points. @type {[number, number] | null} */
+  let extent = null;
 
   /** @type {uPlot.Range.Function} */
   const range = (_, low, high) => {
@@ -51,18 +54,17 @@ export function createPlot(host, { series, log = false, floor = 1e-16, zero = fa
     return zero ? [from - (from < 0 ? margin : 0), high + missing + margin] : [from - missing / 2 - margin, high + missing / 2 + margin];
   };
 
-  /** Over many powers of ten only these are ruled and labelled, and only as many as have room. @type {uPlot.Axis.Filter} */
+  /** On a logarithmic scale only what has room is ruled and labelled. @type {uPlot.Axis.Filter} */
   const powers = (self, splits) => {
     const { min = 1, max = 1 } = self.scales.y;
-    const decades = Math.log10(Number(max) / Number(min));
-    if (!(decades > 3)) return splits;
-    const every = Math.max(1, Math.ceil(decades / Math.max(2, self.over.clientHeight / 26)));
-    return splits.map((value) => {
-      const power = Math.log10(value);
-      return Math.abs(power - Math.round(power)) < 1e-6 && Math.round(power) % every === 0 ? value : null;
-    });
+    return logTicks(splits, Math.log10(Number(max) / Number(min)), self.over.clientHeight);
   };
   const only = log ? { filter: powers } : {};
+  /** Ticks of a linear scale, as finely as they lie; where everything is zero only that. @param {uPlot} self @param {number[]} all */
+  const linear = (self, all) => {
+    const none = self.data.slice(1).every((column, i) => !self.series[i + 1].show || Array.from(column).every((value) => value === 0));
+    return all.map((value) => (none && zero && value !== 0 ? '' : tickText(value, all[1] - all[0])));
+  };
   const ink = { stroke: () => colour('var(--muted)'), font: FONT, gap: 3 };
   const rules = { stroke: () => colour('var(--line)'), width: 1 };
   const plot = new uPlot(
@@ -80,7 +82,7 @@ export function createPlot(host, { series, log = false, floor = 1e-16, zero = fa
         ...(sync && { sync: { key: sync, scales: ['x', null] } }),
       },
       scales: {
-        x: { time: false, range: (_, low, high) => (low === high ? [low - 0.5, high + 0.5] : [low, high]) },
+        x: { time: false, range: (_, low, high) => (extent ?? (low === high ? [low - 0.5, high + 0.5] : [low, high])) },
         y: { distr: log ? 3 : 1, range },
       },
       axes: [
@@ -92,7 +94,7 @@ export function createPlot(host, { series, log = false, floor = 1e-16, zero = fa
           ticks: { ...rules, ...only, size: 4 },
           space: 26,
           size: (_, texts) => 12 + 6.4 * Math.max(2, ...(texts ?? []).map((text) => text?.length ?? 0)),
-          values: (_, all) => all.map((value) => (value === null ? '' : write(value))),
+          values: (self, all) => (log ? all.map((value) => (value === null ? '' : write(value))) : linear(self, all)),
         },
       ],
       series: [
@@ -156,6 +158,7 @@ export function createPlot(host, { series, log = false, floor = 1e-16, zero = fa
   }
   const life = new AbortController();
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', repaint, { signal: life.signal });
+  matchMedia('(forced-colors: active)').addEventListener('change', repaint, { signal: life.signal });
   window.addEventListener('synthetica-theme', repaint, { signal: life.signal });
 
   function destroy() {
@@ -172,8 +175,9 @@ export function createPlot(host, { series, log = false, floor = 1e-16, zero = fa
   signal?.addEventListener('abort', destroy, { signal: life.signal });
 
   return {
-    /** @param {ArrayLike<number>} x growing @param {ArrayLike<number>[]} columns one a series */
-    setData(x, columns) {
+    /** @param {ArrayLike<number>} x growing @param {ArrayLike<number>[]} columns one a series @param {[number, number] | null} [along] the extent of the scale along x */
+    setData(x, columns, along = null) {
+      extent = along;
       const drawn = log ? columns.map((column) => Array.from(column, (value) => Math.max(value, floor))) : columns;
       plot.setData(/** @type {uPlot.AlignedData} */ ([x, ...drawn]));
     },
@@ -193,6 +197,8 @@ export function createPlot(host, { series, log = false, floor = 1e-16, zero = fa
 /** Colours of the style sheet as a canvas needs them. @param {HTMLElement} host */
 function createColours(host) {
   const probe = element('i', { hidden: true });
+  // Or a browser with forced colours would give the same for all.
+  probe.style.forcedColorAdjust = 'none';
   host.append(probe);
   /** @type {Map<string, string>} */
   const known = new Map();

@@ -2,60 +2,54 @@
  * The info panel: the frame at the playhead in words and numbers, the motion as a whole, mobility, chains, warnings.
  */
 import { angle, length, plural, scientific, sentence, short } from '../../core/format.js';
-import { element, setText } from '../../ui/dom.js';
-import { shownEnd } from '../../core/shown.js';
-import { PULLED, countStatuses, metricSentence, mobilitySentence, partSentence, singularSentence, statusWords, worstFrame } from '../../core/status-words.js';
+import { html, nothing, render } from '../../ui/render.js';
+import { setText } from '../../ui/dom.js';
+import { chainName } from '../../core/chain-name.js';
+import { isDriven, shownEnd } from '../../core/shown.js';
+import {
+  PULLED, countStatuses, largestGaps, metricSentence, mobilitySentence, partSentence, singularSentence, statusName, statusWords,
+} from '../../core/status-words.js';
 
 /** @param {Pick<import('../../element/workbench.js').App, 'find' | 'store' | 'player'>} app */
 export function createStatus({ find, store, player }) {
-  const numbers = {
-    translation: find('gap-translation'),
-    rotation: find('gap-rotation'),
-    metric: find('metric'),
-    closure: find('closure'),
-    misfit: find('misfit'),
-    sigma: find('sigma'),
-    gradient: find('gradient'),
-    iterations: find('iterations'),
-  };
+  const outputs = ['gap-translation', 'gap-rotation', 'metric', 'closure', 'misfit', 'sigma', 'gradient', 'curvature', 'iterations'];
 
   function showFrame() {
     const end = shownEnd(store);
     if (!end) return;
     const { posture } = store.view;
-    const name = posture?.note && end.status === 'stalled' ? 'iterate' : posture?.value !== undefined ? 'driven' : end.status;
+    const driven = isDriven(posture);
+    const name = posture?.note && end.status === 'stalled' ? 'iterate' : driven ? 'driven' : end.status;
     const { sign, word, meaning } = statusWords(name);
     setText(find('frame-title'), posture ? 'This posture' : 'This frame');
     find('frame-status').dataset.status = name;
     setText(find('frame-sign'), sign);
     setText(find('frame-word'), word);
     setText(find('frame-meaning'), (posture && !posture.note && PULLED[name]) || meaning);
-    setText(numbers.translation, length(end.translation_gap, store.result.doc?.length_unit));
-    setText(numbers.rotation, angle(end.rotation_gap));
-    setText(numbers.metric, scientific(end.metric));
-    setText(numbers.closure, scientific(end.closure));
-    setText(numbers.misfit, scientific(end.misfit));
-    setText(numbers.sigma, short(end.sigma_min));
-    setText(numbers.gradient, scientific(end.projected_gradient));
-    setText(numbers.iterations, String(end.iterations));
-    showBounds(end.misfit);
+    // A joint that is driven has no goal: nothing is said of one.
+    for (const id of ['gap-translation', 'gap-rotation', 'metric', 'gradient', 'curvature']) {
+      const row = find(id).closest('div');
+      if (row) row.hidden = driven;
+    }
+    find('misfit-row').hidden = !(end.misfit > 0);
+    const numbers = certificateNumbers(store, end);
+    const texts = [
+      length(end.translation_gap, store.result.doc?.length_unit),
+      angle(end.rotation_gap),
+      scientific(end.metric),
+      scientific(end.closure),
+      scientific(end.misfit),
+      short(end.sigma_min),
+      numbers.gradient === undefined ? '–' : scientific(numbers.gradient),
+      numbers.curvature === undefined ? '–' : numbers.curvature === null ? 'no direction is free' : scientific(numbers.curvature),
+      String(end.iterations),
+    ];
+    outputs.forEach((id, i) => setText(find(id), texts[i]));
+    for (const [id, text] of Object.entries(numbers.bounds)) setText(find(`${id}-bound`), text);
   }
-
-  /** What the numbers of the certificate are at most in an answer. @param {number} misfit */
-  function showBounds(misfit) {
-    const bounds = store.result.motion?.report.bounds;
-    if (!bounds) return;
-    const { posture } = store.view;
-    // By hand it is always Newton's method that answers, and an iterate is no answer.
-    const slope = posture ? store.insight?.stationary : bounds.projected_gradient;
-    const shown = { closure: bounds.closure, misfit: bounds.misfit, gradient: posture?.note || posture?.value !== undefined ? undefined : slope };
-    for (const [name, bound] of Object.entries(shown)) setText(find(`${name}-bound`), bound === undefined ? '' : `at most ${scientific(bound)}`);
-    find('misfit-row').hidden = !(misfit > 0);
-  }
-
 
   /** @param {string} text @param {number} frame */
-  const jump = (text, frame) => element('button', { class: 'link', click: () => goTo(frame) }, text);
+  const jump = (text, frame) => html`<button class="link" @click=${() => goTo(frame)}>${text}</button>`;
 
   /** @param {number} frame */
   function goTo(frame) {
@@ -63,42 +57,47 @@ export function createStatus({ find, store, player }) {
     player.frame = frame;
   }
 
+  /** The two largest gaps, each a way to its frame. @param {import('../../core/types.js').Motion} motion @param {string | undefined} unit */
+  function gapsSentence(motion, unit) {
+    const reached = Array.from({ length: motion.frames }, (_, frame) => statusName(motion, frame)).every((name) => name === 'reached');
+    if (reached) return 'Every frame reaches its goal.';
+    const { shift, turn } = largestGaps(motion);
+    return html`Largest shift from the goal: ${jump(`${length(shift.value, unit)}, frame ${shift.frame + 1}`, shift.frame)}. Largest turn:
+      ${jump(`${angle(turn.value)}, frame ${turn.frame + 1}`, turn.frame)}.`;
+  }
+
   function showMotion() {
     const { motion, doc } = store.result;
     if (!motion) return;
     const { report } = motion;
-    const part = partSentence(motion);
-    const worst = worstFrame(motion.metric);
-    find('motion-summary').replaceChildren(
-      `${plural(motion.frames, 'frame')}: ${countStatuses(motion)}. Farthest from the goal in frame ${worst + 1}: `,
-      jump(`${length(motion.translation_gap[worst], doc?.length_unit)}, ${angle(motion.rotation_gap[worst])}`, worst),
-      `.${part && ` ${part}`}`,
+    const unit = doc?.length_unit;
+    render(
+      html`${plural(motion.frames, 'frame')}: ${countStatuses(motion)}. ${gapsSentence(motion, unit)} ${partSentence(motion)}`,
+      find('motion-summary'),
     );
-    setText(find('motion-metric'), metricSentence(report.metric, doc?.length_unit));
+    setText(find('motion-metric'), metricSentence(report.metric, unit));
     setText(find('mobility-count'), short(report.mobility_count));
     setText(find('mobility-difference'), unknownsLessEquations(report.chains));
     setText(find('mobility-rank'), String(report.mobility_rank));
     showMobility();
-    find('chain-rows').replaceChildren(
-      ...report.chains.map((chain) =>
-        element(
-          'tr',
-          {},
-          element('th', { scope: 'row' }, chain.name),
-          ...[chain.type, String(chain.freedoms), String(chain.constraints), chain.category].map((text) => element('td', {}, text)),
-        ),
+    render(
+      report.chains.map(
+        (chain, i) => html`<tr>
+          <th scope="row">${chainName(chain, i)}</th>
+          <td>${chain.type}</td>
+          <td>${chain.freedoms}</td>
+          <td>${chain.constraints}</td>
+          <td>${chain.category}</td>
+        </tr>`,
       ),
+      find('chain-rows'),
     );
     find('warnings').hidden = report.warnings.length === 0;
-    find('warning-list').replaceChildren(
-      ...report.warnings.map((warning) =>
-        element(
-          'li',
-          {},
-          `${sentence(warning.message)} `,
-          warning.first === undefined ? '' : jump(`Show frame ${warning.first + 1}`, warning.first),
-        ),
+    render(
+      report.warnings.map(
+        ({ message, first }) => html`<li>${sentence(message)} ${first === undefined ? nothing : jump(`Show frame ${first + 1}`, first)}</li>`,
       ),
+      find('warning-list'),
     );
   }
 
@@ -107,13 +106,13 @@ export function createStatus({ find, store, player }) {
     const { motion } = store.result;
     if (!motion) return;
     const { mobility_count: count, mobility_rank: rank } = motion.report;
-    const here = singularSentence(store.insight?.mobility_rank ?? rank, rank);
+    const here = singularSentence(store.why?.mobility_rank ?? rank, rank);
     setText(find('mobility-sentence'), `${mobilitySentence(count, rank)}${here && ` ${here}`}`);
   }
 
-  store.subscribe('insight', () => {
+  store.subscribe('why', () => {
     showMobility();
-    if (store.view.posture) showFrame();
+    showFrame();
   });
   const show = () => {
     showMotion();
@@ -122,6 +121,28 @@ export function createStatus({ find, store, player }) {
   store.subscribe('view', showFrame);
   store.subscribe('result', show);
   show();
+}
+
+/**
+ * The numbers of the certificate that depend on who answers, and what every number is at most or at least in an answer: all of
+ * them Rust's. A planned frame is held against the bounds of its motion, whose method may have one of its own; by hand it
+ * is always Newton's method that answers; an iterate of the gradient method, whose ‖a‖ is another measure, has Newton's here.
+ * @param {import('../../core/store.js').Store} store @param {NonNullable<ReturnType<typeof shownEnd>>} end
+ */
+export function certificateNumbers({ result: { motion }, view: { posture }, why }, end) {
+  const bounds = motion?.report.bounds;
+  const atMost = (/** @type {number | undefined} */ bound) => (bound === undefined ? '' : `at most ${scientific(bound)}`);
+  const curvature = why?.least_curvature;
+  return {
+    gradient: Number.isFinite(end.projected_gradient) ? end.projected_gradient : why?.projected_gradient,
+    curvature,
+    bounds: {
+      closure: atMost(bounds?.closure),
+      misfit: atMost(bounds?.misfit),
+      gradient: atMost(posture ? why?.stationary : bounds?.projected_gradient),
+      curvature: why && curvature != null ? `at least ${scientific(-why.flat)}` : '',
+    },
+  };
 }
 
 /**

@@ -6,6 +6,7 @@
  * @typedef {{variable: Variable, slider: HTMLInputElement, field: HTMLInputElement, note: HTMLElement}} Row
  */
 import { element, focusBeside, setText } from '../../ui/dom.js';
+import { chainName } from '../../core/chain-name.js';
 import { entry } from '../../core/edits.js';
 import { ANGLE_DECIMALS, lengthUnit, short } from '../../core/format.js';
 import { groupAt, shown } from '../../core/shown.js';
@@ -75,7 +76,7 @@ export function createTeach(app, panel) {
   function makeRow(variable) {
     const unit = unitOf(variable);
     const [low, high] = variable.range;
-    const name = `chain ${variable.chain + 1}, ${variable.name}`;
+    const name = `${chainName(store.result.doc?.chains[variable.chain], variable.chain)}, ${variable.name}`;
     const in_ = variable.turns ? 'degrees' : unit;
     const slider = element('input', { type: 'range', min: low, max: high, step: (high - low) / STEPS || 1, 'aria-label': `${name} in ${in_}` });
     const field = element('input', { type: 'text', inputmode: 'decimal', autocomplete: 'off', class: 'cell', 'aria-label': `${name}, number in ${in_}` });
@@ -118,7 +119,7 @@ export function createTeach(app, panel) {
         element(
           'section',
           { class: 'chain', 'data-chain': chain },
-          element('header', {}, element('h3', {}, name || `chain ${chain + 1}`, element('span', { class: 'type' }, type))),
+          element('header', {}, element('h3', {}, chainName({ name }, chain), element('span', { class: 'type' }, type))),
           ...variables.filter((variable) => variable.chain === chain).map(makeRow),
         ),
       ),

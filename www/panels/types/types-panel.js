@@ -5,6 +5,7 @@
  * @typedef {import('../../core/types.js').JointType} JointType
  */
 import { element, setText } from '../../ui/dom.js';
+import { capital, chainName } from '../../core/chain-name.js';
 import { addChain, setJoints } from '../../core/edits.js';
 import { plural } from '../../core/format.js';
 import { JOINT_TYPES } from '../../core/joint-types.js';
@@ -58,9 +59,9 @@ export async function createTypes(app, panel) {
       { label: `New linkage of ${type} legs…`, hint: 'Their number and sizes are asked for', act: () => fresh(type, button) },
       'line',
       { label: 'Add as a new chain', act: () => make(`A chain ${type} is added.`, (doc) => addChain(doc, { ...defaults.chain, joints: jointsOf(type) })) },
-      ...store.doc.chains.map(({ name }, index) => ({
-        label: `Replace ${name || `chain ${index + 1}`}`,
-        act: () => make(`${name || `chain ${index + 1}`} is ${type} now.`, (doc) => setJoints(doc, index, jointsOf(type))),
+      ...store.doc.chains.map((chain, index) => ({
+        label: `Replace ${chainName(chain, index)}`,
+        act: () => make(`${capital(chainName(chain, index))} is ${type} now.`, (doc) => setJoints(doc, index, jointsOf(type))),
       })),
     ]);
     button.classList.add('chip');

@@ -301,7 +301,7 @@ function connect(app, scene) {
     tellPlace(width, height);
   });
   store.subscribe('view', sync);
-  store.subscribe('insight', () => {
+  store.subscribe('why', () => {
     if (free()) show();
   });
   store.subscribe('document', () => {

@@ -7,7 +7,7 @@
 import { Vector3 } from 'three';
 import { groupAt, shown } from '../../core/shown.js';
 import { createFreedomHandles } from './freedom-handles.js';
-import { freedomWords } from './freedom-words.js';
+import { freedomInWords } from '../../core/freedom-words.js';
 import { movePoint, movePose } from './screws.js';
 import { ANGLE_STEP, lengthStep } from './steps.js';
 
@@ -29,23 +29,23 @@ export function createFreedoms({ store }, scene) {
     handles,
     /** Shows the handles of the present posture. @param {boolean} on */
     show(on) {
-      const { insight, view } = store;
+      const { why, view } = store;
       const pose = here();
-      const wanted = on && insight && pose && !view.playing ? insight : null;
-      if (wanted === built || (on && !insight && !view.playing)) return;
+      const wanted = on && why && pose && !view.playing ? why : null;
+      if (wanted === built || (on && !why && !view.playing)) return;
       built = wanted;
       if (wanted && pose) handles.show(wanted.freedoms, pose);
       else handles.clear();
     },
     /** In words; null while they are not known. */
-    words: () => store.insight?.freedoms.map((screw) => freedomWords(screw, store.doc.length_unit)) ?? null,
+    words: () => store.why?.freedoms.map((screw) => freedomInWords(screw, store.doc.length_unit)) ?? null,
     /**
      * @param {number} index @param {Pointer} at @param {Target} held the workpiece
      * @param {() => void} done
      * @returns {import('./pointer-drags.js').Drag | null}
      */
     grab(index, at, held, done) {
-      const screw = store.insight?.freedoms[index];
+      const screw = store.why?.freedoms[index];
       const pose = here()?.slice();
       if (!screw || !pose) return null;
       const along = handles.follow(index, at);
@@ -64,7 +64,7 @@ export function createFreedoms({ store }, scene) {
     },
     /** One step: a round length of the workpiece's way, or the step of a turn if that is less. @param {number} index @param {number} sign @param {Target} held */
     nudge(index, sign, held) {
-      const screw = store.insight?.freedoms[index];
+      const screw = store.why?.freedoms[index];
       const pose = here();
       if (!screw || !pose) return;
       const at = new Vector3(pose[0], pose[1], pose[2]);

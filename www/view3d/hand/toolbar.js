@@ -2,7 +2,7 @@
  * The bar beside the view that says what is in hand and offers how to move it.
  *
  * @typedef {'move' | 'turn' | 'freedoms'} Mode
- * @typedef {ReturnType<typeof import('./freedom-words.js').freedomWords>} Freedom
+ * @typedef {ReturnType<typeof import('../../core/freedom-words.js').freedomInWords>} Freedom
  * @typedef {{mode: Mode, space: 'world' | 'local', snap: boolean}} How
  *
  * @typedef {object} InHand

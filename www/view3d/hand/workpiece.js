@@ -63,7 +63,7 @@ export function workpieceTarget({ store, planner }) {
       const { posture } = store.view;
       if (!posture) return place;
       // Neither a joint that is driven nor an iterate follows the hand on the workpiece.
-      const name = isDriven(store.view) ? 'driven' : posture.note && posture.status === 'stalled' ? 'iterate' : posture.status;
+      const name = isDriven(store.view.posture) ? 'driven' : posture.note && posture.status === 'stalled' ? 'iterate' : posture.status;
       const { sign, word } = statusWords(name);
       if (posture.note || ['reached', 'driven'].includes(name)) return `${place}; ${sign} ${word.toLowerCase()}`;
       return `${place}; ${sign} ${endWords(name, posture.translation_gap, posture.rotation_gap, 'the hand', unit)}`;

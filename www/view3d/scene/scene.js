@@ -171,7 +171,7 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
     },
     /** What is drawn, and where ghosts stand. @param {Pick<import('../../core/types.js').View, 'show' | 'ghosts' | 'posture'>} next */
     choose({ show, ghosts, posture }) {
-      const driven = isDriven({ posture });
+      const driven = isDriven(posture);
       if (show === options.show && ghosts === options.ghosts && driven === options.driven) return;
       options = { show, ghosts, driven };
       materials.show(driven ? { ...show, goal: false, gaps: false } : show);

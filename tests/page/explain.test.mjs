@@ -1,7 +1,7 @@
-// The insight belongs to what is shown now; an answer that comes too late is dropped.
+// The why belongs to what is shown now; an answer that comes too late is dropped.
 import assert from 'node:assert/strict';
 import { afterEach, beforeEach, mock, test } from 'node:test';
-import { createInsight } from '../../www/core/explain.js';
+import { createExplainer } from '../../www/core/explain.js';
 import { createStore } from '../../www/core/store.js';
 
 beforeEach(() => mock.timers.enable({ apis: ['setTimeout'] }));
@@ -15,7 +15,7 @@ function made() {
     new Promise((resolve, reject) => questions.push({ text, joints: [...joints], goal: [...goal], resolve, reject }));
   const doc = { version: 1, name: 'a', chains: [], motion: { key_frames: [] } };
   const store = createStore(doc);
-  createInsight({ store, planner: { explain } });
+  createExplainer({ store, planner: { explain } });
   const motion = { frames: 2, joints: new Float64Array([1, 2, 3, 4]), goal: new Float64Array(14).map((_, i) => i) };
   store.setResult({ motion, doc });
   mock.timers.tick(1000);
@@ -26,9 +26,10 @@ test('asks for the shown frame, and again when another is shown', async () => {
   const { store, questions } = made();
   assert.deepEqual(questions[0].joints, [1, 2]);
   assert.equal(JSON.parse(questions[0].text).name, 'a');
-  questions[0].resolve('first');
+  questions[0].resolve({ answer: 'first' });
   await settled();
-  assert.equal(store.insight, 'first');
+  const { joints, goal } = store.result.motion;
+  assert.deepEqual(store.why, { answer: 'first', of: { doc: store.doc, joints, goal, index: 0 } }, 'with what it is the answer of');
   store.setView({ hovered: 'workpiece' });
   mock.timers.tick(1000);
   assert.equal(questions.length, 1, 'the same frame is not asked for twice');
@@ -42,11 +43,11 @@ test('drops an answer that is no longer about what is shown', async () => {
   const { store, questions } = made();
   store.setView({ frame: 1 });
   mock.timers.tick(1000);
-  questions[1].resolve('second');
+  questions[1].resolve({ answer: 'second' });
   await settled();
-  questions[0].resolve('first');
+  questions[0].resolve({ answer: 'first' });
   await settled();
-  assert.equal(store.insight, 'second');
+  assert.equal(store.why.answer, 'second');
 });
 
 test('while the motion plays it asks now and then, not at every frame', () => {
