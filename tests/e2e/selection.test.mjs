@@ -104,3 +104,36 @@ test('on a phone a tap in the view does not take the page away from it', async (
   await phone.locator('.tables [data-path="motion.key_frames[2]"][aria-current="true"]').waitFor({ state: 'attached' });
   assert.equal(await phone.evaluate(() => scrollY), 0);
 });
+
+test('the tree keeps its nodes and the focus when the document changes, and its arrows scroll with it', async () => {
+  await item('chains[1]').focus();
+  await page.evaluate(() => {
+    window.before = pageFocus();
+    const { store } = document.querySelector('synthetica-linkage').linkage;
+    store.edit((doc) => ({ ...doc, chains: doc.chains.map((chain, index) => ({ ...chain, name: `leg ${index + 1}` })) }));
+  });
+  await item('chains[1]').filter({ hasText: 'leg 2' }).waitFor();
+  assert.ok(await page.evaluate(() => pageFocus() === window.before && window.before.isConnected), 'the same node has the focus');
+  const arrow = async () => (await page.locator('[data-item="chains[0]"] .arrow').boundingBox()).y;
+  const before = await arrow();
+  await page.locator('.tree').evaluate((tree) => {
+    tree.style.height = '70px';
+    tree.scrollTop = 20;
+  });
+  assert.equal(await arrow(), before - 20, 'the arrow goes with its item');
+});
+
+test('when the focused item goes, the focus stays in the tree', async () => {
+  await item('chains[2]').focus();
+  await page.keyboard.press('Home');
+  await page.keyboard.press('End');
+  await page.keyboard.press('ArrowRight');
+  await page.keyboard.press('End');
+  assert.equal(await page.evaluate(() => pageFocus().dataset.item), 'motion.key_frames[2]');
+  await page.evaluate(() => {
+    const { store } = document.querySelector('synthetica-linkage').linkage;
+    store.edit((doc) => ({ ...doc, motion: { ...doc.motion, key_frames: doc.motion.key_frames.slice(0, 2) } }));
+  });
+  await item('motion.key_frames[2]').waitFor({ state: 'detached' });
+  assert.equal(await page.evaluate(() => pageFocus().getAttribute('role')), 'treeitem');
+});

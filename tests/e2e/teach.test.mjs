@@ -133,6 +133,25 @@ test('a posture becomes the start or a key frame, and undo takes it back', async
   assert.notEqual(await start.inputValue(), '1.25');
 });
 
+test('a field keeps its node, the focus and what is being typed when the motion is planned anew', async () => {
+  await field(1).focus();
+  await page.keyboard.type('1.3');
+  const low = await slider(1).getAttribute('min');
+  await page.evaluate(() => {
+    window.before = pageFocus();
+    const { store } = document.querySelector('synthetica-linkage').linkage;
+    window.motion = store.result.motion;
+    // Another range of every slider, and a frame more to be shown.
+    store.setView({ frame: 61 });
+    store.setResult({ motion: { ...store.result.motion, joints: store.result.motion.joints.map((value) => 1.1 * value) } });
+  });
+  assert.notEqual(await slider(1).getAttribute('min'), low, 'the panel has followed');
+  assert.ok(await page.evaluate(() => pageFocus() === window.before && window.before.isConnected));
+  assert.equal(await field(1).inputValue(), '1.3');
+  await page.keyboard.press('Escape');
+  assert.notEqual(await field(1).inputValue(), '1.3');
+});
+
 test('on a phone the panel fits', async () => {
   await page.setViewportSize({ width: 390, height: 844 });
   assert.equal(await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth), 0);

@@ -5,6 +5,7 @@
  */
 import { setValue } from '../core/edits.js';
 import { byId, setText } from '../ui/dom.js';
+import { withPart } from '../ui/lazy.js';
 import { menuButton } from '../ui/menu.js';
 import { createTheme } from './theme.js';
 
@@ -14,29 +15,28 @@ import { createTheme } from './theme.js';
  * @param {{earlier: () => import('./files/browser-storage.js').Earlier[]}} keeper
  */
 export function createHeader(app, documents, keeper) {
-  const { store, say } = app;
+  const { store } = app;
   createTheme();
   createAbout(store);
 
-  const examples = async () => (await import('./gallery.js')).openGallery(app);
-  const earlier = async () => (await import('./earlier.js')).openEarlier(app, keeper.earlier());
-  const lists = [examples, earlier].map((act) => () => act().catch(() => say('This part of the page could not be loaded. Reload the page to try again.')));
+  const examples = () => withPart(app, 'The examples', () => import('./gallery.js'), ({ openGallery }) => openGallery(app));
+  const earlier = () => withPart(app, 'The list of earlier documents', () => import('./earlier.js'), ({ openEarlier }) => openEarlier(app, keeper.earlier()));
 
-  byId('examples').addEventListener('click', lists[0]);
+  byId('examples').addEventListener('click', examples);
   byId('new').addEventListener('click', documents.fresh);
   byId('open').addEventListener('click', documents.pick);
   byId('save').addEventListener('click', () => documents.save());
   byId('share').addEventListener('click', documents.share);
 
   const file = menuButton('File', () => [
-    { label: 'Examples', act: lists[0] },
+    { label: 'Examples', act: examples },
     { label: 'New…', hint: 'From a type and a few sizes', act: documents.fresh },
     { label: 'Open…', hint: 'Ctrl+O, or drop a file onto the page', act: documents.pick },
     { label: 'Save', hint: 'Ctrl+S', act: () => documents.save() },
     { label: 'Save as…', act: () => documents.save(true) },
     'line',
     { label: 'Share', hint: 'A link that holds the whole document', act: documents.share },
-    { label: 'Earlier documents', hint: 'Kept in this browser', disabled: keeper.earlier().length === 0, act: lists[1] },
+    { label: 'Earlier documents', hint: 'Kept in this browser', disabled: keeper.earlier().length === 0, act: earlier },
     'line',
     { label: 'Colours', hint: byId('theme').getAttribute('aria-label')?.replace('Colours: ', 'Now '), act: () => byId('theme').click() },
   ]);

@@ -23,6 +23,7 @@
 import { finder } from '../ui/dom.js';
 import { createExplainer } from '../core/explain.js';
 import { createStage } from './canvas-area.js';
+import { loaded } from '../ui/lazy.js';
 import { createBanners } from '../panels/info/banners.js';
 import { createByHand } from '../view3d/by-hand.js';
 import { createHistoryKeys } from '../app/history.js';
@@ -65,7 +66,7 @@ export async function createWorkbench(linkage, place) {
   createByHand(app);
   createHistoryKeys(app);
   if (!panels.length) return /** @type {AppWithPanels} */ (app);
-  const { createPanels } = await import('./panels.js');
+  const { createPanels } = await loaded(app, 'The panels', () => import('./panels.js'));
   if (signal.aborted) return /** @type {AppWithPanels} */ (app);
   return createPanels(app, banners);
 }

@@ -4,6 +4,7 @@
  * @typedef {import('../element/workbench.js').App} App
  */
 import { byId } from '../ui/dom.js';
+import { withPart } from '../ui/lazy.js';
 import { menuButton } from '../ui/menu.js';
 import { notWhole } from './not-whole.js';
 import { canFilm } from './film-type.js';
@@ -12,14 +13,21 @@ import { canFilm } from './film-type.js';
 export function createExport(app) {
   const { store, scene, say } = app;
 
-  /** @param {() => Promise<unknown>} make */
-  const attempt = (make) => () =>
-    make().catch((error) => {
-      console.warn(error);
-      say(`The file could not be made (${error.message}).`);
+  /**
+   * @template T
+   * @param {() => Promise<T>} load @param {(part: T) => unknown} make
+   */
+  const attempt = (load, make) => () =>
+    withPart(app, 'What makes this file', load, async (part) => {
+      try {
+        await make(part);
+      } catch (error) {
+        console.warn(error);
+        say(`The file could not be made (${/** @type {Error} */ (error).message}).`);
+      }
     });
   /** @param {'csv' | 'json' | 'mjcf'} format */
-  const motion = (format) => attempt(async () => (await import('./motion.js')).exportMotion(app, format));
+  const motion = (format) => attempt(() => import('./motion.js'), ({ exportMotion }) => exportMotion(app, format));
 
   byId('menus').append(
     menuButton('Export', () => {
@@ -35,10 +43,10 @@ export function createExport(app) {
       // A picture is of what is seen, also where that is not of the document.
       const seen = (/** @type {string} */ hint) => (why ? `${hint}. ${why}` : hint);
       return [
-        item('Picture (PNG) …', seen('The view, in any size'), unseen || nothing, attempt(async () => (await import('./png.js')).exportPng(app))),
-        item('Drawing (SVG)', seen('The view as shapes, for print and to edit'), unseen || nothing, attempt(async () => (await import('./svg.js')).exportSvg(app))),
-        item('Film (WebM)', 'One pass at the speed that is set', unseen || film || why, attempt(async () => (await import('./film.js')).exportFilm(app))),
-        item('Playing page (HTML)', 'One file that plays this motion, without a network', why, attempt(async () => (await import('./html.js')).exportHtml(app))),
+        item('Picture (PNG) …', seen('The view, in any size'), unseen || nothing, attempt(() => import('./png.js'), ({ exportPng }) => exportPng(app))),
+        item('Drawing (SVG)', seen('The view as shapes, for print and to edit'), unseen || nothing, attempt(() => import('./svg.js'), ({ exportSvg }) => exportSvg(app))),
+        item('Film (WebM)', 'One pass at the speed that is set', unseen || film || why, attempt(() => import('./film.js'), ({ exportFilm }) => exportFilm(app))),
+        item('Playing page (HTML)', 'One file that plays this motion, without a network', why, attempt(() => import('./html.js'), ({ exportHtml }) => exportHtml(app))),
         'line',
         item('Table (CSV)', 'Joints, poses, gaps at every frame; degrees', why, motion('csv')),
         item('Data (JSON)', 'The same with the document', why, motion('json')),

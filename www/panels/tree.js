@@ -6,6 +6,7 @@
  */
 import { element, focusBeside } from '../ui/dom.js';
 import { chainName } from '../core/chain-name.js';
+import { html, nothing, render, repeat } from '../ui/render.js';
 import { JOINT_TYPES, chainType } from '../core/joint-types.js';
 
 /** @param {import('../core/types.js').MechanismDocument} doc @returns {Item[]} */
@@ -44,135 +45,144 @@ export function createTree(place, { store, narrow }, enter) {
   place.append(tree);
   // Where there is room for it beside the tables.
   place.open = !narrow() && matchMedia('(min-width: 1100px) and (min-height: 780px)').matches;
-  /** @type {Set<string>} */
+  /** Paths of the branches that are open. @type {Set<string>} */
   const open = new Set();
-  let shape = '';
   /** The item that Tab comes to. */
   let stop = '';
+  /** What is selected and pointed at as the tree shows it. */
+  let marked = { selected: '', hovered: '' };
+  let items = itemsOf(store.doc);
 
-  const nodes = () => /** @type {HTMLElement[]} */ ([...tree.querySelectorAll('[role=treeitem]')]);
-  const seen = () => nodes().filter((node) => !node.hidden);
-  const nodeOf = (/** @type {string} */ path) => nodes().find((node) => node.dataset.item === path);
+  const seen = () => items.flatMap((item) => [item, ...(open.has(item.path) ? (item.children ?? []) : [])]);
+  const branchOf = (/** @type {string} */ path) => items.find(({ children }) => children?.some((child) => child.path === path));
+  const nodeOf = (/** @type {string} */ path) => /** @type {HTMLElement | null} */ (tree.querySelector(`[data-item="${path}"]`));
+  const pathOf = (/** @type {EventTarget | null} */ target) =>
+    /** @type {HTMLElement | null} */ (/** @type {Element} */ (target).closest('[role=treeitem]'))?.dataset.item;
 
   /**
    * An item and its children, one after the other: a flat tree, whose levels are said, so that an item's name is its own.
-   * @param {Item[]} items @param {string} [branch] path of the item above @returns {HTMLElement[]}
+   * @param {Item} item @param {number} index @param {Item[]} siblings @param {string} [branch] path of the item above
+   * @returns {unknown[]}
    */
-  const flat = (items, branch) =>
-    items.flatMap(({ path, name, more, children }, index) => [
-      element(
-        'li',
-        {
-          role: 'treeitem', 'data-item': path, 'data-branch': branch, tabindex: -1, 'aria-selected': 'false', 'aria-level': branch ? 2 : 1,
-          'aria-posinset': index + 1, 'aria-setsize': items.length, 'aria-expanded': children ? String(open.has(path)) : undefined,
-          hidden: branch !== undefined && !open.has(branch),
-        },
-        name,
-        more ? ' ' : '',
-        more ? element('small', {}, more) : '',
-      ),
-      ...(children ? flat(children, path) : []),
-    ]);
+  const rows = ({ path, name, more, children }, index, siblings, branch) => [
+    {
+      path,
+      row: html`<li
+        role="treeitem"
+        data-item=${path}
+        tabindex=${path === stop ? 0 : -1}
+        class=${path === marked.hovered ? 'pointed' : nothing}
+        aria-selected=${path === marked.selected}
+        aria-level=${branch ? 2 : 1}
+        aria-posinset=${index + 1}
+        aria-setsize=${siblings.length}
+        aria-expanded=${children ? open.has(path) : nothing}
+        ?hidden=${branch !== undefined && !open.has(branch)}
+      >${children ? html`<span class="arrow" aria-hidden="true">${open.has(path) ? '▾' : '▸'}</span>` : nothing}${name}${more ? html` <small>${more}</small>` : nothing}</li>`,
+    },
+    ...(children ?? []).flatMap((child, at, all) => rows(child, at, all, path)),
+  ];
 
-  /** @param {HTMLElement} item @param {boolean} on */
-  function expand(item, on) {
-    const path = item.dataset.item ?? '';
-    if (!item.hasAttribute('aria-expanded')) return;
-    if (on) open.add(path);
-    else open.delete(path);
-    item.setAttribute('aria-expanded', String(on));
-    for (const child of nodes()) if (child.dataset.branch === path) child.hidden = !on;
+  function draw() {
+    const all = /** @type {{path: string, row: unknown}[]} */ (items.flatMap((item, index) => rows(item, index, items)));
+    if (!all.some(({ path }) => path === stop)) {
+      stop = items[0].path;
+      // What had the focus is no more: it goes to where Tab would come, not out of the tree.
+      const focused = tree.contains(focusBeside(tree));
+      draw();
+      if (focused) nodeOf(stop)?.focus();
+      return;
+    }
+    render(repeat(all, ({ path }) => path, ({ row }) => row), tree);
   }
 
-  /** @param {HTMLElement | undefined} item */
+  /** @param {string} path @param {boolean} on */
+  function expand(path, on) {
+    if (on) open.add(path);
+    else open.delete(path);
+    draw();
+  }
+
+  /** @param {Item | undefined} item */
   function go(item) {
     if (!item) return;
-    setStop(item.dataset.item ?? '');
-    item.focus();
+    stop = item.path;
+    draw();
+    nodeOf(stop)?.focus();
   }
 
   /** @param {string} path */
-  function setStop(path) {
+  function select(path) {
     stop = path;
-    for (const item of nodes()) item.tabIndex = item.dataset.item === path ? 0 : -1;
-  }
-
-  /** @param {HTMLElement} item */
-  function select(item) {
-    setStop(item.dataset.item ?? '');
-    store.setView({ selected: item.dataset.item === 'motion' ? '' : item.dataset.item });
+    store.setView({ selected: path === 'motion' ? '' : path });
+    draw();
   }
 
   tree.addEventListener('click', ({ target }) => {
-    const item = /** @type {HTMLElement | null} */ (/** @type {Element} */ (target).closest('[role=treeitem]'));
-    if (!item) return;
-    expand(item, item.getAttribute('aria-expanded') !== 'true');
-    select(item);
-    item.focus();
+    const path = pathOf(target);
+    if (path === undefined) return;
+    if (items.some((item) => item.path === path && item.children)) expand(path, !open.has(path));
+    select(path);
+    nodeOf(path)?.focus();
   });
   tree.addEventListener('pointerover', ({ target, pointerType }) => {
-    const path = /** @type {HTMLElement | null} */ (/** @type {Element} */ (target).closest('[role=treeitem]'))?.dataset.item;
+    const path = pathOf(target);
     if (pointerType === 'mouse') store.setView({ hovered: path === 'motion' ? '' : path });
   });
   tree.addEventListener('pointerleave', () => store.setView({ hovered: '' }));
   tree.addEventListener('keydown', (event) => {
-    const item = /** @type {HTMLElement | null} */ (/** @type {Element} */ (event.target).closest('[role=treeitem]'));
-    if (!item || event.ctrlKey || event.metaKey || event.altKey) return;
+    const path = pathOf(event.target);
+    if (path === undefined || event.ctrlKey || event.metaKey || event.altKey) return;
     const all = seen();
-    const at = all.indexOf(item);
-    const expanded = item.getAttribute('aria-expanded');
+    const at = all.findIndex((item) => item.path === path);
+    const closed = all[at].children && !open.has(path);
     if (event.key === 'ArrowDown') go(all[at + 1]);
     else if (event.key === 'ArrowUp') go(all[at - 1]);
     else if (event.key === 'Home') go(all[0]);
     else if (event.key === 'End') go(all[all.length - 1]);
-    else if (event.key === 'ArrowRight' && expanded === 'false') expand(item, true);
-    else if (event.key === 'ArrowRight' && expanded === 'true') go(all[at + 1]);
-    else if (event.key === 'ArrowLeft' && expanded === 'true') expand(item, false);
-    else if (event.key === 'ArrowLeft') go(nodeOf(item.dataset.branch ?? ''));
-    else if (event.key === ' ') select(item);
+    else if (event.key === 'ArrowRight' && closed) expand(path, true);
+    else if (event.key === 'ArrowRight' && open.has(path)) go(all[at + 1]);
+    else if (event.key === 'ArrowLeft' && open.has(path)) expand(path, false);
+    else if (event.key === 'ArrowLeft') go(branchOf(path));
+    else if (event.key === ' ') select(path);
     else if (event.key === 'Enter') {
-      select(item);
-      enter(item.dataset.item ?? '');
+      select(path);
+      enter(path);
     } else if (/^\p{L}$/u.test(event.key)) {
       const from = [...all.slice(at + 1), ...all.slice(0, at + 1)];
-      go(from.find((other) => other.textContent?.toLowerCase().startsWith(event.key.toLowerCase())));
+      go(from.find(({ name }) => name.toLowerCase().startsWith(event.key.toLowerCase())));
     } else return;
     event.preventDefault();
     event.stopPropagation();
   });
 
-  function build() {
-    const items = itemsOf(store.doc);
-    const next = JSON.stringify(items);
-    if (next === shape) return;
-    shape = next;
-    const focused = tree.contains(focusBeside(tree));
-    tree.replaceChildren(...flat(items));
-    setStop(nodeOf(stop) ? stop : items[0].path);
-    if (focused) nodeOf(stop)?.focus();
-    mark();
-  }
-
   /** The item that is selected, here or elsewhere, is marked, and its branch is opened. */
   function mark() {
     const { selected, hovered } = store.view;
-    for (const item of nodes()) {
-      const on = item.dataset.item === selected;
-      item.classList.toggle('pointed', item.dataset.item === hovered);
-      if ((item.getAttribute('aria-selected') === 'true') === on) continue;
-      item.setAttribute('aria-selected', String(on));
-      if (!on) continue;
-      const branch = nodeOf(item.dataset.branch ?? '');
-      if (branch) expand(branch, true);
-      setStop(selected);
-      // In its own box only: the page stays where it is.
-      const box = tree.getBoundingClientRect();
-      const row = item.getBoundingClientRect();
-      if (row.top < box.top) tree.scrollTop += row.top - box.top;
-      if (row.bottom > box.bottom) tree.scrollTop += row.bottom - box.bottom;
-    }
+    if (selected === marked.selected && hovered === marked.hovered) return;
+    const other = selected !== marked.selected;
+    marked = { selected, hovered };
+    const branch = branchOf(selected);
+    if (other && branch) open.add(branch.path);
+    if (other && (branch || items.some(({ path }) => path === selected))) stop = selected;
+    draw();
+    if (other) reveal(nodeOf(selected));
   }
-  store.subscribe('document', build);
+
+  /** Scrolls the tree's own box only: the page stays where it is. @param {HTMLElement | null} item */
+  function reveal(item) {
+    if (!item) return;
+    const box = tree.getBoundingClientRect();
+    const row = item.getBoundingClientRect();
+    if (row.top < box.top) tree.scrollTop += row.top - box.top;
+    if (row.bottom > box.bottom) tree.scrollTop += row.bottom - box.bottom;
+  }
+
+  store.subscribe('document', () => {
+    items = itemsOf(store.doc);
+    draw();
+  });
   store.subscribe('view', mark);
-  build();
+  draw();
+  mark();
 }

@@ -1,6 +1,47 @@
 /**
- * Parts that are loaded when they are first seen, so that the page opens without them.
+ * Parts of the page that are loaded when they are first needed, so that the page opens without them. Where one cannot be
+ * loaded that is said, with a button that tries again: no failed load is kept.
  */
+import { element } from './dom.js';
+
+/** @param {string} what such as "The charts" @param {unknown} error */
+const failure = (what, error) => `${what} could not be loaded (${error instanceof Error ? error.message : error}).`;
+
+/** A style sheet that failed stays in the page, and its part would come without it. */
+function loadStylesAgain() {
+  for (const link of /** @type {NodeListOf<HTMLLinkElement>} */ (document.querySelectorAll('link[rel=stylesheet]'))) if (!link.sheet) link.replaceWith(link.cloneNode());
+}
+
+/**
+ * Loads a part and goes on with it, or says that it cannot be loaded.
+ * @template T
+ * @param {{say: import('./notice.js').Say}} app
+ * @param {string} what stands in the message if it cannot: "The gallery"
+ * @param {() => Promise<T>} load
+ * @param {(part: T) => unknown} go what is done with it; what goes wrong there is its own matter
+ * @returns {Promise<boolean>} whether it was loaded
+ */
+export async function withPart({ say }, what, load, go) {
+  let part;
+  try {
+    part = await load();
+  } catch (error) {
+    const again = () => {
+      loadStylesAgain();
+      withPart({ say }, what, load, go);
+    };
+    say(failure(what, error), { label: 'Try again', act: again, stays: true });
+    return false;
+  }
+  await go(part);
+  return true;
+}
+
+/**
+ * The same for what nothing can be done without: resolves when it is loaded, however often that is tried.
+ * @template T @param {{say: import('./notice.js').Say}} app @param {string} what @param {() => Promise<T>} load @returns {Promise<T>}
+ */
+export const loaded = (app, what, load) => new Promise((resolve) => withPart(app, what, load, resolve));
 
 /**
  * @param {HTMLElement} panel fills itself when it first comes into view
@@ -8,12 +49,22 @@
  * @param {() => Promise<unknown>} load
  */
 export function whenSeen(panel, what, load) {
+  const attempt = () =>
+    load().catch((error) => {
+      const again = () => {
+        // The button goes; the focus stays in its panel.
+        panel.tabIndex = -1;
+        panel.focus();
+        panel.textContent = `${what}: loading …`;
+        loadStylesAgain();
+        attempt();
+      };
+      panel.replaceChildren(element('p', { class: 'not-loaded', role: 'alert' }, failure(what, error), ' ', element('button', { class: 'link', click: again }, 'Try again')));
+    });
   const observer = new IntersectionObserver((entries) => {
     if (!entries.some((entry) => entry.isIntersecting)) return;
     observer.disconnect();
-    load().catch((error) => {
-      panel.textContent = `${what} could not be loaded (${error instanceof Error ? error.message : error}). Reload the page to try again.`;
-    });
+    attempt();
   });
   observer.observe(panel);
 }

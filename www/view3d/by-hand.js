@@ -3,22 +3,22 @@
  * or something chosen that can be moved.
  */
 
+import { withPart } from '../ui/lazy.js';
+
 /** @param {import('../element/workbench.js').App} app */
 export function createByHand(app) {
   if (!app.scene) return;
   const canvas = app.find('canvas');
   let loading = false;
+  let made = false;
   async function load() {
     if (loading) return;
     loading = true;
-    try {
-      const { createDrag } = await import('./hand/drag.js');
-      createDrag(app);
-    } catch (error) {
-      // Off line before the first load was whole: the next pointer tries again.
-      loading = false;
-      app.say(`Moving by hand could not be loaded (${error instanceof Error ? error.message : error}).`);
-    }
+    // Once it has failed, the next pointer tries again too.
+    loading = await withPart(app, 'Moving by hand', () => import('./hand/drag.js'), ({ createDrag }) => {
+      if (!made) createDrag(app);
+      made = true;
+    });
   }
   canvas.addEventListener('pointerenter', load);
   canvas.addEventListener('focus', load);

@@ -2,27 +2,17 @@
  * What a person does with documents. How it is done is loaded when it is first asked for.
  */
 import { byId } from '../../ui/dom.js';
+import { withPart } from '../../ui/lazy.js';
 
 /** @param {import('../../element/workbench.js').App} app */
 export function createDocuments(app) {
   /** @type {HTMLInputElement} */
   const chooser = byId('file');
-  const acts = async () => (await import('./actions.js')).createActs(app, chooser);
-  /** @type {ReturnType<typeof acts> | null} */
+  /** @typedef {ReturnType<typeof import('./actions.js').createActs>} Acts */
+  /** @type {Acts | null} */
   let made = null;
-
-  /** @param {(acts: ReturnType<typeof import('./actions.js').createActs>) => unknown} act */
-  async function run(act) {
-    try {
-      made ??= acts();
-      await made;
-    } catch (error) {
-      // Off line before the first load was whole: the next click tries again.
-      made = null;
-      return app.say(`This part of the page could not be loaded (${/** @type {Error} */ (error).message}). Reload the page to try again.`);
-    }
-    await act(await made);
-  }
+  /** @param {(acts: Acts) => unknown} act */
+  const run = (act) => withPart(app, 'What opens and saves documents', () => import('./actions.js'), ({ createActs }) => act((made ??= createActs(app, chooser))));
 
   /** Opens a file that was handed in. @param {File} file */
   const take = (file) => run((then) => then.take(file));

@@ -2,15 +2,18 @@
  * The Help menu: the first minute, the keys, what the numbers mean, the lessons, the pages beside the applet.
  */
 import { byId, targetOf } from '../../ui/dom.js';
+import { withPart } from '../../ui/lazy.js';
 import { menuButton } from '../../ui/menu.js';
 import { askedLesson, lessons, openLesson } from './lessons.js';
 import { startTour, wasSeen } from './tour.js';
 
 /** @param {import('../../element/workbench.js').AppWithPanels} app */
 export function createHelp(app) {
-  const reference = () => import('./reference.js');
-  const showKeys = () => reference().then(({ showKeys: show }) => show());
-  const showNumbers = () => reference().then(({ showNumbers: show }) => show());
+  /** @param {(reference: typeof import('./reference.js')) => void} show */
+  const reference = (show) => () => withPart(app, 'This part of the help', () => import('./reference.js'), show);
+  const showKeys = reference(({ showKeys: show }) => show());
+  const showNumbers = reference(({ showNumbers: show }) => show());
+  const lesson = (/** @type {string} */ id) => withPart(app, 'The lesson', () => openLesson(app, id), () => {});
 
   /** A page of the site, beside the applet. @param {string} address */
   const page = (address) => () => window.open(address, '_blank', 'noopener');
@@ -21,7 +24,7 @@ export function createHelp(app) {
       { label: 'Keys', hint: 'Everything from the keyboard: ?', act: showKeys },
       { label: 'What the numbers mean', hint: 'Each with its equation', act: showNumbers },
       'line',
-      ...lessons.map(({ id, title, line }) => ({ label: `Lesson: ${title}`, hint: line, act: () => openLesson(app, id) })),
+      ...lessons.map(({ id, title, line }) => ({ label: `Lesson: ${title}`, hint: line, act: () => lesson(id) })),
       'line',
       { label: 'Gallery', hint: 'The examples, described', act: page('./gallery.html') },
       { label: 'Course', hint: 'A lecture with live linkages', act: page('./course.html') },
@@ -37,7 +40,7 @@ export function createHelp(app) {
   });
 
   // The lesson of the address, or the first minute of a first visit.
-  const lesson = askedLesson();
-  if (lesson !== null) openLesson(app, lesson);
+  const asked = askedLesson();
+  if (asked !== null) lesson(asked);
   else if (!wasSeen()) startTour(app, { focus: false });
 }

@@ -3,11 +3,12 @@
  * closed and the other joints follow, in the view and in the other sliders.
  *
  * @typedef {import('./drive.js').Variable} Variable
- * @typedef {{variable: Variable, slider: HTMLInputElement, field: HTMLInputElement, note: HTMLElement}} Row
+ * @typedef {{text: string, stage: 'typing' | 'driven' | 'refused'}} Entry what was typed into a number's field and is not its value yet
  */
-import { element, focusBeside, setText } from '../../ui/dom.js';
 import { chainName } from '../../core/chain-name.js';
+import { element } from '../../ui/dom.js';
 import { entry } from '../../core/edits.js';
+import { html, live, nothing, render } from '../../ui/render.js';
 import { ANGLE_DECIMALS, lengthUnit, short } from '../../core/format.js';
 import { groupAt, shown } from '../../core/shown.js';
 import { driveShown, readable, variablesOf } from './drive.js';
@@ -19,9 +20,12 @@ const STEPS = 2000;
 /** @param {import('../../element/workbench.js').App} app @param {HTMLElement} panel */
 export function createTeach(app, panel) {
   const { store, player } = app;
-  /** @type {Row[]} */
-  let rows = [];
-  let shape = '';
+  /** The variables of a motion. @type {{motion: unknown, variables: Variable[]}} */
+  let of = { motion: null, variables: [] };
+  /** By the variable's index. @type {Map<number, Entry>} */
+  const entries = new Map();
+  /** Why the last drive did not get to where it was asked to. */
+  let obstacle = { index: -1, why: '' };
 
   const actions = element(
     'p',
@@ -34,116 +38,108 @@ export function createTeach(app, panel) {
   panel.replaceChildren(element('h2', {}, 'Joints'), intro, actions, body);
 
   const unitOf = (/** @type {Variable} */ { turns }) => (turns ? '°' : lengthUnit(store.result.doc?.length_unit));
+  const unitInWords = (/** @type {Variable} */ variable) => (variable.turns ? 'degrees' : unitOf(variable));
   const text = (/** @type {Variable} */ variable, /** @type {number} */ value) => short(value, variable.turns ? ANGLE_DECIMALS : undefined);
+  /** As a number is typed. @param {string} words */
+  const editable = (words) => words.replace('−', '-');
 
-  /** As a number is typed. @param {string} shown */
-  const editable = (shown) => shown.replace('−', '-');
-
-  /** @param {Row} row @param {number} value */
-  async function drive(row, value) {
+  /** @param {Variable} variable @param {number} value */
+  async function drive(variable, value) {
+    const { index } = variable;
+    const asked = entries.get(index);
     player.pause();
-    const why = await driveShown(app, row.variable, value);
-    if (why === null) return;
-    for (const other of rows) if (other !== row) say(other, '');
-    say(row, why);
+    const why = await driveShown(app, variable, value);
+    if (why !== null) obstacle = { index, why };
+    // What has been typed since is not the drive's.
+    if (asked && entries.get(index) === asked) entries.delete(index);
     show();
   }
 
-  /** @param {Row} row @param {string} why */
-  function say({ field, note }, why) {
-    note.hidden = why === '';
-    setText(note, why);
-    if (why) field.setAttribute('aria-describedby', note.id);
-    else field.removeAttribute('aria-describedby');
-  }
-
-  /** What was typed: driven to if it can be asked for, else explained. @param {Row} row */
-  function typed(row) {
-    const { variable, field } = row;
-    const value = entry(field.value);
-    const [low, high] = [variable.min ?? -Infinity, variable.max ?? Infinity];
-    const unit = unitOf(variable);
-    field.removeAttribute('aria-invalid');
+  /** What was typed: driven to if it can be asked for, else explained. @param {Variable} variable @param {string} typed @param {string} words what is shown */
+  function take(variable, typed, words) {
+    const { index } = variable;
+    const value = entry(typed);
+    if (obstacle.index === index) obstacle = { index: -1, why: '' };
+    const good = typeof value === 'number' && value >= (variable.min ?? -Infinity) && value <= (variable.max ?? Infinity);
     // Left as it was: the short number is no wish to go to it.
-    if (field.value === editable(field.dataset.shown ?? '')) return say(row, '');
-    if (typeof value === 'number' && value >= low && value <= high) return drive(row, value);
-    field.setAttribute('aria-invalid', 'true');
-    const bounds = [low, high].every(Number.isFinite) ? ` from ${text(variable, low)} to ${text(variable, high)}` : low > -Infinity ? ` of at least ${text(variable, low)}` : high < Infinity ? ` of at most ${text(variable, high)}` : '';
-    say(row, `${variable.name} takes a number${bounds} (${unit === '°' ? 'degrees' : unit}), not “${field.value.trim()}”.`);
+    if (typed === editable(words)) entries.delete(index);
+    else entries.set(index, { text: typed, stage: good ? 'driven' : 'refused' });
+    if (entries.get(index)?.stage === 'driven') drive(variable, Number(value));
+    show();
   }
 
-  /** @param {Variable} variable @returns {HTMLElement} */
-  function makeRow(variable) {
+  /** @param {Variable} variable @param {string} typed */
+  function refusal(variable, typed) {
+    const { min, max, name } = variable;
+    const [from, to] = [min, max].map((bound) => (bound === null ? '' : text(variable, bound)));
+    const bounds = from && to ? ` from ${from} to ${to}` : from ? ` of at least ${from}` : to ? ` of at most ${to}` : '';
+    return `${name} takes a number${bounds} (${unitInWords(variable)}), not “${typed.trim()}”.`;
+  }
+
+  /** @param {Variable} variable @param {number} value */
+  function row(variable, value) {
+    const { index, chain, name, range, min, max } = variable;
+    const [low, high] = range;
+    const words = text(variable, value);
     const unit = unitOf(variable);
-    const [low, high] = variable.range;
-    const name = `${chainName(store.result.doc?.chains[variable.chain], variable.chain)}, ${variable.name}`;
-    const in_ = variable.turns ? 'degrees' : unit;
-    const slider = element('input', { type: 'range', min: low, max: high, step: (high - low) / STEPS || 1, 'aria-label': `${name} in ${in_}` });
-    const field = element('input', { type: 'text', inputmode: 'decimal', autocomplete: 'off', class: 'cell', 'aria-label': `${name}, number in ${in_}` });
-    const note = element('p', { class: 'fault', role: 'status', hidden: true, id: `teach-note-${variable.index}` });
-    /** @type {Row} */
-    const row = { variable, slider, field, note };
-    rows.push(row);
-    slider.addEventListener('input', () => drive(row, Number(slider.value)));
-    field.addEventListener('focus', () => field.select());
-    field.addEventListener('change', () => typed(row));
-    field.addEventListener('keydown', (event) => {
+    const label = `${chainName(store.result.doc?.chains[chain], chain)}, ${name}`;
+    const typed = entries.get(index);
+    const refused = typed?.stage === 'refused';
+    const why = refused ? refusal(variable, typed.text) : obstacle.index === index ? obstacle.why : '';
+    const end = (/** @type {number} */ at, /** @type {number | null} */ limit) =>
+      limit === null ? html`<span>${text(variable, at)}</span>` : html`<span class="limit" title="joint limit">${text(variable, at)}</span>`;
+    const input = (/** @type {Event} */ { target }) => /** @type {HTMLInputElement} */ (target);
+    const typing = (/** @type {Event} */ event) => entries.set(index, { text: input(event).value, stage: 'typing' });
+    const leave = () => {
+      // Typed and taken back by hand: no change for the browser, and no wish.
+      if (entries.get(index)?.stage === 'typing') entries.delete(index);
+      show();
+    };
+    const press = (/** @type {KeyboardEvent} */ event) => {
       if (event.key !== 'Escape') return;
-      field.removeAttribute('aria-invalid');
-      say(row, '');
-      field.value = editable(field.dataset.shown ?? '');
-      field.select();
-    });
-    const end = (/** @type {number} */ value, /** @type {number | null} */ limit) =>
-      element('span', limit === null ? {} : { class: 'limit', title: 'joint limit' }, text(variable, value));
-    return element(
-      'div',
-      { class: 'teach-row', 'data-variable': variable.index },
-      element('span', { class: 'teach-name' }, element('var', {}, variable.name)),
-      element('div', { class: 'teach-slider' }, slider, element('div', { class: 'teach-ends', 'aria-hidden': 'true' }, end(low, variable.min), end(high, variable.max))),
-      element('span', { class: 'teach-number' }, field, element('small', {}, unit)),
-      note,
-    );
-  }
-
-  function build() {
-    const { motion, doc } = store.result;
-    if (!motion || !doc) return;
-    const variables = variablesOf(motion, doc);
-    const next = JSON.stringify([variables, motion.report.chains.map(({ name, type }) => [name, type]), doc.length_unit]);
-    if (next === shape) return;
-    shape = next;
-    rows = [];
-    body.replaceChildren(
-      ...motion.report.chains.map(({ name, type }, chain) =>
-        element(
-          'section',
-          { class: 'chain', 'data-chain': chain },
-          element('header', {}, element('h3', {}, chainName({ name }, chain), element('span', { class: 'type' }, type))),
-          ...variables.filter((variable) => variable.chain === chain).map(makeRow),
-        ),
-      ),
-    );
+      entries.delete(index);
+      if (obstacle.index === index) obstacle = { index: -1, why: '' };
+      show();
+      input(event).select();
+    };
+    return html`<div class="teach-row" data-variable=${index}>
+      <span class="teach-name"><var>${name}</var></span>
+      <div class="teach-slider">
+        <input type="range" min=${low} max=${high} step=${(high - low) / STEPS || 1} aria-label="${label} in ${unitInWords(variable)}" aria-valuetext="${words} ${unit}"
+          .value=${live(String(value))} @input=${(/** @type {Event} */ event) => drive(variable, Number(input(event).value))} />
+        <div class="teach-ends" aria-hidden="true">${end(low, min)}${end(high, max)}</div>
+      </div>
+      <span class="teach-number">
+        <input type="text" inputmode="decimal" autocomplete="off" class="cell" aria-label="${label}, number in ${unitInWords(variable)}"
+          aria-invalid=${refused ? 'true' : nothing} aria-describedby=${why ? `teach-note-${index}` : nothing} .value=${live(typed?.text ?? editable(words))}
+          @focus=${(/** @type {Event} */ event) => input(event).select()} @input=${typing} @blur=${leave} @keydown=${press}
+          @change=${(/** @type {Event} */ event) => take(variable, input(event).value, words)} />
+        <small>${unit}</small>
+      </span>
+      <p class="fault" role="status" id="teach-note-${index}" ?hidden=${!why}>${why}</p>
+    </div>`;
   }
 
   function show() {
-    if (!panel.classList.contains('shown')) return;
-    build();
+    const { motion, doc } = store.result;
+    if (!panel.classList.contains('shown') || !motion || !doc) return;
+    if (of.motion !== motion) of = { motion, variables: variablesOf(motion, doc) };
     const now = shown(store);
     if (!now) return;
+    const { posture } = store.view;
+    if (!posture) obstacle = { index: -1, why: '' };
     const values = groupAt(now.joints, now);
-    for (const { variable, slider, field } of rows) {
-      const value = readable(variable, values[variable.index]);
-      slider.value = String(value);
-      const words = text(variable, value);
-      slider.setAttribute('aria-valuetext', `${words} ${unitOf(variable)}`);
-      if (field.dataset.shown === words) continue;
-      field.dataset.shown = words;
-      if (focusBeside(field) !== field || field.getAttribute('aria-invalid') === null) field.value = editable(words);
-    }
-    actions.classList.toggle('away', !store.view.posture);
-    if (!store.view.posture) for (const row of rows) if (!row.field.hasAttribute('aria-invalid')) say(row, '');
+    const section = (/** @type {string} */ name, /** @type {string} */ type, /** @type {number} */ chain) => html`<section class="chain" data-chain=${chain}>
+      <header><h3>${chainName({ name }, chain)}<span class="type">${type}</span></h3></header>
+      ${of.variables.filter((variable) => variable.chain === chain).map((variable) => row(variable, readable(variable, values[variable.index])))}
+    </section>`;
+    render(motion.report.chains.map(({ name, type }, chain) => section(name, type, chain)), body);
+    actions.classList.toggle('away', !posture);
   }
+  store.subscribe('document', () => {
+    // What was typed for another document's joints is no entry for these.
+    entries.clear();
+  });
   store.subscribe('result', show);
   store.subscribe('view', show);
   // A panel that is not shown is not kept up to date: it catches up when it comes.
