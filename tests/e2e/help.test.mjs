@@ -48,6 +48,16 @@ test('the first minute can be skipped, and the page is usable beside it', async 
   const { page } = await browser.openPage({ firstVisit: true });
   await page.locator('#step-forward').click();
   assert.match(await text(page, 'frame-number'), /^2 \//);
+  // Escape in a cell is the cell's; anywhere else it ends the tour.
+  const note = page.getByRole('region', { name: 'First minute' });
+  await cell(page, 'chains[0].base.x').focus();
+  await page.keyboard.press('Escape');
+  assert.equal(await note.count(), 1);
+  await page.locator('#step-forward').focus();
+  await page.keyboard.press('Escape');
+  await note.waitFor({ state: 'detached' });
+  assert.equal(await page.evaluate(() => pageFocus().id), 'step-forward', 'the focus is left alone');
+  await fromMenu(page, 'First minute');
   await page.getByRole('button', { name: 'Skip' }).click();
   await page.reload();
   await page.waitForFunction(() => (page$('#closure')?.textContent ?? '–') !== '–');

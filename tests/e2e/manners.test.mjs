@@ -26,6 +26,66 @@ test('on a phone nothing sticks out, and every panel can be reached', async () =
   assert.deepEqual(problems, []);
 });
 
+test('on a phone every tab is whole, and what is focused does not lie under the view', async () => {
+  const { page } = await browser.openPage(PHONE);
+  for (const tab of await page.getByRole('tab').all()) {
+    if (!(await tab.isVisible())) continue;
+    const box = await tab.boundingBox();
+    assert.ok(box.x >= 0 && box.x + box.width <= 390, `${await tab.textContent()}: ${JSON.stringify(box)}`);
+  }
+  // From below upwards, which brings things to the upper edge, where the view is.
+  await cell(page, 'chains[2].joints[2].rows[0].alpha').focus();
+  const under = [];
+  for (let i = 0; i < 40; i++) {
+    await page.keyboard.press('Shift+Tab');
+    const found = await page.evaluate(() => {
+      const at = pageFocus();
+      if (!at.closest('#tables, #tabs')) return null;
+      const below = page$('#stage').getBoundingClientRect().bottom;
+      return at.getBoundingClientRect().top < below - 1 ? at.outerHTML.slice(0, 120) : '';
+    });
+    if (found === null) break;
+    if (found) under.push(found);
+  }
+  assert.deepEqual(under, []);
+});
+
+test('the first stop of the Tab key leads past everything to the tables', async () => {
+  const { page } = await browser.openPage();
+  await page.keyboard.press('Tab');
+  assert.equal(await page.evaluate(() => pageFocus().id), 'skip');
+  assert.ok((await page.locator('#skip').boundingBox()).y >= 0, 'it is seen while it has the focus');
+  await page.keyboard.press('Enter');
+  assert.ok(await page.evaluate(() => pageFocus().matches('#mechanism *')));
+  await page.getByRole('tab', { name: 'Motion' }).click();
+  await page.locator('#skip').focus();
+  await page.keyboard.press('Enter');
+  assert.ok(await page.evaluate(() => pageFocus().matches('#motion *')));
+});
+
+test('in forced colours the chosen tab differs from the others', async () => {
+  const { page } = await browser.openPage({ forcedColors: 'active' });
+  const line = (name) => page.getByRole('tab', { name }).evaluate((tab) => getComputedStyle(tab).borderBottomColor);
+  await page.getByRole('tab', { name: 'Motion' }).click();
+  await page.mouse.move(400, 300);
+  assert.notEqual(await line('Motion'), await line('Mechanism'));
+  assert.equal(await line('Teach'), await line('Mechanism'));
+});
+
+test('what cannot be chosen in a menu is reached by the keys and says why', async () => {
+  const { page } = await browser.openPage();
+  await page.getByRole('button', { name: 'Actions of chain 1', exact: true }).focus();
+  await page.keyboard.press('Enter');
+  const item = page.getByRole('menuitem', { name: /^Move up/ });
+  assert.ok(await item.evaluate((entry) => entry === pageFocus()));
+  assert.equal(await item.getAttribute('aria-disabled'), 'true');
+  assert.match(await item.textContent(), /It is the first/);
+  const before = await page.evaluate(() => document.querySelector('synthetica-linkage').linkage.store.doc);
+  await page.keyboard.press('Enter');
+  assert.ok(await item.isVisible(), 'the menu stays');
+  assert.deepEqual(await page.evaluate(() => document.querySelector('synthetica-linkage').linkage.store.doc), before);
+});
+
 for (const [width, height] of [[1280, 800], [800, 600], [844, 390], [640, 400]]) {
   test(`nothing sticks out at ${width} × ${height}`, async () => {
     const { page } = await browser.openPage({ viewport: { width, height } });

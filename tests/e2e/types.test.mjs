@@ -61,6 +61,30 @@ test('finds a type, and says what types are where there is none', async () => {
   assert.equal(await panel().locator('.chip:visible').count(), 214);
 });
 
+test('Table 3 stands in columns, and a row makes a linkage of its assembly, by pointer and by keys', async () => {
+  const edges = await page.locator('.assemblies tbody tr td:last-child').evaluateAll((cells) =>
+    cells.map((cell) => {
+      const range = document.createRange();
+      range.selectNodeContents(cell);
+      return Math.round(range.getBoundingClientRect().right);
+    }),
+  );
+  assert.equal(new Set(edges).size, 1, `numbers end in one line: ${edges}`);
+  await page.locator('[data-assembly="1I-1II"] td:last-child').click();
+  await page.getByRole('menuitem', { name: 'New linkage 1RPS+1' }).waitFor();
+  await page.keyboard.press('Escape');
+  await page.getByRole('button', { name: '1I-1II', exact: true }).focus();
+  await page.keyboard.press('Enter');
+  await page.keyboard.press('Enter');
+  assert.match(await panel().getByRole('textbox', { name: 'Type', exact: true }).inputValue(), /^1RPS\+1/);
+  await page.keyboard.press('Enter');
+  await sentence(/of type 1I-1II/);
+  assert.equal(await page.evaluate(() => pageFocus().textContent), '1I-1II', 'the focus is back at the row');
+  await page.getByRole('button', { name: '1I-1II', exact: true }).press('ArrowDown');
+  await page.getByRole('menuitem', { name: 'Show the chains of category II' }).nth(0).press('Enter');
+  assert.equal(await page.evaluate(() => pageFocus().closest('details').dataset.category), 'II');
+});
+
 test('a type begins a new linkage, of as many legs as are asked for', async () => {
   for (const [type, fit, legs] of [['RRS', '5', '3'], ['TR', '1', '1']]) {
     await panel().getByRole('button', { name: type, exact: true }).click();

@@ -1,7 +1,7 @@
 // The types of mechanisms in the words of Tables 2 and 3.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { assemblyName, grouped, typeSentence } from '../../www/panels/types/type-words.js';
+import { assemblyName, grouped, linkageOfAssembly, typeSentence } from '../../www/panels/types/type-words.js';
 
 const chains = (...constraints) => constraints.map((count) => ({ type: 'X', constraints: count }));
 const tables = {
@@ -11,6 +11,13 @@ const tables = {
 
 test('thousands are grouped as in the paper', () => {
   for (const [count, text] of [[6, '6'], [464417, '464,417'], [487990859, '487,990,859']]) assert.equal(grouped(count), text);
+});
+
+test('a linkage of an assembly takes the present types where they fit, else the first of each category', () => {
+  const classes = [['I', ['SPR', 'RPS']], ['II', ['TS']], ['III', ['SP']], ['IV', ['TR']]].map(([category, chains]) => ({ category, chains }));
+  assert.equal(linkageOfAssembly('3I', classes, ['RPS']), '3RPS');
+  assert.equal(linkageOfAssembly('1I-1III', classes, ['TS']), '1SPR+1SP');
+  assert.equal(linkageOfAssembly('1I-1IV', classes, []), '1SPR+1TR');
 });
 
 test('an assembly is named by its chains’ categories', () => {

@@ -22,6 +22,13 @@ export function createHeader(app, documents, keeper) {
   const examples = () => withPart(app, 'The examples', () => import('./gallery.js'), ({ openGallery }) => openGallery(app));
   const earlier = () => withPart(app, 'The list of earlier documents', () => import('./earlier.js'), ({ openEarlier }) => openEarlier(app, keeper.earlier()));
 
+  byId('skip').addEventListener('click', (event) => {
+    // Its target is inside the element, where no address reaches.
+    event.preventDefault();
+    const shown = app.root.querySelector('.tables > .shown, .info.shown');
+    const [first] = /** @type {HTMLElement[]} */ ([...(shown?.querySelectorAll('input, select, textarea, button') ?? [])]).filter((field) => field.checkVisibility() && !field.matches(':disabled'));
+    (first ?? app.find('tabs').querySelector('[aria-selected=true]'))?.focus();
+  });
   byId('examples').addEventListener('click', examples);
   byId('new').addEventListener('click', documents.fresh);
   byId('open').addEventListener('click', documents.pick);
@@ -36,7 +43,7 @@ export function createHeader(app, documents, keeper) {
     { label: 'Save as…', act: () => documents.save(true) },
     'line',
     { label: 'Share', hint: 'A link that holds the whole document', act: documents.share },
-    { label: 'Earlier documents', hint: 'Kept in this browser', disabled: keeper.earlier().length === 0, act: earlier },
+    { label: 'Earlier documents', hint: 'Kept in this browser', disabled: keeper.earlier().length === 0 ? 'None is kept in this browser yet' : '', act: earlier },
     'line',
     { label: 'Colours', hint: byId('theme').getAttribute('aria-label')?.replace('Colours: ', 'Now '), act: () => byId('theme').click() },
   ]);

@@ -39,7 +39,7 @@ export function createExport(app) {
        * An item that is there to be chosen unless there is a reason against it, which then stands in its hint's place.
        * @param {string} label @param {string} hint @param {string} reason @param {() => void} act
        */
-      const item = (label, hint, reason, act) => ({ label, hint: reason || hint, disabled: reason !== '', act });
+      const item = (label, hint, reason, act) => ({ label, hint, disabled: reason, act });
       // A picture is of what is seen, also where that is not of the document.
       const seen = (/** @type {string} */ hint) => (why ? `${hint}. ${why}` : hint);
       return [

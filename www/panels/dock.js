@@ -83,6 +83,7 @@ export function createDock({ find, narrow, tabs, signal }, dockTabs) {
     tabs.settle();
     dockTabs.settle();
   }
+  new ResizeObserver(() => find('frame').style.setProperty('--stage-height', `${find('stage').offsetHeight}px`)).observe(find('stage'));
   new ResizeObserver(arrange).observe(find('bench'));
   arrange();
   show();

@@ -1,9 +1,9 @@
 /**
  * Menu buttons, by the ARIA pattern: arrow keys and letters go through the items, Escape and a click outside close.
  *
- * @typedef {{label: string, hint?: string, key?: string, checked?: boolean, disabled?: boolean, act: () => void} | 'line'} MenuItem
- *   `key` does the same without the menu; an item that is `checked` or not is a switch; one that is `disabled` can be
- *   reached, so that its hint, which says why, can be read, but does nothing
+ * @typedef {{label: string, hint?: string, key?: string, checked?: boolean, disabled?: string, act: () => void} | 'line'} MenuItem
+ *   `key` does the same without the menu; an item that is `checked` or not is a switch; `disabled` says why it cannot be
+ *   chosen now: it stays among the others, or nobody without a pointer would learn that
  */
 import { element, focusBeside } from './dom.js';
 
@@ -32,10 +32,11 @@ export function menuButton(label, items) {
           item.act();
         };
         const role = item.checked === undefined ? 'menuitem' : 'menuitemcheckbox';
-        const entry = element('button', { role, tabindex: -1, click: act, 'aria-keyshortcuts': item.key, 'aria-disabled': item.disabled ? 'true' : undefined }, item.label);
+        const entry = element('button', { role, tabindex: -1, 'aria-disabled': item.disabled && 'true', click: act, 'aria-keyshortcuts': item.key }, item.label);
         if (item.checked !== undefined) entry.setAttribute('aria-checked', String(item.checked));
         if (item.key) entry.append(element('kbd', { 'aria-hidden': 'true' }, item.key));
-        if (item.hint) entry.append(element('small', {}, item.hint));
+        const line = item.disabled || item.hint;
+        if (line) entry.append(element('small', {}, line));
         return entry;
       }),
     );

@@ -2,7 +2,7 @@
  * The guided first minute: a few notes, each beside what it speaks of. It never blocks the page, can be left at any
  * note, and does not come again unless asked for.
  */
-import { element } from '../../ui/dom.js';
+import { element, targetOf } from '../../ui/dom.js';
 
 const SEEN = 'synthetica.first-minute';
 
@@ -102,7 +102,9 @@ export function startTour({ root }, { focus }) {
   }
 
   const key = (/** @type {KeyboardEvent} */ event) => {
-    if (event.key === 'Escape' && note.contains(document.activeElement)) end();
+    // What an Escape was for in a field, a menu or the view it is not for here.
+    const taken = event.defaultPrevented || targetOf(event)?.closest('input:not([type=range]), select, textarea') || document.querySelector('dialog[open], :popover-open');
+    if (event.key === 'Escape' && !taken) end();
   };
   leave = () => {
     marked?.classList.remove('tour-here');

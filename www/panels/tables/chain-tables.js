@@ -244,7 +244,7 @@ export function createChainTables(panel, store, cells, defaults, arrange, findSt
           { label: 'Duplicate around an axis…', act: () => forms.copies(chain) },
           { label: 'Base frame as quaternion, matrix…', act: () => forms.turn(`chains[${chain}].base`, `the base frame of chain ${chain + 1}`) },
           { label: 'Gripper frame as quaternion, matrix…', act: () => forms.turn(`chains[${chain}].gripper`, `the gripper frame of chain ${chain + 1}`) },
-          { label: 'Remove', disabled: chains.length === 1, act: () => store.edit((doc) => edits.removeChain(doc, chain)) },
+          { label: 'Remove', disabled: chains.length === 1 ? 'A linkage has at least one chain' : '', act: () => store.edit((doc) => edits.removeChain(doc, chain)) },
         ]),
       ),
       type.note,

@@ -57,7 +57,7 @@ export function createMotionTables(panel, store, cells, defaults, arrange, { goT
               { label: 'Insert the shown pose after it', act: () => addShown('pose', index + 1) },
               { label: 'Take the shown pose', act: () => takeShown(index) },
               { label: 'Turn as quaternion, matrix…', act: () => forms.turn(path, label) },
-              { label: 'Remove', disabled: keys.length <= 2, act: () => store.edit((doc) => edits.removeKeyFrame(doc, index)) },
+              { label: 'Remove', disabled: keys.length <= 2 ? 'A motion has at least two key frames' : '', act: () => store.edit((doc) => edits.removeKeyFrame(doc, index)) },
             ]),
           ),
         ),

@@ -67,7 +67,7 @@ export function createArrange(root, store) {
     [-1, 1].map((step) => ({
       label: step < 0 ? 'Move up' : 'Move down',
       key: step < 0 ? 'Alt+↑' : 'Alt+↓',
-      disabled: !canMove(path, step),
+      disabled: canMove(path, step) ? '' : store.readonly ? 'This linkage is read only' : step < 0 ? 'It is the first' : 'It is the last',
       act: () => {
         const [, list, , index] = /** @type {RegExpExecArray} */ (THING.exec(path));
         move(path, step);

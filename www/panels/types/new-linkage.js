@@ -21,11 +21,11 @@ let made = 0;
 
 /**
  * @param {Pick<import('../../element/workbench.js').App, 'planner' | 'open'>} app
- * @param {{chain?: {type: string, legs: number}, done: () => void}} options `chain`: legs of this type, whose number is
- *   chosen; else the type is typed. `done` is called when the linkage is shown
+ * @param {{chain?: {type: string, legs: number}, type?: string, done: () => void}} options `chain`: legs of this type, whose
+ *   number is chosen; else the type is typed, and is `type` at first. `done` is called when the linkage is shown
  * @returns {HTMLFormElement}
  */
-export function newLinkageForm({ planner, open }, { chain, done }) {
+export function newLinkageForm({ planner, open }, { chain, type: first, done }) {
   const id = `new-linkage-${++made}`;
 
   /** @param {string} name @param {string} label @param {string} value @param {string} hint @param {Record<string, string | number>} [attributes] */
@@ -40,7 +40,7 @@ export function newLinkageForm({ planner, open }, { chain, done }) {
   const number = { inputmode: 'decimal' };
   const type = chain
     ? field('type', `Legs ${chain.type}`, String(chain.legs), '', { type: 'number', min: 1, max: 24, step: 1, inputmode: 'numeric' })
-    : field('type', 'Type', given.type, 'Joints of a leg from base to workpiece, with the number of legs: 3-PRS, 3 RPS, RPS + 2TS.', { autocapitalize: 'characters' });
+    : field('type', 'Type', first ?? given.type, 'Joints of a leg from base to workpiece, with the number of legs: 3-PRS, 3 RPS, RPS + 2TS.', { autocapitalize: 'characters' });
   const base = field('base_radius', 'Base radius', given.base_radius, 'Of the circle on which the legs stand.', number);
   const platform = field('platform_radius', 'Platform radius', given.platform_radius, 'Of the circle on which they hold the workpiece.', number);
   const length = field('length', '', given.length, ' ', number);

@@ -20,6 +20,20 @@ export function assemblyName(chains) {
 }
 
 /**
+ * A linkage of an assembly of Table 3, as text: 2I-1II is 2E+1TS, say, by a chain type for each category.
+ * @param {string} assembly @param {Enumeration['classes']} classes @param {string[]} preferred types that are taken where they fit
+ */
+export function linkageOfAssembly(assembly, classes, preferred) {
+  const parts = [...assembly.matchAll(/(\d+)(IV|I{1,3})/g)];
+  return parts
+    .map(([, count, numeral]) => {
+      const fitting = classes.filter(({ category }) => category === numeral).flatMap(({ chains }) => chains);
+      return `${count}${preferred.find((type) => fitting.includes(type)) ?? fitting[0]}`;
+    })
+    .join('+');
+}
+
+/**
  * The mechanism's place in Tables 2 and 3, in a sentence.
  * @param {{type: string, constraints: number}[]} chains
  * @param {Enumeration} tables

@@ -9,7 +9,7 @@ import { capital, chainName } from '../../core/chain-name.js';
 import { addChain, setJoints } from '../../core/edits.js';
 import { plural } from '../../core/format.js';
 import { JOINT_TYPES } from '../../core/joint-types.js';
-import { assemblyName, grouped, typeSentence } from './type-words.js';
+import { assemblyName, grouped, linkageOfAssembly, typeSentence } from './type-words.js';
 import { menuButton } from '../../ui/menu.js';
 import { newLinkageForm } from './new-linkage.js';
 
@@ -33,20 +33,25 @@ export async function createTypes(app, panel) {
   /** Where the form for a new linkage stands while it is filled in. */
   const place = element('section', { class: 'new-linkage-place', 'aria-label': 'New linkage', hidden: true });
 
-  /** Asks for number and sizes of legs of a type, as many of them at first as leave a freedom. @param {string} type @param {HTMLElement} from has the focus afterwards */
-  function fresh(type, from) {
+  /** As many legs of a type as leave a freedom. @param {string} type */
+  function legsOf(type) {
     const constraints = tables.classes.find(({ chains }) => chains.includes(type))?.constraints ?? 1;
+    return { type, legs: Math.floor(MOST / constraints) };
+  }
+
+  /** Asks for the sizes of a new linkage. @param {string} title @param {Pick<Parameters<typeof newLinkageForm>[1], 'chain' | 'type'>} what @param {HTMLElement} from has the focus afterwards */
+  function fresh(title, what, from) {
     const close = () => {
       place.hidden = true;
       place.replaceChildren();
       from.focus();
     };
-    const form = newLinkageForm(app, { chain: { type, legs: Math.floor(MOST / constraints) }, done: close });
+    const form = newLinkageForm(app, { ...what, done: close });
     form.querySelector('button')?.after(' ', element('button', { type: 'button', click: close }, 'Cancel'));
     form.addEventListener('keydown', (event) => {
       if (event.key === 'Escape') close();
     });
-    place.replaceChildren(element('h2', {}, `New linkage of ${type} legs`), form);
+    place.replaceChildren(element('h2', {}, title), form);
     place.hidden = false;
     form.querySelector('input')?.select();
     place.scrollIntoView({ block: 'nearest' });
@@ -56,7 +61,7 @@ export async function createTypes(app, panel) {
   function chip(type) {
     const words = Array.from(type, (letter) => JOINT_TYPES[/** @type {JointType} */ (letter)].name).join(', ');
     const button = menuButton(type, () => [
-      { label: `New linkage of ${type} legs…`, hint: 'Their number and sizes are asked for', act: () => fresh(type, button) },
+      { label: `New linkage of ${type} legs…`, hint: 'Their number and sizes are asked for', act: () => fresh(`New linkage of ${type} legs`, { chain: legsOf(type) }, button) },
       'line',
       { label: 'Add as a new chain', act: () => make(`A chain ${type} is added.`, (doc) => addChain(doc, { ...defaults.chain, joints: jointsOf(type) })) },
       ...store.doc.chains.map((chain, index) => ({
@@ -88,6 +93,28 @@ export async function createTypes(app, panel) {
     );
   });
 
+  /** What can be made of an assembly of Table 3. @param {string} name */
+  function assemblyMenu(name) {
+    const button = menuButton(name, () => {
+      const linkage = linkageOfAssembly(name, tables.classes, store.result.motion?.report.chains.map(({ type }) => type) ?? []);
+      const own = categories.filter(({ dataset }) => new RegExp(`\\d${dataset.category}\\b`).test(name));
+      return [
+        { label: `New linkage ${linkage}…`, hint: 'Its sizes are asked for', disabled: store.readonly ? 'This linkage is read only' : '', act: () => fresh(`New linkage of type ${name}`, { type: linkage }, button) },
+        'line',
+        ...own.map((part) => ({ label: `Show the chains of category ${part.dataset.category}`, act: () => showCategory(part) })),
+      ];
+    });
+    return button;
+  }
+  const showCategory = (/** @type {HTMLDetailsElement} */ part) => {
+    part.open = true;
+    part.querySelector('summary')?.focus();
+  };
+  /** The whole row is as good as its button. @param {PointerEvent} event */
+  function openRow({ target, currentTarget }) {
+    if (!(/** @type {Element} */ (target).closest('button, .menu'))) /** @type {Element} */ (currentTarget).querySelector('button')?.click();
+  }
+
   const assemblies = element(
     'table',
     { class: 'plain assemblies' },
@@ -100,9 +127,9 @@ export async function createTypes(app, panel) {
         ...parts.map(({ name, count }, index) =>
           element(
             'tr',
-            { 'data-assembly': name },
+            { 'data-assembly': name, click: openRow },
             index === 0 ? element('th', { scope: 'rowgroup', rowspan: parts.length + 1 }, String(constraints)) : '',
-            element('td', {}, name),
+            element('td', {}, assemblyMenu(name)),
             element('td', {}, grouped(count)),
           ),
         ),
@@ -119,7 +146,7 @@ export async function createTypes(app, panel) {
     nothing,
     element('div', { class: 'title' }, element('h2', {}, 'Chains'), element('span', {}, 'Table 2: choose one to add it')),
     ...categories,
-    element('div', { class: 'title' }, element('h2', {}, 'Assemblies'), element('span', {}, 'Table 3')),
+    element('div', { class: 'title' }, element('h2', {}, 'Assemblies'), element('span', {}, 'Table 3: choose a row for a linkage of it')),
     assemblies,
   );
 
