@@ -4,6 +4,8 @@
  * @typedef {import('../../element/workbench.js').AppWithPanels} App
  * @typedef {{id: string, title: string, text: string, doc: string}} Lesson
  */
+import { wear } from '../../ui/style-sheets.js';
+import look from '../../style/lesson.css?inline';
 import { element, setText } from '../../ui/dom.js';
 import { setValue } from '../../core/edits.js';
 import { angle, length } from '../../core/format.js';
@@ -19,6 +21,7 @@ const UNKNOWN = '…';
 /** @param {App} app @param {Lesson} lesson */
 export function showLesson(app, lesson) {
   const { store, player, tabs, say, find } = app;
+  wear(app.root, look);
   const panel = find('lesson');
   const body = element('article', { class: 'lesson' });
   // Our own text, from a file beside this one.

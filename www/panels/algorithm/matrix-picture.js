@@ -55,8 +55,8 @@ function rankInWords({ rows, columns, rank, singular_values: sigma, threshold })
 
 /** @param {(place: string) => void} point tells which chain is pointed at, '' for none */
 export function createMatrixPicture(point) {
-  const picture = svg('svg', { class: 'matrix', role: 'img' });
-  const bars = svg('svg', { class: 'sigmas', role: 'img' });
+  const picture = svg('svg', { class: 'matrix', role: 'img', 'aria-label': 'Matrix A' });
+  const bars = svg('svg', { class: 'sigmas', role: 'img', 'aria-label': 'Singular values of A' });
   const words = element('p', { class: 'muted' });
   const table = element('div', { class: 'rows', tabindex: 0, role: 'region', 'aria-label': 'Values of [A]' });
   const details = element('details', { class: 'data', toggle: () => fill() }, element('summary', {}, 'Values of [A] and σ'), table);

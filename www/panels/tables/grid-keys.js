@@ -19,6 +19,8 @@ export function gridKeys(panel) {
       event.preventDefault();
       return next.focus();
     }
+    // With Shift an arrow chooses cells.
+    if (event.shiftKey && event.key.startsWith('Arrow')) return;
     const step = { ArrowDown: 1, ArrowUp: -1, Enter: event.shiftKey ? -1 : 1 }[event.key];
     const column = field.dataset.column;
     if (!step || !column) return;

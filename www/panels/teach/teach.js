@@ -11,6 +11,8 @@ import { entry } from '../../core/edits.js';
 import { html, live, nothing, render } from '../../ui/render.js';
 import { ANGLE_DECIMALS, lengthUnit, short } from '../../core/format.js';
 import { groupAt, shown } from '../../core/shown.js';
+import { wear } from '../../ui/style-sheets.js';
+import look from '../../style/teach.css?inline';
 import { driveShown, readable, variablesOf } from './drive.js';
 import { postureActions } from './posture-actions.js';
 
@@ -20,6 +22,7 @@ const STEPS = 2000;
 /** @param {import('../../element/workbench.js').App} app @param {HTMLElement} panel */
 export function createTeach(app, panel) {
   const { store, player } = app;
+  wear(app.root, look);
   /** The variables of a motion. @type {{motion: unknown, variables: Variable[]}} */
   let of = { motion: null, variables: [] };
   /** By the variable's index. @type {Map<number, Entry>} */

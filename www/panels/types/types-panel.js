@@ -12,6 +12,8 @@ import { JOINT_TYPES } from '../../core/joint-types.js';
 import { assemblyName, grouped, linkageOfAssembly, typeSentence } from './type-words.js';
 import { menuButton } from '../../ui/menu.js';
 import { newLinkageForm } from './new-linkage.js';
+import { wear } from '../../ui/style-sheets.js';
+import look from '../../style/types.css?inline';
 
 /** Constraints that a linkage may have, of six. */
 const MOST = 5;
@@ -19,6 +21,7 @@ const MOST = 5;
 /** @param {import('../../element/workbench.js').App} app @param {HTMLElement} panel */
 export async function createTypes(app, panel) {
   const { store, planner, say } = app;
+  wear(app.root, look);
   const [tables, defaults] = await Promise.all([planner.enumeration(), planner.defaults()]);
 
   /** @param {string} type such as RPS */

@@ -21,6 +21,8 @@ import { ANGLE_STEP, lengthStep } from './steps.js';
 import { howWords } from './how-words.js';
 import { createDragBar } from './toolbar.js';
 import { workpieceTarget } from './workpiece.js';
+import { wear } from '../../ui/style-sheets.js';
+import look from '../../style/drag.css?inline';
 
 /** Axis and direction of each nudging key. @type {Record<string, [0 | 1 | 2, 1 | -1]>} */
 const NUDGES = { ArrowRight: [0, 1], ArrowLeft: [0, -1], ArrowUp: [1, 1], ArrowDown: [1, -1], PageUp: [2, 1], PageDown: [2, -1] };
@@ -37,6 +39,7 @@ export const createDrag = (app) => app.scene && connect(app, app.scene);
 function connect(app, scene) {
   const { store, signal } = app;
   app.explain();
+  wear(app.root, look);
   const { canvas } = scene;
   const size = () => scene.radius;
   const gizmo = createGizmo(scene);
