@@ -1,5 +1,5 @@
 /**
- * Undo and redo: the header's buttons, and the keys of the animation's place.
+ * Undo and redo: the header's buttons.
  *
  * @typedef {import('../core/store.js').Store} Store
  */
@@ -20,20 +20,4 @@ export function createHistory(store) {
   };
   store.subscribe('document', show);
   show();
-}
-
-/**
- * In a cell too: the document is the text that is edited, so the browser's own undo of the field must not run.
- * @param {Pick<import('../element/workbench.js').App, 'store' | 'keys' | 'signal'>} app
- */
-export function createHistoryKeys({ store, keys, signal }) {
-  const press = (/** @type {KeyboardEvent} */ event) => {
-    if (!(event.ctrlKey || event.metaKey) || event.altKey) return;
-    const key = event.key.toLowerCase();
-    if (key !== 'z' && key !== 'y') return;
-    event.preventDefault();
-    if (key === 'y' || event.shiftKey) store.redo();
-    else store.undo();
-  };
-  keys.addEventListener('keydown', /** @type {EventListener} */ (press), { signal });
 }

@@ -5,7 +5,7 @@
  */
 import { DocumentFault, PlannerFailure } from '../planner/planner.js';
 import { Refusal } from './refusal.js';
-import { sentence } from '../panels/tables/fault-note.js';
+import { sentence } from './format.js';
 
 /** @param {import('./linkage.js').Parts} parts */
 export function createOpening({ store, planner, player, say }) {

@@ -9,7 +9,7 @@ import { readText, RefusedFile } from './reading.js';
 import { fileName, saveFile } from '../../export/save.js';
 import { openShare } from './share.js';
 import { DocumentFault } from '../../planner/planner.js';
-import { sentence } from '../../panels/tables/fault-note.js';
+import { sentence } from '../../core/format.js';
 
 /** What not every browser has, and the page's types do not know. @typedef {{showOpenFilePicker?: (options: object) => Promise<FileSystemFileHandle[]>, showSaveFilePicker?: (options: object) => Promise<FileSystemFileHandle>}} Pickers */
 const pickers = () => /** @type {Window & Pickers} */ (window);

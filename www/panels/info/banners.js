@@ -5,7 +5,8 @@
  * @typedef {ReturnType<typeof createBanners>} Banners
  */
 import { setText } from '../../ui/dom.js';
-import { parts, sentence } from '../tables/fault-note.js';
+import { sentence } from '../../core/format.js';
+import { parts } from '../tables/fault-note.js';
 import { frameSentence, partSentence } from '../../core/status-words.js';
 
 /** Pause before the live region speaks, in milliseconds: while the motion plays it would never stop. */

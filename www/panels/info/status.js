@@ -1,10 +1,9 @@
 /**
  * The info panel: the frame at the playhead in words and numbers, the motion as a whole, mobility, chains, warnings.
  */
-import { angle, length, plural, scientific, short } from '../../core/format.js';
+import { angle, length, plural, scientific, sentence, short } from '../../core/format.js';
 import { element, setText } from '../../ui/dom.js';
 import { shownEnd } from '../../core/shown.js';
-import { sentence } from '../tables/fault-note.js';
 import { PULLED, countStatuses, metricSentence, mobilitySentence, partSentence, singularSentence, statusWords, worstFrame } from '../../core/status-words.js';
 
 /** @param {Pick<import('../../element/workbench.js').App, 'find' | 'store' | 'player'>} app */

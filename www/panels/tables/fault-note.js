@@ -5,6 +5,7 @@
  */
 import { covers } from '../../core/path.js';
 import { element } from '../../ui/dom.js';
+import { sentence } from '../../core/format.js';
 
 const ID = 'fault-note';
 
@@ -83,6 +84,3 @@ export function parts({ message, accepted, where }) {
   const what = parted ? message.slice(0, -remedy.length).trim() : message;
   return { what: sentence(where ? what.replace(/^Line \d+, column \d+\. /, '') : what), remedy: parted ? remedy : '' };
 }
-
-/** @param {string} text */
-export const sentence = (text) => text.charAt(0).toUpperCase() + text.slice(1) + (/[.!?]$/.test(text) ? '' : '.');

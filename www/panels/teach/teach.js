@@ -10,7 +10,7 @@ import { entry } from '../../core/edits.js';
 import { ANGLE_DECIMALS, lengthUnit, short } from '../../core/format.js';
 import { groupAt, shown } from '../../core/shown.js';
 import { driveShown, readable, variablesOf } from './drive.js';
-import { postureActions } from './posture-actions.js';
+import { postureActions } from '../../view3d/hand/posture-actions.js';
 
 /** Steps of a slider over its range: finer than a screen's pixels. */
 const STEPS = 2000;
