@@ -185,6 +185,7 @@ impl Planning {
                 }
             }
             Method::Gradient => {
+                // Its steps were taken by `descend`.
                 let Some(running) = self.descent.take() else {
                     return Solved::OPEN;
                 };
