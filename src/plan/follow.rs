@@ -185,6 +185,7 @@ impl Planning {
                 }
             }
             Method::Gradient => {
+                // Its steps were taken by `descend`.
                 let Some(running) = self.descent.take() else {
                     return Solved::OPEN;
                 };
@@ -379,6 +380,7 @@ mod tests {
     use crate::document::{problem::Problem, text};
     use crate::plan::follow::GRADIENT_PORTION;
     use crate::plan::settings::Method;
+    use crate::solve::gradient;
 
     /// That they end where the method in one go ends is a test of tests/trace.rs.
     #[test]
@@ -391,7 +393,10 @@ mod tests {
         let (mut portions, mut longest, mut before) = (0, 0, 0);
         while planning.advance() {
             portions += 1;
-            let steps = planning.descent.as_ref().map_or(0, |d| d.iterations());
+            let steps = planning
+                .descent
+                .as_ref()
+                .map_or(0, gradient::Running::iterations);
             longest = longest.max(steps.saturating_sub(before));
             before = steps;
         }

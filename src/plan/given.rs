@@ -1,4 +1,4 @@
-//! What a given start is checked for before a motion is planned from it.
+//! A given start, made ready for a motion to be planned from it: within its limits, its loops closed.
 
 use crate::model::mechanism::Mechanism;
 use crate::motion::trajectory::Warning;

@@ -131,7 +131,8 @@ impl Running {
         }
     }
 
-    /// Gradient steps until there have been `most` since the start; false where there is nothing more to do.
+    /// Gradient steps until there have been `most` since the start; false where there is nothing more to do. The iterate at
+    /// which a portion ends is shown again at the beginning of the next.
     pub fn advance(&mut self, most: usize, observe: &mut dyn FnMut(&Iteration<'_>)) -> bool {
         let n = self.r.len() - 8;
         loop {

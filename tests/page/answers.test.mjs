@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { Desk } from '../../www/planner/queue.js';
+import { Queue } from '../../www/planner/queue.js';
 import { Planner } from '../../www/planner/planner.js';
 import { createAnswers } from '../../www/planner/calls.js';
 
@@ -144,8 +144,8 @@ test('without a worker the page plans in portions too: a plan is stopped, anothe
       throw new Error('forbidden');
     }
   };
-  const desk = new Desk();
-  const [one, two] = [new Planner(desk), new Planner(desk)];
+  const queue = new Queue();
+  const [one, two] = [new Planner(queue), new Planner(queue)];
   const stop = new AbortController();
   const seen = [];
   const slow = one.plan(long, { stop: stop.signal, onProgress: (progress) => seen.push(progress) });

@@ -1,7 +1,7 @@
 // One Ctrl+Z takes back what came last: a posture by hand before an edit of the document.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { undoOne } from '../../www/app/history.js';
+import { undoOne } from '../../www/core/undo.js';
 import { createStore } from '../../www/core/store.js';
 
 test('a posture by hand is given back before an edit is undone', () => {

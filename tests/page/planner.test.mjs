@@ -1,7 +1,7 @@
 // The promises in front of the worker, with a worker that answers on command.
 import assert from 'node:assert/strict';
 import { afterEach, beforeEach, mock, test } from 'node:test';
-import { Desk } from '../../www/planner/queue.js';
+import { Queue } from '../../www/planner/queue.js';
 import { DocumentFault, Planner, PlannerFailure, Superseded } from '../../www/planner/planner.js';
 
 /** `requests` are the questions, `messages` all that was posted. @type {{requests: {id: number, call: string, args: unknown[], document?: number, text?: string}[], messages: any[], ended: boolean, onmessage: Function, onerror: Function}[]} */
@@ -36,14 +36,14 @@ const others = (worker) => worker.messages.filter(({ kind }) => kind !== 'ask');
 const textsOf = (worker) => worker.requests.map(({ text }) => text);
 
 test('an answer comes back to its question', async () => {
-  const planner = new Planner(new Desk());
+  const planner = new Planner(new Queue());
   const motion = planner.plan('a');
   answer(workers[0], { kind: 'value', value: 'motion of a' });
   assert.equal(await motion, 'motion of a');
 });
 
 test('the latest edit wins: of the waiting plans only the newest is made', async () => {
-  const planner = new Planner(new Desk());
+  const planner = new Planner(new Queue());
   const plans = ['a', 'b', 'c'].map((text) => planner.plan(text));
   const overtaken = assert.rejects(plans[1], Superseded);
   answer(workers[0], { kind: 'value', value: 1 });
@@ -54,7 +54,7 @@ test('the latest edit wins: of the waiting plans only the newest is made', async
 });
 
 test('the linkage follows the latest hand: of the waiting pulls, drives and explanations only the newest of each is asked, one at a time', async () => {
-  const planner = new Planner(new Desk());
+  const planner = new Planner(new Queue());
   const joints = new Float64Array(3);
   const goal = new Float64Array(7);
   const first = planner.normalise('a');
@@ -71,8 +71,8 @@ test('the linkage follows the latest hand: of the waiting pulls, drives and expl
 });
 
 test('a document is opened once and asked many times; of five the one that was not asked about longest is closed', async () => {
-  const desk = new Desk();
-  const [one, two] = [new Planner(desk), new Planner(desk)];
+  const queue = new Queue();
+  const [one, two] = [new Planner(queue), new Planner(queue)];
   const asked = async (planner, text) => {
     const answered = planner.normalise(text);
     answer(workers[0], { kind: 'value', value: '' });
@@ -89,13 +89,13 @@ test('a document is opened once and asked many times; of five the one that was n
   await asked(one, 'd');
   assert.deepEqual(others(workers[0]), [{ kind: 'close', doc: 2 }]);
   assert.equal((await asked(two, 'a')).text, 'a', 'it is opened anew');
-  desk.close(one, 'd');
+  queue.close(one, 'd');
   assert.deepEqual(others(workers[0]).at(-1), { kind: 'close', doc: 5 });
 });
 
 test('while a plan goes on, short questions are asked beside it, of its own asker too', async () => {
-  const desk = new Desk();
-  const [one, two] = [new Planner(desk), new Planner(desk)];
+  const queue = new Queue();
+  const [one, two] = [new Planner(queue), new Planner(queue)];
   const seen = [];
   const slow = one.plan('a', { onProgress: (progress) => seen.push(progress) });
   const [plan] = workers[0].requests;
@@ -115,7 +115,7 @@ test('while a plan goes on, short questions are asked beside it, of its own aske
 });
 
 test('a plan that is stopped ends with what there is so far', async () => {
-  const planner = new Planner(new Desk());
+  const planner = new Planner(new Queue());
   const stop = new AbortController();
   const plan = planner.plan('a', { stop: stop.signal });
   stop.abort();
@@ -130,7 +130,7 @@ test('a plan that is stopped ends with what there is so far', async () => {
 });
 
 test('a fault of the document is told with its place, and the worker lives', async () => {
-  const planner = new Planner(new Desk());
+  const planner = new Planner(new Queue());
   const plan = planner.plan('a');
   const fault = { code: 'x', message: 'no number', where: 'chains[0]', accepted: 'a number' };
   answer(workers[0], { kind: 'fault', fault });
@@ -139,7 +139,7 @@ test('a fault of the document is told with its place, and the worker lives', asy
 });
 
 test('a failed worker is discarded, and the next plan gets a new one', async () => {
-  const planner = new Planner(new Desk());
+  const planner = new Planner(new Queue());
   const first = planner.plan('a');
   const second = planner.plan('b');
   answer(workers[0], { kind: 'failure', message: 'unreachable' });
@@ -150,7 +150,7 @@ test('a failed worker is discarded, and the next plan gets a new one', async () 
 });
 
 test('a worker that cannot be loaded is not tried for ever', async () => {
-  const planner = new Planner(new Desk());
+  const planner = new Planner(new Queue());
   const plan = planner.plan('a');
   workers[0].onerror({ preventDefault() {}, message: 'gone' });
   await assert.rejects(plan, PlannerFailure);
@@ -159,7 +159,7 @@ test('a worker that cannot be loaded is not tried for ever', async () => {
 
 test('a plan gives way to a newer edit, not before one comes, nor before half a second', async () => {
   mock.timers.enable({ apis: ['setTimeout'] });
-  const planner = new Planner(new Desk());
+  const planner = new Planner(new Queue());
   const slow = planner.plan('a');
   mock.timers.tick(60_000);
   assert.deepEqual(others(workers[0]), []);
@@ -182,8 +182,8 @@ test('a plan gives way to a newer edit, not before one comes, nor before half a 
 
 test('a plan that does not end when it is taken back ends with its worker; the others are asked again', async () => {
   mock.timers.enable({ apis: ['setTimeout'] });
-  const desk = new Desk();
-  const [planner, other] = [new Planner(desk), new Planner(desk)];
+  const queue = new Queue();
+  const [planner, other] = [new Planner(queue), new Planner(queue)];
   const hangs = assert.rejects(planner.plan('a'), Superseded);
   const theirs = other.plan('theirs');
   begin(workers[0], workers[0].requests[0]);
@@ -202,7 +202,7 @@ test('a plan that does not end when it is taken back ends with its worker; the o
 
 test('a question that hangs gives way to a newer one of the same asker', async () => {
   mock.timers.enable({ apis: ['setTimeout'] });
-  const planner = new Planner(new Desk());
+  const planner = new Planner(new Queue());
   const slow = planner.trace('a', 0, new Float64Array());
   begin(workers[0]);
   mock.timers.tick(60_000);
@@ -217,7 +217,7 @@ test('a question that hangs gives way to a newer one of the same asker', async (
 
 test('on a slow network the planner may take as long to load as it takes, also for what is taken back', async () => {
   mock.timers.enable({ apis: ['setTimeout'] });
-  const planner = new Planner(new Desk());
+  const planner = new Planner(new Queue());
   const first = planner.defaults();
   const waits = planner.normalise('a');
   const old = assert.rejects(planner.plan('a'), Superseded);
@@ -239,7 +239,7 @@ test('on a slow network the planner may take as long to load as it takes, also f
 
 test('what is taken back on its way into the worker is ended with it where it hangs there', async () => {
   mock.timers.enable({ apis: ['setTimeout'] });
-  const planner = new Planner(new Desk());
+  const planner = new Planner(new Queue());
   const old = assert.rejects(planner.plan('a'), Superseded);
   mock.timers.tick(1000);
   const next = planner.plan('b');
@@ -251,9 +251,9 @@ test('what is taken back on its way into the worker is ended with it where it ha
   assert.equal(await next, 2);
 });
 
-test('a program’s desk waits for what takes long, and others wait behind it', async () => {
+test('a program’s queue waits for what takes long, and others wait behind it', async () => {
   mock.timers.enable({ apis: ['setTimeout'] });
-  const planner = new Planner(new Desk(Infinity));
+  const planner = new Planner(new Queue(Infinity));
   const slow = planner.trace('a', 0, new Float64Array());
   begin(workers[0]);
   const next = planner.normalise('b');
@@ -265,9 +265,9 @@ test('a program’s desk waits for what takes long, and others wait behind it', 
 });
 
 test('a question that is taken back ends: one that waits is not asked, a plan ends at its next portion', async () => {
-  const desk = new Desk(Infinity);
+  const queue = new Queue(Infinity);
   const asked = [new AbortController(), new AbortController()];
-  const answers = [...asked.map(({ signal }) => signal), undefined].map((signal, index) => desk.ask({ asker: desk, latest: false, call: 'plan', text: `${index}`, args: [], signal }));
+  const answers = [...asked.map(({ signal }) => signal), undefined].map((signal, index) => queue.ask({ asker: queue, latest: false, call: 'plan', text: `${index}`, args: [], signal }));
   const ended = answers.slice(0, 2).map((promise) => assert.rejects(promise, { name: 'AbortError' }));
   asked[1].abort();
   await ended[1];
@@ -282,8 +282,8 @@ test('a question that is taken back ends: one that waits is not asked, a plan en
 });
 
 test('two plans of one document wait for each other, as they are made in one place', async () => {
-  const desk = new Desk(Infinity);
-  const plan = (call) => desk.ask({ asker: desk, latest: false, call, text: 'a', args: [] });
+  const queue = new Queue(Infinity);
+  const plan = (call) => queue.ask({ asker: queue, latest: false, call, text: 'a', args: [] });
   const both = [plan('plan'), plan('export_motion')];
   assert.deepEqual(workers[0].requests.map(({ call }) => call), ['plan']);
   answer(workers[0], { kind: 'value', value: 1 });
@@ -292,8 +292,8 @@ test('two plans of one document wait for each other, as they are made in one pla
 });
 
 test('a failure is its own question’s; a worker that ends by itself fails all that it had', async () => {
-  const desk = new Desk();
-  const [one, two] = [new Planner(desk), new Planner(desk)];
+  const queue = new Queue();
+  const [one, two] = [new Planner(queue), new Planner(queue)];
   const failing = assert.rejects(one.plan('a'), PlannerFailure);
   const theirs = two.plan('b');
   answer(workers[0], { kind: 'failure', message: 'unreachable' }, workers[0].requests[0]);
@@ -306,7 +306,7 @@ test('a failure is its own question’s; a worker that ends by itself fails all 
 });
 
 test('a question that cannot be copied is refused, and the next is answered', async () => {
-  const planner = new Planner(new Desk());
+  const planner = new Planner(new Queue());
   const first = planner.plan('a');
   answer(workers[0], { kind: 'value', value: 1 });
   await first;

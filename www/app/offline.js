@@ -7,7 +7,7 @@ export function workOffline() {
   if (!import.meta.env.PROD || !('serviceWorker' in navigator) || !isSecureContext) return;
   const register = () => {
     // A browser that refuses (private windows, blocked storage) shows the page all the same.
-    navigator.serviceWorker.register('../service-worker.js').catch(() => {});
+    navigator.serviceWorker.register('./service-worker.js').catch(() => {});
   };
   setTimeout(register, REST);
 }

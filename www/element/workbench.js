@@ -26,7 +26,7 @@ import { createStage } from './canvas-area.js';
 import { loaded } from '../ui/lazy.js';
 import { createBanners } from '../panels/info/banners.js';
 import { createByHand } from '../view3d/by-hand.js';
-import { createHistoryKeys } from '../app/history.js';
+import { createHistoryKeys } from './history-keys.js';
 import { createLegend } from '../view3d/legend.js';
 import { createNotices } from '../ui/notice.js';
 import { createPlanning } from '../view3d/planning.js';

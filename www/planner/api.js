@@ -17,14 +17,14 @@
  * @typedef {Options & {stop?: AbortSignal, onProgress?: (progress: Progress) => void}} PlanOptions `stop` ends the planning
  *   with what there is so far, a motion whose `partial` is true; `onProgress` is told how far the planning is
  */
-import { Desk } from './queue.js';
+import { Queue } from './queue.js';
 import { DocumentFault } from './errors.js';
 import { groupAt } from '../core/shown.js';
 
 export { DocumentFault, PlannerFailure } from './errors.js';
 
 /** A program may ask for what takes minutes, and waits for all that it asked for. */
-const desk = new Desk(Infinity);
+const queue = new Queue(Infinity);
 
 /** Written anew each time: a program may have changed it. @param {MechanismDocument | string} doc */
 const written = (doc) => (typeof doc === 'string' ? doc : JSON.stringify(doc));
@@ -33,7 +33,7 @@ const written = (doc) => (typeof doc === 'string' ? doc : JSON.stringify(doc));
 const column = (numbers) => Float64Array.from(numbers);
 
 /** @param {import('./calls.js').Call} call @param {...unknown} args @returns {Promise<any>} */
-const ask = (call, ...args) => desk.ask({ asker: desk, latest: false, call, args });
+const ask = (call, ...args) => queue.ask({ asker: queue, latest: false, call, args });
 
 /**
  * A document as it was when it was opened, of which many questions are asked. It is read and checked once. What is asked
@@ -137,19 +137,19 @@ export class Session {
   /** Frees what the planner keeps of it; nothing more can be asked. */
   close() {
     this.#closed = true;
-    desk.close(this.#asker, this.#text);
+    queue.close(this.#asker, this.#text);
   }
 
   /** @param {import('./calls.js').Call} call @param {unknown[]} args @param {PlanOptions} [options] @returns {Promise<any>} */
   async #ask(call, args, { signal, stop, onProgress } = {}) {
     if (this.#closed) throw new Error('the session is closed');
     signal?.throwIfAborted();
-    return desk.ask({ asker: this.#asker, latest: false, call, args, text: this.#text, signal, stop, onProgress });
+    return queue.ask({ asker: this.#asker, latest: false, call, args, text: this.#text, signal, stop, onProgress });
   }
 }
 
 /** @param {MechanismDocument | string} doc */
-const once = (doc) => new Session(written(doc), desk);
+const once = (doc) => new Session(written(doc), queue);
 
 /**
  * A document that is asked about more than once.

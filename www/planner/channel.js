@@ -1,51 +1,51 @@
 /**
- * The way to the planner: a worker; where the page cannot have one, the page itself.
+ * The channel to what answers questions: a worker; where the page cannot have one, the page itself.
  *
  * @typedef {import('./calls.js').Message} Message
  * @typedef {import('./calls.js').Answer} Answer
- * @typedef {{post: (message: Message) => void, close: () => void}} Port
+ * @typedef {{post: (message: Message) => void, close: () => void}} Channel
  */
 import { startWorker } from './start-worker.js';
 
 /**
  * @param {(answer: Answer) => void} receive
  * @param {(reason: string) => void} fail the worker has ended
- * @returns {Port}
+ * @returns {Channel}
  */
-export function openPort(receive, fail) {
+export function openChannel(receive, fail) {
   let works = false;
   /** What was posted before the first answer. @type {Message[]} */
   let first = [];
-  /** @type {Port} */
-  let port;
+  /** @type {Channel} */
+  let channel;
   /** A worker that ends before its first answer was forbidden (by a content policy, in a sandbox) or could not be loaded. */
   const end = (/** @type {string} */ reason) => {
     if (works) return fail(reason);
     works = true;
-    port = openHere(receive);
-    for (const message of first) port.post(message);
+    channel = openHere(receive);
+    for (const message of first) channel.post(message);
     first = [];
   };
   try {
-    port = openWorker((answer) => {
+    channel = openWorker((answer) => {
       works = true;
       first = [];
       receive(answer);
     }, end);
   } catch {
     works = true;
-    port = openHere(receive);
+    channel = openHere(receive);
   }
   return {
     post(message) {
-      port.post(message);
+      channel.post(message);
       if (!works) first.push(message);
     },
-    close: () => port.close(),
+    close: () => channel.close(),
   };
 }
 
-/** @param {(answer: Answer) => void} receive @param {(reason: string) => void} fail @returns {Port} */
+/** @param {(answer: Answer) => void} receive @param {(reason: string) => void} fail @returns {Channel} */
 function openWorker(receive, fail) {
   const worker = startWorker();
   worker.onmessage = ({ data }) => receive(data);
@@ -57,7 +57,7 @@ function openWorker(receive, fail) {
   return { post: (message) => worker.postMessage(message), close: () => worker.terminate() };
 }
 
-/** Without a worker the page plans by itself, and is held up for a portion at a time. @param {(answer: Answer) => void} receive @returns {Port} */
+/** Without a worker the page plans by itself, and is held up for a portion at a time. @param {(answer: Answer) => void} receive @returns {Channel} */
 function openHere(receive) {
   let open = true;
   const calls = import('./calls.js').then(({ createAnswers }) => createAnswers((answer) => open && receive(answer)));

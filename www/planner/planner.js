@@ -9,22 +9,22 @@
  * @typedef {import('./calls.js').Call} Call
  * @typedef {Pick<import('./queue.js').Request, 'stop' | 'onProgress'>} PlanOptions `stop` asks for what there is so far
  */
-import { desk } from './queue.js';
+import { queue } from './queue.js';
 
 export { DocumentFault, PlannerFailure, Superseded } from './errors.js';
 
 export class Planner {
-  #desk;
+  #queue;
   /** Asked for once. @type {Promise<Defaults> | null} */
   #defaults = null;
 
-  constructor(where = desk) {
-    this.#desk = where;
+  constructor(where = queue) {
+    this.#queue = where;
   }
 
   /** @param {string} text a document @param {PlanOptions} [options] @returns {Promise<Motion>} */
   plan(text, options) {
-    return this.#desk.ask({ asker: this, latest: true, call: 'plan', text, args: [], ...options });
+    return this.#queue.ask({ asker: this, latest: true, call: 'plan', text, args: [], ...options });
   }
 
   /**
@@ -98,7 +98,7 @@ export class Planner {
    * @returns {Promise<[import('../core/types.js').MetricGaps, import('../core/types.js').MetricGaps]>}
    */
   compareMetrics(text, signal) {
-    return this.#desk.ask({ asker: this, latest: true, call: 'compare_metrics', text, args: [], signal });
+    return this.#queue.ask({ asker: this, latest: true, call: 'compare_metrics', text, args: [], signal });
   }
 
   /** What new things are made of. @returns {Promise<Defaults>} */
@@ -117,7 +117,7 @@ export class Planner {
 
   /** A document with a linkage of a type in a person's sizes. @param {string} request a MakeRequest as JSON @returns {Promise<string>} */
   make(request) {
-    return this.#desk.ask({ asker: this, latest: true, call: 'make', args: [request] });
+    return this.#queue.ask({ asker: this, latest: true, call: 'make', args: [request] });
   }
 
   /** Tables 2 and 3. @returns {Promise<import('../core/types.js').Enumeration>} */
@@ -127,16 +127,16 @@ export class Planner {
 
   /** Takes the place of the same call that is still waiting: its answer would be out of date. @param {Call} call @param {string} text @param {...unknown} args */
   #askLatest(call, text, ...args) {
-    return this.#desk.ask({ asker: this, latest: true, call, text, args });
+    return this.#queue.ask({ asker: this, latest: true, call, text, args });
   }
 
   /** @param {Call} call @param {string} text @param {...unknown} args */
   #ask(call, text, ...args) {
-    return this.#desk.ask({ asker: this, latest: false, call, text, args });
+    return this.#queue.ask({ asker: this, latest: false, call, text, args });
   }
 
   /** @param {Call} call @param {...unknown} args */
   #askNoDocument(call, ...args) {
-    return this.#desk.ask({ asker: this, latest: false, call, args });
+    return this.#queue.ask({ asker: this, latest: false, call, args });
   }
 }

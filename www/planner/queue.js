@@ -1,7 +1,7 @@
 /**
- * The desk that all planners of a page share: one worker with one wasm module. It has one short question at a time, and
- * beside it plans, which it makes in portions. A worker that fails or hangs is discarded and a new one made; the questions
- * of others are asked again.
+ * The queue that all planners of a page share, in front of one worker with one wasm module. The worker has one short
+ * question at a time, and beside it plans, which it makes in portions. A worker that fails or hangs is discarded and a new
+ * one made; the questions of others are asked again.
  *
  * @typedef {import('./calls.js').Answer} Answer
  * @typedef {import('./calls.js').Call} Call
@@ -19,7 +19,7 @@
  *   slow: boolean, cancelled: boolean, timer?: ReturnType<typeof setTimeout>}} Job
  */
 import { DocumentFault, PlannerFailure, Superseded } from './errors.js';
-import { openPort } from './channel.js';
+import { openChannel } from './channel.js';
 
 /** How long a question that is computed may hold up a newer one of the same asker before its worker is ended, in milliseconds. */
 const PATIENCE = 4000;
@@ -33,10 +33,10 @@ const MAX_OPEN = 4;
 /** What goes in portions. @type {Call[]} */
 const LONG = ['plan', 'compare_metrics', 'export_motion'];
 
-export class Desk {
+export class Queue {
   #patience;
-  /** @type {import('./channel.js').Port | null} */
-  #port = null;
+  /** @type {import('./channel.js').Channel | null} */
+  #channel = null;
   /** @type {Job[]} */
   #waiting = [];
   /** What the worker has. @type {Map<number, Job>} */
@@ -104,7 +104,7 @@ export class Desk {
   #post(job) {
     this.#waiting = this.#waiting.filter((other) => other !== job);
     this.#running.set(job.id, job);
-    this.#port ??= openPort(
+    this.#channel ??= openChannel(
       (answer) => this.#receive(answer),
       (reason) => this.#discard(new PlannerFailure(reason)),
     );
@@ -118,7 +118,7 @@ export class Desk {
       if (known === undefined) message.text = text;
     }
     try {
-      this.#port.post(message);
+      this.#channel.post(message);
     } catch (error) {
       // The structured clone failed: an argument is a function, say.
       this.#settle(job);
@@ -126,7 +126,7 @@ export class Desk {
       return;
     }
     if (message.doc !== undefined) this.#keepOpen(key, message.doc);
-    if (job.stop?.aborted) this.#port.post({ kind: 'stop', id });
+    if (job.stop?.aborted) this.#channel.post({ kind: 'stop', id });
     if (isLong(job) && job.latest) {
       job.timer = setTimeout(() => {
         job.slow = true;
@@ -169,19 +169,19 @@ export class Desk {
     job.cancelled = true;
     clearTimeout(job.timer);
     job.timer = undefined;
-    this.#port?.post({ kind: 'cancel', id: job.id });
+    this.#channel?.post({ kind: 'cancel', id: job.id });
     this.#hurry(job);
   }
 
   /** @param {Job} job */
   #stop(job) {
-    if (this.#running.has(job.id)) this.#port?.post({ kind: 'stop', id: job.id });
+    if (this.#running.has(job.id)) this.#channel?.post({ kind: 'stop', id: job.id });
   }
 
   /** Ends the worker and fails the job that is to blame, all where none is known; the others are asked again. @param {PlannerFailure} reason @param {Job} [guilty] */
   #discard(reason, guilty) {
-    this.#port?.close();
-    this.#port = null;
+    this.#channel?.close();
+    this.#channel = null;
     this.#open.clear();
     const jobs = [...this.#running.values()];
     for (const job of jobs) this.#settle(job);
@@ -219,7 +219,7 @@ export class Desk {
   #close(key) {
     const doc = this.#open.get(key);
     this.#open.delete(key);
-    if (doc !== undefined) this.#port?.post({ kind: 'close', doc });
+    if (doc !== undefined) this.#channel?.post({ kind: 'close', doc });
   }
 }
 
@@ -234,4 +234,4 @@ const isOfSamePlan = (one, other) =>
 const isSame = (one, other) => one.asker === other.asker && one.call === other.call;
 
 /** The page's own. */
-export const desk = new Desk();
+export const queue = new Queue();

@@ -14,7 +14,7 @@ import { groupAt, shown } from '../../core/shown.js';
 import { wear } from '../../ui/style-sheets.js';
 import look from '../../style/teach.css?inline';
 import { driveShown, readable, variablesOf } from './drive.js';
-import { postureActions } from './posture-actions.js';
+import { postureActions } from '../../view3d/hand/posture-actions.js';
 
 /** Steps of a slider over its range: finer than a screen's pixels. */
 const STEPS = 2000;

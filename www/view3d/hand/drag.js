@@ -12,7 +12,7 @@ import { lengthUnit, short } from '../../core/format.js';
 import { createLabels } from '../scene/labels.js';
 import { nameOf } from '../../core/things.js';
 import { readPalette } from '../scene/palette.js';
-import { postureActions } from '../../panels/teach/posture-actions.js';
+import { postureActions } from './posture-actions.js';
 import { createFreedoms } from './freedoms.js';
 import { createGizmo } from './gizmo.js';
 import { keyFrameTarget } from './key-frame.js';
