@@ -1,5 +1,14 @@
 // What every build of www/ has in common: which browsers it is for, and texts without what only their writers need.
-import { readFileSync } from 'node:fs';
+import { readFileSync, readdirSync, realpathSync } from 'node:fs';
+import { basename, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+const at = (path) => fileURLToPath(new URL(path, import.meta.url));
+
+const THREE = realpathSync(at('node_modules/three/src'));
+
+/** The modules that stand in for the 3D library's own of the same name. */
+const STAND_INS = readdirSync(at('three')).map((file) => basename(file, '.js'));
 
 /** The first with light-dark(), which otherwise is replaced by something that knows of no scheme but its own sheet's. */
 const CSS_TARGET = ['chrome123', 'firefox120', 'safari17.5'];
@@ -82,13 +91,21 @@ function branches(lines, at) {
   return false;
 }
 
-/** The 3D library's shaders are texts, which no minifier shortens: without their margins, remarks, empty lines and what is never used. */
-export const tightShaders = () => ({
-  name: 'tight-shaders',
+/**
+ * The 3D library from its single modules, of which a bundler leaves out what nobody imports (of its one big file it keeps
+ * much), with the modules of tools/three in place of what the page never uses.
+ */
+export const leanThree = () => ({
+  name: 'lean-three',
+  enforce: 'pre',
+  resolveId(id, importer) {
+    if (id === 'three') return join(THREE, 'Three.js');
+    const name = /^\.{1,2}\/(?:\w+\/)*(\w+)\.js$/.exec(id)?.[1] ?? '';
+    return importer?.startsWith(THREE) && STAND_INS.includes(name) ? at(`three/${name}.js`) : null;
+  },
   transform(code, id) {
-    if (!id.endsWith('/three.module.js')) return null;
-    const tight = code.replace(/^[ \t]+/gm, '').replace(/^\/\/.*$/gm, '').replace(/\n{2,}/g, '\n');
-    // A shader is a text in quotes on a line of its own, with its line ends written as \n.
-    return tight.replace(/^((?:var|const) \w+ = )("(?:[^"\\]|\\.)*");$/gm, (whole, start, text) => `${start}${JSON.stringify(withoutUnused(JSON.parse(text)).replace(/\n[ \t]+/g, '\n'))};`);
+    if (!id.startsWith(join(THREE, 'renderers/shaders/Shader'))) return null;
+    // A shader is a text, which no minifier shortens.
+    return code.replace(/(\/\* glsl \*\/\s*`)([^`]*)`/g, (_, start, text) => `${start}${withoutUnused(text.replace(/^[ \t]+/gm, '').replace(/^\/\/.*$/gm, '')).replace(/\n{2,}/g, '\n')}\``);
   },
 });

@@ -8,7 +8,7 @@ import { importedAtOnce } from './imported-at-once.js';
 import { licences, packagesIn } from './licences.js';
 import { inlineScript } from './package/inline.js';
 import { pages } from './pages.js';
-import { TARGETS, tightMarkup, tightShaders } from './tight.js';
+import { TARGETS, leanThree, tightMarkup } from './tight.js';
 
 const at = (path) => fileURLToPath(new URL(path, import.meta.url));
 
@@ -84,6 +84,7 @@ const bundle = () => ({
         modulePreload: false,
         rolldownOptions: { input: entry, output: { format: 'es', codeSplitting: false } },
       },
+      plugins: [tightMarkup(), leanThree()],
     });
     const script = output.find((file) => file.type === 'chunk').code;
     const style = output.filter((file) => file.fileName.endsWith('.css')).map((file) => file.source);
@@ -118,5 +119,5 @@ export default defineConfig({
     },
   },
   worker: { format: 'es' },
-  plugins: [pages(), bundle(), tightMarkup(), tightShaders(), lastingScripts(), licencesOfOthers(), serviceWorker()],
+  plugins: [pages(), bundle(), tightMarkup(), leanThree(), lastingScripts(), licencesOfOthers(), serviceWorker()],
 });

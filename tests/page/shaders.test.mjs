@@ -32,11 +32,11 @@ test('of conditions within others only those that never hold go', () => {
   becomes('#ifdef USE_COLOR\n#ifdef USE_FOG\na\n#endif\nb\n#else\nc\n#endif', '#ifdef USE_COLOR\nb\n#else\nc\n#endif');
 });
 
-test('the page has none of the lights, textures and effects whose shaders are left out', () => {
+test('the page has none of the lights, textures, effects and cameras whose code and shaders are left out', () => {
   const www = new URL('../../www', import.meta.url).pathname;
   const files = readdirSync(www, { recursive: true, encoding: 'utf8' }).filter((name) => name.endsWith('.js') && !/^(pkg|pkg-first|dist)\b/.test(name));
   assert.ok(files.length > 100, `${files.length} files`);
-  const used = /\b(PointLight|SpotLight|RectAreaLight|LightProbe|Fog|FogExp2|\w*Texture|Sprite|Points|SkinnedMesh|BatchedMesh|clippingPlanes|morphTargets|logarithmicDepthBuffer|\w*Map:)\b/;
+  const used = /\b(PointLight|SpotLight|RectAreaLight|LightProbe|Fog|FogExp2|\w*Texture|Sprite|Points|SkinnedMesh|BatchedMesh|clippingPlanes|morphTargets|logarithmicDepthBuffer|ArrayCamera|CubeCamera|morphAttributes|UniformsGroup|outputBufferType|environment:|\.environment\b|\.xr\b|\w*Map:)\b/;
   for (const name of files) {
     const imported = readFileSync(join(www, name), 'utf8').replace(/^ *(\/\/|\*|\/\*\*).*$/gm, '');
     assert.doesNotMatch(imported, used, name);

@@ -4,7 +4,7 @@ import { fileURLToPath } from 'node:url';
 import { gzipSync } from 'node:zlib';
 import { build } from 'vite';
 import { inert } from '../../www/export/inert.js';
-import { TARGETS, tightMarkup, tightShaders } from '../tight.js';
+import { TARGETS, leanThree, tightMarkup } from '../tight.js';
 import { planner } from './planner.js';
 
 const at = (path) => fileURLToPath(new URL(path, import.meta.url));
@@ -33,7 +33,7 @@ async function oneScript(entry, modules) {
         output: { format: 'iife', name: 'synthetica', codeSplitting: false },
       },
     },
-    plugins: [planner({ wasm: at('held.js'), worker: at('held.js') }), held(modules), tightMarkup(), tightShaders()],
+    plugins: [planner({ wasm: at('held.js'), worker: at('held.js') }), held(modules), tightMarkup(), leanThree()],
   });
   if (output.length !== 1) throw new Error(`${entry} needs other files: ${output.map(({ fileName }) => fileName).join(', ')}`);
   return output[0].code;
