@@ -8,12 +8,13 @@ import markup from './panels.html?raw';
 import { allTimes, keyFrameFrames } from '../core/playhead.js';
 import { textOf } from '../core/document-text.js';
 import { createDock } from '../panels/dock.js';
-import { whenSeen, withPart } from '../ui/lazy.js';
+import { whenSeen } from '../ui/lazy.js';
 import { createSelection } from '../panels/tables/selection.js';
 import { createStatus } from '../panels/info/status.js';
 import { createTables } from '../panels/tables/tables.js';
 import { createTabs } from '../ui/tabs.js';
 import { DocumentFault } from '../planner/planner.js';
+import { createTree } from '../panels/tree.js';
 import { createWhy } from '../panels/info/why.js';
 
 /**
@@ -48,12 +49,7 @@ export async function createPanels(bare, banners) {
   const tables = createTables(places, store, defaults, { markFault: tabs.mark, findStart, goToKey, compareMetrics, check, say });
   const selection = createSelection(places.root, [places.mechanism, places.motion], app);
   places.root.addEventListener('focusin', ({ target }) => bringOut(/** @type {Element} */ (target), app));
-  const objects = /** @type {HTMLDetailsElement} */ (find('objects'));
-  const openTree = () => {
-    objects.removeEventListener('toggle', openTree);
-    withPart(app, 'The object tree', () => import('../panels/tree.js'), ({ createTree }) => createTree(objects, app, selection.enter));
-  };
-  objects.addEventListener('toggle', openTree);
+  createTree(/** @type {HTMLDetailsElement} */ (find('objects')), app, selection.enter);
   createStatus(app);
   createWhy(app);
   banners.goToFault(() => tables.focusFault((panel) => tabs.choosePanel(panel)));

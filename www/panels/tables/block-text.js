@@ -25,6 +25,3 @@ export function parseBlock(text) {
 
 /** @param {string[][]} rows */
 export const blockText = (rows) => rows.map((cells) => cells.join('\t')).join('\n');
-
-/** Whether a pasted text is for several cells. One value is typed as usual; a whole document is not for a cell. @param {string} text */
-export const isBlock = (text) => !/^\s*[{[]/.test(text) && parseBlock(text).some((row, index) => index > 0 || row.length > 1);

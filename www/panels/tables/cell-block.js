@@ -66,11 +66,17 @@ export function gridBlock(root, store, cells, say) {
     return next;
   }
 
-  /** Fills the cells from one on with a block of them. @param {HTMLInputElement} field @param {string} text */
-  function paste(field, text) {
-    const at = gridAt(field);
-    if (!at) return;
+  root.addEventListener('paste', (event) => {
+    if (store.readonly) return;
+    const field = cellOf(event.target);
+    const at = field && gridAt(field);
+    const text = event.clipboardData?.getData('text/plain') ?? '';
     const rows = parseBlock(text);
+    const columns = Math.max(...rows.map((row) => row.length));
+    // One value is typed as usual; a whole document is not for a cell.
+    if (!at || (rows.length === 1 && columns === 1) || /^\s*[{[]/.test(text)) return;
+    event.preventDefault();
+    event.stopPropagation();
     const path = field.dataset.path ?? '';
     const own = at.rows[at.row];
     const plan = placed(rows, {
@@ -91,7 +97,7 @@ export function gridBlock(root, store, cells, say) {
     store.edit((doc) => written(withMoreKeys(doc, plan.more), plan.cells.map((cell) => [place(cell), cell.text])));
     const added = plan.more ? ` ${plural(plan.more, 'key frame')} added.` : '';
     say(`${size(plan.rows, plan.width)} pasted.${added}${plan.head ? ' The row of heads was skipped.' : ''}`, { label: 'Undo', act: () => store.undo() });
-  }
+  });
 
   root.addEventListener('copy', (event) => {
     if (!block) return;
@@ -132,6 +138,4 @@ export function gridBlock(root, store, cells, say) {
     choose(from, to);
   });
   root.addEventListener('focusout', () => choose(null));
-
-  return paste;
 }

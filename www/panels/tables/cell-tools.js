@@ -1,10 +1,6 @@
 /**
- * What comes to a cell when one points at it or enters it: keys and blocks as in a spreadsheet, the slider of a number, the
- * drawing of a turn. Loaded then.
+ * What comes to a cell when one points at it or enters it: the slider of a number, the drawing of a turn. Loaded then.
  */
-
-import { isBlock } from './block-text.js';
-import { gridAt } from './grid.js';
 
 /** The numbers of the tables. */
 export const NUMBER_CELLS = 'input.cell:not(.text)[data-path]';
@@ -43,43 +39,6 @@ export function cellTools(root, store, cells, say) {
     ['focusin', 'pointerover'].forEach((name) => root.addEventListener(name, come));
   }
 
-  /** Once it is loaded. @type {Promise<(field: HTMLInputElement, text: string) => void> | null} */
-  let blocks = null;
-  let ready = false;
-  const loadBlocks = () => {
-    blocks ??= import('./cell-block.js').then(({ gridBlock }) => gridBlock(root, store, cells, say));
-    blocks.then(
-      () => (ready = true),
-      () => (blocks = null),
-    );
-    return blocks;
-  };
-  atFirst('What chooses blocks of cells', (target) => target.matches('.cell'), async () => {
-    await loadBlocks();
-    return () => {};
-  });
-  // A key that comes before what it is for is given to it then.
-  root.addEventListener('keydown', (event) => {
-    const { target, key, shiftKey } = event;
-    if (ready || !shiftKey || !key.startsWith('Arrow') || !(target instanceof HTMLInputElement) || !target.matches('.cell')) return;
-    event.preventDefault();
-    const again = new KeyboardEvent('keydown', event);
-    loadBlocks().then(() => target.dispatchEvent(again), () => {
-      // The next one tries again.
-    });
-  });
-  root.addEventListener('paste', async (event) => {
-    const field = event.target;
-    const text = event.clipboardData?.getData('text/plain') ?? '';
-    if (store.readonly || !(field instanceof HTMLInputElement) || !gridAt(field) || !isBlock(text)) return;
-    event.preventDefault();
-    event.stopPropagation();
-    try {
-      (await loadBlocks())(field, text);
-    } catch (error) {
-      say(`Nothing was pasted: a part of the page could not be loaded (${error instanceof Error ? error.message : error}). Try again.`);
-    }
-  });
   if (!store.readonly) {
     atFirst('The slider of numbers', (target) => target.matches(NUMBER_CELLS), async () => (await import('./number-slide.js')).createNumberSlide(root, store, cells));
   }

@@ -28,7 +28,7 @@ export function createMetricComparison(store, ask) {
   const note = element('p', { class: 'muted' });
   const root = element(
     'div',
-    { class: 'comparison waiting' },
+    { class: 'comparison waiting', role: 'group', 'aria-label': 'Largest gaps of this motion in either metric' },
     element('p', {}, 'This motion in either metric, largest shift and largest turn:'),
     element('dl', {}, ...parts.map((part) => part.root)),
     note,

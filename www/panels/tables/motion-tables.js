@@ -9,7 +9,7 @@ import { lengthUnit, plural } from '../../core/format.js';
 import { element } from '../../ui/dom.js';
 import { shownFrame } from '../../core/shown-frame.js';
 import { coordinateCells, coordinateHeads } from './frame-table.js';
-import { whenSeen } from '../../ui/lazy.js';
+import { createMetricComparison } from './metric-comparison.js';
 import { createPlannerSettings } from './planner-settings.js';
 import { pointCells, setting } from './settings.js';
 
@@ -19,7 +19,7 @@ import { pointCells, setting } from './settings.js';
  * @param {ReturnType<typeof import('./cells.js').createCells>} cells
  * @param {Defaults} defaults
  * @param {ReturnType<typeof import('./reorder.js').createArrange>} arrange
- * @param {{goTo: (key: number) => void, compareMetrics: Parameters<typeof import('./metric-comparison.js').createMetricComparison>[1]}} outside `goTo` takes
+ * @param {{goTo: (key: number) => void, compareMetrics: Parameters<typeof createMetricComparison>[1]}} outside `goTo` takes
  *   the playhead to a key frame; `compareMetrics` asks the planner
  * @param {ReturnType<typeof import('./forms.js').createForms>} forms
  */
@@ -78,11 +78,7 @@ export function createMotionTables(panel, store, cells, defaults, arrange, { goT
   }
 
   const planner = createPlannerSettings(store, cells, defaults);
-  const comparison = element('div', { role: 'group', 'aria-label': 'Largest gaps of this motion in either metric' });
-  whenSeen(comparison, 'The comparison of the metrics', async () => {
-    const { createMetricComparison } = await import('./metric-comparison.js');
-    comparison.replaceChildren(createMetricComparison(store, compareMetrics));
-  });
+  const comparison = createMetricComparison(store, compareMetrics);
 
   return {
     /** Builds the tables anew: the document has another shape. */

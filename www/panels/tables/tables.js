@@ -6,12 +6,14 @@
  */
 import { valueAt } from '../../core/path.js';
 import { focusBeside } from '../../ui/dom.js';
+import { allFaults } from './all-faults.js';
 import { createArrange } from './reorder.js';
 import { createCells } from './cells.js';
 import { createChainTables } from './chain-tables.js';
 import { createFaultNote } from './fault-note.js';
 import { cellTools } from './cell-tools.js';
 import { createForms } from './forms.js';
+import { gridBlock } from './cell-block.js';
 import { gridKeys } from './grid-keys.js';
 import { createMotionTables } from './motion-tables.js';
 
@@ -48,10 +50,7 @@ export function createTables({ root, mechanism, motion }, store, defaults, { mar
     mark(fault ? [fault, ...told.faults.filter(same)] : [], doc);
     if (!fault) return;
     const newest = () => store.doc === doc && store.result.fault === fault;
-    // Where it cannot be loaded, the first fault is shown as before.
-    const part = await import('./all-faults.js').catch(() => null);
-    if (!part || !newest()) return;
-    const all = await part.allFaults(doc, fault, async (filled) => (newest() ? check(filled) : null));
+    const all = await allFaults(doc, fault, async (filled) => (newest() ? check(filled) : null));
     if (newest()) mark(all, doc);
   }
 
@@ -82,6 +81,7 @@ export function createTables({ root, mechanism, motion }, store, defaults, { mar
     if (focused && !inHand()) /** @type {HTMLElement | null} */ (root.querySelector(`[data-path="${focused}"]:is(input, select)`))?.focus();
   }
 
+  gridBlock(root, store, cells, say);
   gridKeys(root);
   cellTools(root, store, cells, say);
   store.subscribe('document', show);
