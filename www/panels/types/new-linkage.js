@@ -45,7 +45,7 @@ export function newLinkageForm({ planner, open }, { chain, type: first, done }) 
   const platform = field('platform_radius', 'Platform radius', given.platform_radius, 'Of the circle on which they hold the workpiece.', number);
   const length = field('length', '', given.length, ' ', number);
   const unit = field('length_unit', 'Unit', given.length_unit, '', { maxlength: 16, size: 6 });
-  const by = element('select', { name: 'by', 'aria-label': 'Leg length or height', change: chooseLength }, ...BY.map(([value, label]) => element('option', { value, selected: value === given.by }, label)));
+  const by = element('select', { name: 'by', class: 'cell', 'aria-label': 'Leg length or height', change: chooseLength }, ...BY.map(([value, label]) => element('option', { value, selected: value === given.by }, label)));
   length.caption.replaceChildren(by);
 
   const note = element('div', { class: 'fault', id: `${id}-fault`, 'aria-live': 'polite', hidden: true });
