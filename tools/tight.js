@@ -17,7 +17,7 @@ const CSS_TARGET = ['chrome123', 'firefox120', 'safari17.5'];
 export const TARGETS = { target: 'es2022', cssTarget: CSS_TARGET };
 
 /** `file.html?raw`: the blanks between its lines are for its writer. */
-export const tightMarkup = () => ({
+const tightMarkup = () => ({
   name: 'tight-markup',
   enforce: 'pre',
   load(id) {
@@ -95,8 +95,9 @@ function branches(lines, at) {
  * The 3D library from its single modules, of which a bundler leaves out what nobody imports (of its one big file it keeps
  * much), with the modules of tools/three in place of what the page never uses.
  */
-export const leanThree = () => ({
+const leanThree = () => ({
   name: 'lean-three',
+  apply: 'build',
   enforce: 'pre',
   resolveId(id, importer) {
     if (id === 'three') return join(THREE, 'Three.js');
@@ -109,3 +110,17 @@ export const leanThree = () => ({
     return code.replace(/(\/\* glsl \*\/\s*`)([^`]*)`/g, (_, start, text) => `${start}${withoutUnused(text.replace(/^[ \t]+/gm, '').replace(/^\/\/.*$/gm, '')).replace(/\n{2,}/g, '\n')}\``);
   },
 });
+
+/** The renderer as servers load it, which is as long: a page that is rendered there may name the element, and there is no document. */
+const rendererForServers = () => ({
+  name: 'renderer-for-servers',
+  apply: 'build',
+  enforce: 'pre',
+  resolveId(id) {
+    const [, part = 'lit-html.js'] = /^lit-html(?:\/(.+))?$/.exec(id) ?? [, null];
+    return part && at(`node_modules/lit-html/node/${part}`);
+  },
+});
+
+/** Vite's plugins. */
+export const tight = () => [tightMarkup(), leanThree(), rendererForServers()];

@@ -8,7 +8,7 @@ import { importedAtOnce } from './imported-at-once.js';
 import { licences, packagesIn } from './licences.js';
 import { inlineScript } from './package/inline.js';
 import { pages } from './pages.js';
-import { TARGETS, leanThree, tightMarkup } from './tight.js';
+import { TARGETS, tight } from './tight.js';
 
 const at = (path) => fileURLToPath(new URL(path, import.meta.url));
 
@@ -84,7 +84,7 @@ const bundle = () => ({
         modulePreload: false,
         rolldownOptions: { input: entry, output: { format: 'es', codeSplitting: false } },
       },
-      plugins: [tightMarkup(), leanThree()],
+      plugins: tight(),
     });
     const script = output.find((file) => file.type === 'chunk').code;
     const style = output.filter((file) => file.fileName.endsWith('.css')).map((file) => file.source);
@@ -119,5 +119,5 @@ export default defineConfig({
     },
   },
   worker: { format: 'es' },
-  plugins: [pages(), bundle(), tightMarkup(), leanThree(), lastingScripts(), licencesOfOthers(), serviceWorker()],
+  plugins: [pages(), bundle(), tight(), lastingScripts(), licencesOfOthers(), serviceWorker()],
 });

@@ -7,7 +7,7 @@ import { fileURLToPath } from 'node:url';
 import { build } from 'vite';
 import { importedAtOnce } from '../imported-at-once.js';
 import { licences, packagesIn } from '../licences.js';
-import { TARGETS, leanThree, tightMarkup } from '../tight.js';
+import { TARGETS, tight } from '../tight.js';
 import { documentTypes } from './document-types.js';
 import { inlineScript } from './inline.js';
 import { planner } from './planner.js';
@@ -47,7 +47,7 @@ async function modules(entry, { wasm, worker, codeSplitting }) {
       lib: { entry: Object.fromEntries(Object.entries(entry).map(([name, file]) => [name, at(`www/${file}`)])), formats: ['es'] },
       rolldownOptions: { output: { entryFileNames: '[name].js', chunkFileNames: 'part-[name].js', codeSplitting } },
     },
-    plugins: [asWritten([wasm, worker]), planner({ wasm: `./${wasm}`, worker: `./${worker}` }), tightMarkup(), leanThree()],
+    plugins: [asWritten([wasm, worker]), planner({ wasm: `./${wasm}`, worker: `./${worker}` }), tight()],
   });
   for (const name of [wasm, worker]) copyFileSync(at(`tools/package/files/${name}`), dist(name));
   return packagesIn(output);

@@ -4,7 +4,7 @@ import { fileURLToPath } from 'node:url';
 import { gzipSync } from 'node:zlib';
 import { build } from 'vite';
 import { inert } from '../../www/export/inert.js';
-import { TARGETS, leanThree, tightMarkup } from '../tight.js';
+import { TARGETS, tight } from '../tight.js';
 import { planner } from './planner.js';
 
 const at = (path) => fileURLToPath(new URL(path, import.meta.url));
@@ -33,11 +33,14 @@ async function oneScript(entry, modules) {
         output: { format: 'iife', name: 'synthetica', codeSplitting: false },
       },
     },
-    plugins: [planner({ wasm: at('held.js'), worker: at('held.js') }), held(modules), tightMarkup(), leanThree()],
+    plugins: [planner({ wasm: at('held.js'), worker: at('held.js') }), held(modules), tight()],
   });
   if (output.length !== 1) throw new Error(`${entry} needs other files: ${output.map(({ fileName }) => fileName).join(', ')}`);
   return output[0].code;
 }
+
+/** In the same words wherever it is read: a page and a server may say nothing of the encoding. @param {string} code */
+const asAscii = (code) => code.replace(/[^\0-\x7f]/g, (letter) => `\\u${letter.charCodeAt(0).toString(16).padStart(4, '0')}`);
 
 const asModule = (value) => `export default ${JSON.stringify(value)};`;
 
@@ -45,5 +48,5 @@ const asModule = (value) => `export default ${JSON.stringify(value)};`;
 export async function inlineScript(entry) {
   const wasm = gzipSync(readFileSync(at('../../www/pkg/synthetica_bg.wasm')), { level: 9 }).toString('base64');
   const worker = await oneScript('planner/worker.js', { 'held:wasm': 'export default self.packed;', 'held:worker': asModule('') });
-  return inert(await oneScript(entry, { 'held:wasm': asModule(wasm), 'held:worker': asModule(worker) }));
+  return asAscii(inert(await oneScript(entry, { 'held:wasm': asModule(wasm), 'held:worker': asModule(worker) })));
 }
