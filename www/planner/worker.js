@@ -9,9 +9,23 @@ const { receive } = createAnswers((answer) => postMessage(answer, { transfer: an
 onmessage = ({ data }) => {
   receive(data);
 };
+holdLock();
 load().catch(() => {
   // The first question's answer tells it.
 });
+
+/** Holds a lock of its own while it lives: see watch.js. */
+function holdLock() {
+  const lock = `synthetica-planner-${Math.random()}`;
+  navigator.locks
+    ?.request(lock, () => {
+      postMessage({ kind: 'holds', lock });
+      return new Promise(() => {});
+    })
+    .catch(() => {
+      // There are none without an origin, as in a sandbox.
+    });
+}
 
 /** The typed columns' memory, which moves to the page instead of being copied. @param {unknown} value */
 function buffers(value) {
