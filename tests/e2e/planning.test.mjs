@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 import { violations } from './axe.mjs';
-import { metricBecomes, openBrowser, otherMetric, scrubTo, text } from './browser.mjs';
+import { cell, metricBecomes, openBrowser, otherMetric, scrubTo, text } from './browser.mjs';
 
 let browser;
 before(async () => {
@@ -25,6 +25,18 @@ const share = (line) =>
     const [at, within] = [node.getBoundingClientRect(), node.parentElement.getBoundingClientRect()];
     return (at.left + at.width / 2 - within.left) / within.width;
   });
+const PLACE = 'chains[0].base.x';
+/** Edits a number and waits for its motion. @returns {Promise<number>} how long it took, in milliseconds */
+async function edited(page, value) {
+  await cell(page, PLACE).fill(value);
+  const began = Date.now();
+  await page.keyboard.press('Enter');
+  await page.waitForFunction((wanted) => {
+    const { result, doc } = window.document.querySelector('synthetica-linkage').linkage.store;
+    return doc.chains[0].base.x === Number(wanted) && result.doc === doc;
+  }, value);
+  return Date.now() - began;
+}
 const frameOf = (sentence) => Number(sentence.match(/frame (\d+) of 10000/)[1]);
 
 test('a long plan says how far it is; Stop, by the keyboard, shows what there is so far, and it goes on from there', async () => {
@@ -107,6 +119,77 @@ test('of two linkages one is planned while the other takes long', async () => {
   assert.deepEqual(answer, [null, 129]);
   assert.deepEqual(problems, []);
 });
+
+test('a linkage that is taken out is planned no more, and is when it is put back', async () => {
+  const { page, problems } = await browser.blankPage();
+  const body = '<!doctype html><script type="module" src="./element.js"></script><synthetica-linkage></synthetica-linkage>';
+  await page.route(`${browser.address}one.html`, (route) => route.fulfill({ contentType: 'text/html', body }));
+  await page.goto(`${browser.address}one.html`);
+  await page.evaluate(async (slow) => {
+    await customElements.whenDefined('synthetica-linkage');
+    window.element = document.querySelector('synthetica-linkage');
+    const { store } = element.linkage;
+    window.progress = () => new Promise((resolve) => {
+      const leave = store.subscribe('planning', () => {
+        if (!store.planning) return;
+        leave();
+        resolve(store.planning.done);
+      });
+    });
+    element.document = slow;
+    await progress();
+    element.remove();
+  }, long);
+  const [worker] = page.workers();
+  // Of a plan it says progress all the time.
+  const said = () => page.evaluate(() => new Promise((resolve) => {
+    let count = 0;
+    const leave = element.linkage.store.subscribe('planning', () => count++);
+    setTimeout(() => {
+      leave();
+      resolve(count);
+    }, 300);
+  }));
+  await page.waitForFunction(() => element.linkage.store.planning === null);
+  assert.equal(await said(), 0);
+  assert.deepEqual([worker, page.workers().length], [page.workers()[0], 1], 'it is taken back, the worker stays');
+  await page.evaluate(() => document.body.append(element));
+  assert.ok(await page.evaluate(() => progress()) >= 0);
+  // An edit while it is out is planned at once, and only once.
+  assert.deepEqual(problems, []);
+});
+
+for (const [how, script] of [['where there are locks at once', ''], ['without locks by the next question', "Object.defineProperty(navigator, 'locks', { value: undefined });\n"]]) {
+  test(`a worker that was ended from outside is noticed, ${how}: the next edit is planned`, async () => {
+    const { page, problems } = await browser.blankPage({ serviceWorkers: 'block' });
+    await page.context().route(/assets\/worker-.*\.js/, async (route) => {
+      const answer = await route.fetch();
+      await route.fulfill({ response: answer, body: script + (await answer.text()) });
+    });
+    await page.goto(browser.address);
+    await page.waitForFunction(() => (page$('#closure')?.textContent ?? '–') !== '–');
+    const [worker] = page.workers();
+    const closed = new Promise((resolve) => worker.once('close', resolve));
+    await worker.evaluate(() => self.close()).catch(() => {});
+    await closed;
+    const took = await edited(page, '0.1');
+    assert.ok(took < 2500, `${took} ms`);
+
+    // The planner's file is not there once: said, not kept.
+    if (!script) {
+      let asked = 0;
+      await page.context().route('**/*.wasm', (route) => (asked++ ? route.continue() : route.fulfill({ status: 503, body: '' })));
+      await page.workers()[0].evaluate(() => self.close()).catch(() => {});
+      await cell(page, PLACE).fill('0.2');
+      await page.keyboard.press('Enter');
+      await page.waitForFunction(() => window.document.querySelector('synthetica-linkage').error !== null);
+      await edited(page, '0.3');
+      assert.equal(asked, 2);
+      assert.equal(await page.evaluate(() => window.document.querySelector('synthetica-linkage').error), null);
+    }
+    assert.deepEqual(problems.filter((text) => !text.includes('503')), []);
+  });
+}
 
 test('a slow network makes the first motion late, and breaks nothing', async () => {
   const { page, problems } = await browser.blankPage();

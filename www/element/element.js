@@ -12,7 +12,7 @@ import { textOf } from '../core/document-text.js';
 import { isEmpty } from '../core/linkage.js';
 import { wear } from '../ui/style-sheets.js';
 import { reason } from '../core/open.js';
-import { DocumentFault } from '../planner/planner.js';
+import { DocumentFault, Superseded } from '../planner/planner.js';
 import { Refusal } from '../core/refusal.js';
 import { findSample, sampleText } from '../core/samples.js';
 import markup from './canvas-area.html?raw';
@@ -42,6 +42,8 @@ export class SyntheticaLinkage extends LinkageWords {
   #benchBegun = false;
   /** Counts loads: an answer to an older one is late. */
   #loads = 0;
+  /** Goes on with a load that was interrupted because the element was taken out. @type {(() => void) | null} */
+  #goOn = null;
   /** A document is being opened that is no edit. */
   #opening = false;
   /** The next motion is the first of its document. */
@@ -72,7 +74,11 @@ export class SyntheticaLinkage extends LinkageWords {
   connectedCallback() {
     for (const name of PROPERTIES) this.#takeOver(name);
     // Taken out and put in again at once, as by a move: it goes on as it is.
-    if (!this.#life) this.#build();
+    if (!this.#life) {
+      this.#build();
+      this.linkage.comeBack();
+      this.#goOn?.();
+    }
     if (isEmpty(this.linkage.store) && !this.#loads) this.#load();
   }
 
@@ -81,6 +87,7 @@ export class SyntheticaLinkage extends LinkageWords {
       if (this.isConnected) return;
       this.pause();
       this.#dismantle();
+      this.linkage.leave();
     });
   }
 
@@ -124,7 +131,8 @@ export class SyntheticaLinkage extends LinkageWords {
       this.#complain(new Refusal(`The property document is ${Array.isArray(next) ? 'a list' : typeof next}. Accepted: a document as an object or its text.`));
       return;
     }
-    this.#open(typeof next === 'string' ? next : JSON.stringify(next), '', load).catch((error) => this.#complain(error));
+    const text = typeof next === 'string' ? next : JSON.stringify(next);
+    this.#open(text, '', load).catch((error) => this.#failed(error, load, () => (this.document = text)));
   }
 
   /** The planned motion, as columns; null before there is one. @returns {Motion | null} */
@@ -162,13 +170,21 @@ export class SyntheticaLinkage extends LinkageWords {
     const load = ++this.#loads;
     try {
       const found = await this.#find();
-      if (load !== this.#loads) return;
       if (found) await this.#open(found.text, found.title, load);
       else if (document.readyState === 'loading') document.addEventListener('DOMContentLoaded', () => load === this.#loads && this.#load(), { once: true });
       else setTimeout(() => load === this.#loads && isEmpty(this.linkage.store) && this.#complain(new Refusal(NOTHING_GIVEN)), PATIENCE);
     } catch (error) {
-      if (load === this.#loads) this.#complain(error);
+      this.#failed(error, load, () => this.#load());
     }
+  }
+
+  /** @param {unknown} error @param {number} load @param {() => void} again */
+  #failed(error, load, again) {
+    if (load !== this.#loads) return;
+    if (!(error instanceof Superseded)) return this.#complain(error);
+    // It was taken out meanwhile.
+    if (this.isConnected) again();
+    else this.#goOn = () => load === this.#loads && again();
   }
 
   /** @returns {Promise<{text: string, title: string} | null>} */

@@ -19,7 +19,10 @@ export class DocumentFault extends Error {
 }
 
 /** A newer call of the same kind took this one's place, or its asker has left: nobody waits for its answer. */
-export class Superseded extends Error {}
+export class Superseded extends Error {
+  name = 'Superseded';
+  message = 'nobody waits for the answer any more';
+}
 
 /** The planner itself failed: our mistake, not the document's. */
 export class PlannerFailure extends Error {

@@ -4,9 +4,9 @@
  * one made; the questions of others are asked again. One that was ended from outside (watch.js) is made anew, and each of
  * its questions asked once again.
  *
- * Plans hold up nobody. A short question cannot be interrupted: while it is computed the worker does nothing else, and the
- * other short questions wait. Once one of them has waited for some seconds it is given up, with its worker. Where none
- * waits it is left to end, and plans under way stand still meanwhile: in a new worker they would begin again.
+ * Plans hold up nobody. A short question cannot be interrupted, and while it is computed the worker does nothing else: some
+ * seconds after another question was asked, whoever asked it, it is given up with its worker. Where nothing more is asked
+ * it is left to end, and plans under way stand still meanwhile: in a new worker they would begin again.
  *
  * @typedef {import('./calls.js').Answer} Answer
  * @typedef {import('./calls.js').Call} Call
@@ -105,7 +105,7 @@ export class Queue {
       if (job.begun) job.timer ??= setTimeout(() => this.#discard(new PlannerFailure('a question could not be taken back'), (one) => one === job), PATIENCE);
     } else if (isLong(job)) {
       if (job.slow && this.#waiting.some((other) => other.latest && isSame(other, job))) this.#cancel(job, new Superseded());
-    } else if (job.begun && this.#patience < Infinity && this.#waiting.some((other) => other.asker === job.asker || !isLong(other))) {
+    } else if (job.begun && this.#patience < Infinity && this.#waiting.length > 0) {
       // setTimeout cannot take Infinity.
       job.timer ??= setTimeout(() => this.#discard(new PlannerFailure('a question took too long and was given up'), (one) => one === job), this.#patience);
     }
