@@ -83,7 +83,9 @@ export function createDock({ find, narrow, tabs, signal }, dockTabs) {
     tabs.settle();
     dockTabs.settle();
   }
-  new ResizeObserver(() => find('frame').style.setProperty('--stage-height', `${find('stage').offsetHeight}px`)).observe(find('stage'));
+  // It is told once more when the element has been taken out, where nothing is found any more.
+  const [frame, stage] = [find('frame'), find('stage')];
+  new ResizeObserver(() => frame.style.setProperty('--stage-height', `${stage.offsetHeight}px`)).observe(stage);
   new ResizeObserver(arrange).observe(find('bench'));
   arrange();
   show();
