@@ -223,6 +223,19 @@ test('taken out and put back it goes on where it was; moved within the page too'
   assert.equal(await page.evaluate(() => element.frame), 41);
   await page.keyboard.press('Control+z');
   assert.equal(await page.locator('[data-path="chains[0].base.x"]').inputValue(), '-1', 'undo remembers');
+  // A document that is on its way into the element when that is taken out is opened when it is put back.
+  const opened = await page.evaluate(async (text) => {
+    const fresh = document.createElement('synthetica-linkage');
+    document.querySelector('#here').append(fresh);
+    fresh.document = text;
+    fresh.remove();
+    await new Promise((turn) => setTimeout(turn));
+    const meanwhile = [fresh.document, fresh.error];
+    document.querySelector('#here').append(fresh);
+    await new Promise((resolve) => fresh.addEventListener('ready', resolve, { once: true }));
+    return [...meanwhile, fresh.trajectory.frames];
+  }, sample('bennett'));
+  assert.deepEqual(opened, [null, null, 65]);
   assert.deepEqual(problems, []);
 });
 
