@@ -8,6 +8,7 @@
  * @typedef {{post: (message: Message) => void, close: () => void}} Line
  * @typedef {Line & {isMakeshift: () => boolean}} Channel
  */
+import { loading } from './loading.js';
 import { startWorker } from './start-worker.js';
 import { createWatch } from './watch.js';
 
@@ -77,6 +78,7 @@ function openWorker({ speaks, receive, fail }) {
   worker.onmessage = ({ data }) => {
     speaks();
     if (data.kind === 'holds') return watch.holds(data.lock);
+    if (data.kind === 'loading') return loading.tell(data);
     watch.received(data);
     receive(data);
   };

@@ -2,6 +2,7 @@
  * The worker behind channel.js.
  */
 import { createAnswers, load } from './calls.js';
+import { counted } from './loading.js';
 
 const { receive } = createAnswers((answer) => postMessage(answer, { transfer: answer.kind === 'value' ? buffers(answer.value) : [] }));
 
@@ -10,6 +11,14 @@ onmessage = ({ data }) => {
   receive(data);
 };
 holdLock();
+// The first that is fetched is the wasm that every question needs; only the page's own build knows how large that is.
+if (typeof FIRST_WASM_BYTES === 'number') {
+  const { fetch } = self;
+  self.fetch = async (...what) => {
+    self.fetch = fetch;
+    return counted(await fetch(...what), FIRST_WASM_BYTES, (message) => postMessage(message));
+  };
+}
 load().catch(() => {
   // The first question's answer tells it.
 });
