@@ -40,16 +40,19 @@ export async function answerTo({ payload, sample, sets }, linkage) {
       title = '';
     } else if (shared) refuse(shared.message);
   }
-  try {
-    if (sets.length) {
-      const { applyOverrides, parseOverrides } = await loaded(linkage, 'What reads the changes in the address', () => import('./overrides.js'));
-      const changed = await whole(JSON.stringify(applyOverrides(doc, parseOverrides(sets))));
-      if (changed.is === 'trouble') return changed;
-      if (changed.is === 'answer') doc = changed.value;
-      else problems.push(`The changes in the address (set=…) were left out. ${changed.message}`);
+  if (sets.length) {
+    const { applyOverrides, parseOverrides } = await loaded(linkage, 'What reads the changes in the address', () => import('./overrides.js'));
+    const leaveOut = (/** @type {string} */ why) => problems.push(`The changes in the address (set=…) were left out. ${why}`);
+    let text = '';
+    try {
+      text = JSON.stringify(applyOverrides(doc, parseOverrides(sets)));
+    } catch (error) {
+      leaveOut(reason(error));
     }
-  } catch (error) {
-    problems.push(`The changes in the address (set=…) were left out. ${reason(error)}`);
+    const changed = text ? await whole(text) : null;
+    if (changed?.is === 'trouble') return changed;
+    if (changed?.is === 'answer') doc = changed.value;
+    else if (changed) leaveOut(changed.message);
   }
   return { is: 'answer', value: { doc, title, problems } };
 }
