@@ -30,9 +30,10 @@ export function createReplanning({ store, planner, say }) {
     const plan = await ask(() => planner.plan(textOf(doc), { stop: mine.signal, onProgress }), 'plan the motion');
     // A newer plan says how it is.
     if (stop !== mine) return;
-    store.setPlanning(null);
+    // First the result: what stands over the view goes over from one to the other, and keeps the focus.
     if (plan.is === 'answer') store.setResult({ motion: plan.value, doc, fault: null, trouble: '' });
     if (plan.is === 'fault') store.setResult({ fault: plan.fault, trouble: '' });
+    store.setPlanning(null);
     if (plan.is !== 'trouble') return;
     await troubleIsOver(store, plan.notLoaded ? plan.message : `${plan.message} Your document is safe: undo the last edit or change it.`);
     if (stop === mine) replan();
