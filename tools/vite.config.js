@@ -1,6 +1,6 @@
 // How Vite serves and builds the page in www/.
 import { createHash } from 'node:crypto';
-import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
+import { readFileSync, readdirSync, statSync, writeFileSync } from 'node:fs';
 import { join, relative } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build, defineConfig } from 'vite';
@@ -119,5 +119,7 @@ export default defineConfig({
     },
   },
   worker: { format: 'es' },
+  // For the progress of its loading, see www/planner/worker.js.
+  define: { FIRST_WASM_BYTES: statSync(at('../www/pkg-first/synthetica_bg.wasm')).size },
   plugins: [pages(), bundle(), tight(), lastingScripts(), licencesOfOthers(), serviceWorker()],
 });

@@ -223,6 +223,61 @@ test('taken out and put back it goes on where it was; moved within the page too'
   assert.equal(await page.evaluate(() => element.frame), 41);
   await page.keyboard.press('Control+z');
   assert.equal(await page.locator('[data-path="chains[0].base.x"]').inputValue(), '-1', 'undo remembers');
+  // A document that is on its way into the element when that is taken out is opened when it is put back.
+  const opened = await page.evaluate(async (text) => {
+    const fresh = document.createElement('synthetica-linkage');
+    document.querySelector('#here').append(fresh);
+    fresh.document = text;
+    fresh.remove();
+    await new Promise((turn) => setTimeout(turn));
+    const meanwhile = [fresh.document, fresh.error];
+    document.querySelector('#here').append(fresh);
+    await new Promise((resolve) => fresh.addEventListener('ready', resolve, { once: true }));
+    return [...meanwhile, fresh.trajectory.frames];
+  }, sample('bennett'));
+  assert.deepEqual(opened, [null, null, 65]);
+  assert.deepEqual(problems, []);
+});
+
+test('a document that arrives late does not take the place of a newer one, nor does what is wrong with it', async () => {
+  const { page, problems } = await course('<synthetica-linkage src="2tpr.json"></synthetica-linkage>');
+  await planned(page);
+  let arrive;
+  const late = new Promise((resolve) => (arrive = resolve));
+  for (const [name, text] of [['late', sample('3rps')], ['faulty', '{']]) {
+    await page.route(`${browser.address}${name}.json`, async (route) => {
+      await late;
+      await route.fulfill({ contentType: 'application/json', body: text });
+    });
+  }
+  await page.evaluate(() => {
+    const element = document.querySelector('synthetica-linkage');
+    window.names = [];
+    window.errors = [];
+    element.linkage.store.subscribe('document', () => names.push(element.document.name));
+    element.addEventListener('error', ({ detail }) => errors.push(detail.message));
+    element.src = 'late.json';
+    element.src = 'faulty.json';
+    element.src = 'bennett.json';
+  });
+  await page.waitForFunction(() => window.names.length > 0);
+  const arrived = Promise.all(['late', 'faulty'].map((name) => page.waitForResponse(`${browser.address}${name}.json`).then((answer) => answer.finished())));
+  arrive();
+  await arrived;
+  // The second is asked about after the first was answered.
+  const { name, other } = await page.evaluate(async () => {
+    const element = document.querySelector('synthetica-linkage');
+    const { name, ...given } = element.document;
+    element.document = '{';
+    element.document = { ...given, name: 'first' };
+    element.document = { ...given, name: 'second' };
+    await new Promise((resolve) => element.addEventListener('ready', resolve, { once: true }));
+    // One more answer of the planner: all that was asked before is answered.
+    await element.toCSV();
+    return { name, other: element.document.name };
+  });
+  assert.deepEqual(await page.evaluate(() => [names, errors]), [[name, 'second'], []]);
+  assert.equal(other, 'second');
   assert.deepEqual(problems, []);
 });
 

@@ -277,21 +277,43 @@ test('with a whole storage the page is left without a question', async () => {
   await Promise.all([page.waitForEvent('close'), page.close({ runBeforeUnload: true })]);
 });
 
-for (const broken of ['{"chains"', 'x 1\n{"document": {"version": 1, "chains": [], "motion": {"key_frames": []}}, "past": [], "future": []}']) {
-  test(`kept work that cannot be read (${broken.slice(0, 9)}) is put aside and can be had`, async () => {
-    const { page, problems } = await browser.openPage();
-    await page.evaluate((kept) => localStorage.setItem('synthetica.work.1', kept), broken);
-    await page.reload();
-    await ready(page);
-    await nameIs(page, '3RPS');
-    const [download] = await Promise.all([page.waitForEvent('download'), notice(page, 'cannot be read').getByRole('button', { name: 'Download it' }).click()]);
-    assert.equal(readFileSync(await download.path(), 'utf8'), broken);
-    await page.reload();
-    await ready(page);
-    assert.equal(await page.locator('#notices p').count(), 0);
-    assert.deepEqual(problems, []);
-  });
+async function openEarlierDocuments(page) {
+  await page.getByRole('button', { name: 'File', exact: true }).click();
+  await page.getByRole('menuitem', { name: 'Earlier documents' }).click();
 }
+
+test('kept work that cannot be read is put aside and can be had, at once and later', async () => {
+  const { page, problems } = await browser.openPage();
+  const broken = '{"chains"';
+  await page.evaluate((kept) => localStorage.setItem('synthetica.work.1', kept), broken);
+  await page.reload();
+  await ready(page);
+  await nameIs(page, '3RPS');
+  const [download] = await Promise.all([page.waitForEvent('download'), notice(page, 'cannot be read').getByRole('button', { name: 'Download it' }).click()]);
+  assert.equal(readFileSync(await download.path(), 'utf8'), broken);
+  await page.reload();
+  await ready(page);
+  assert.equal(await page.locator('#notices p').count(), 0);
+  await openEarlierDocuments(page);
+  const [again] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: /cannot be read: download it/ }).click()]);
+  assert.equal(readFileSync(await again.path(), 'utf8'), broken);
+  assert.deepEqual(problems, []);
+});
+
+test('kept work with a fault and no motion is put aside, and opened with its fault', async () => {
+  const { page, problems } = await browser.openPage();
+  const faulty = fourBar.replace('"alpha"', '"alfa"');
+  await page.evaluate((kept) => localStorage.setItem('synthetica.work.1', kept), `x 1\n{"document": ${faulty}, "past": [], "future": []}`);
+  await page.reload();
+  await ready(page);
+  await nameIs(page, '3RPS');
+  await notice(page, 'has a fault').getByRole('button', { name: 'Close this notice' }).click();
+  await openEarlierDocuments(page);
+  await page.getByRole('button', { name: new RegExp(`^${JSON.parse(fourBar).name}`) }).click();
+  await nameIs(page, JSON.parse(fourBar).name);
+  await page.locator('#fault-banner').filter({ hasText: 'alfa' }).waitFor();
+  assert.deepEqual(problems, []);
+});
 
 test('two tabs: each says that there is another, and neither work is lost', async () => {
   const { page } = await browser.openPage();

@@ -134,5 +134,5 @@ test('says so when the planner cannot be loaded', async () => {
   const { page } = await browser.blankPage();
   await page.route(/\.wasm$|worker/, (route) => route.abort());
   await page.goto(browser.address);
-  await page.locator('#trouble').filter({ hasText: 'could not be started' }).waitFor();
+  await page.locator('#trouble').filter({ hasText: /planner (could not be loaded|failed)/ }).waitFor();
 });

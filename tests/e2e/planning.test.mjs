@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 import { violations } from './axe.mjs';
-import { metricBecomes, openBrowser, otherMetric, scrubTo, text } from './browser.mjs';
+import { cell, metricBecomes, openBrowser, otherMetric, scrubTo, text } from './browser.mjs';
 
 let browser;
 before(async () => {
@@ -25,6 +25,16 @@ const share = (line) =>
     const [at, within] = [node.getBoundingClientRect(), node.parentElement.getBoundingClientRect()];
     return (at.left + at.width / 2 - within.left) / within.width;
   });
+const PLACE = 'chains[0].base.x';
+/** Edits a number and waits for its motion. */
+async function edited(page, value) {
+  await cell(page, PLACE).fill(value);
+  await page.keyboard.press('Enter');
+  await page.waitForFunction((wanted) => {
+    const { result, doc } = window.document.querySelector('synthetica-linkage').linkage.store;
+    return doc.chains[0].base.x === Number(wanted) && result.doc === doc;
+  }, value);
+}
 const frameOf = (sentence) => Number(sentence.match(/frame (\d+) of 10000/)[1]);
 
 test('a long plan says how far it is; Stop, by the keyboard, shows what there is so far, and it goes on from there', async () => {
@@ -107,6 +117,83 @@ test('of two linkages one is planned while the other takes long', async () => {
   assert.deepEqual(answer, [null, 129]);
   assert.deepEqual(problems, []);
 });
+
+test('a linkage that is taken out is planned no more, and is when it is put back', async () => {
+  const { page, problems } = await browser.blankPage();
+  const body = '<!doctype html><script type="module" src="./element.js"></script><synthetica-linkage></synthetica-linkage>';
+  await page.route(`${browser.address}one.html`, (route) => route.fulfill({ contentType: 'text/html', body }));
+  await page.goto(`${browser.address}one.html`, { waitUntil: 'commit' });
+  await page.evaluate(async (slow) => {
+    await customElements.whenDefined('synthetica-linkage');
+    window.element = document.querySelector('synthetica-linkage');
+    const { store } = element.linkage;
+    window.progress = () => new Promise((resolve) => {
+      const leave = store.subscribe('planning', () => {
+        if (!store.planning) return;
+        leave();
+        resolve(store.planning.done);
+      });
+    });
+    element.document = slow;
+    await progress();
+    element.remove();
+  }, long);
+  await page.waitForFunction(() => element.linkage.store.planning === null);
+  // The worker is free for others, and says nothing more of the plan.
+  const more = page.evaluate(() => progress().then(() => 'progress'));
+  const other = page.evaluate((text) => {
+    const element = document.body.appendChild(document.createElement('synthetica-linkage'));
+    element.document = text;
+    return new Promise((resolve) => element.addEventListener('ready', () => resolve('ready')));
+  }, JSON.stringify(sample));
+  assert.equal(await Promise.race([more, other]), 'ready');
+  await page.evaluate(() => document.body.append(element));
+  assert.equal(await more, 'progress');
+  assert.equal(page.workers().length, 1);
+  assert.deepEqual(problems, []);
+});
+
+for (const [how, script] of [['where there are locks at once', ''], ['without locks by the next question', "Object.defineProperty(navigator, 'locks', { value: undefined });\n"]]) {
+  test(`a worker that was ended from outside is noticed, ${how}: the next edit is planned`, async () => {
+    const { page, problems } = await browser.blankPage({ serviceWorkers: 'block' });
+    await page.context().route(/assets\/worker-.*\.js/, async (route) => {
+      const answer = await route.fetch();
+      await route.fulfill({ response: answer, body: script + (await answer.text()) });
+    });
+    await page.goto(browser.address);
+    await page.waitForFunction(() => (page$('#closure')?.textContent ?? '–') !== '–');
+    await page.evaluate(() => {
+      window.locks = async () => {
+        const { held, pending } = await navigator.locks.query();
+        return [...held.map(({ name }) => [name, 'held']), ...pending.map(({ name }) => [name, 'pending'])].filter(([name]) => name.startsWith('synthetica-planner')).map(([, how]) => how);
+      };
+    });
+    if (!script) await page.waitForFunction(async () => (await locks()).join() === 'held,pending');
+    const [worker] = page.workers();
+    const closed = new Promise((resolve) => worker.once('close', resolve));
+    await worker.evaluate(() => self.close()).catch(() => {});
+    await closed;
+    // Its lock is given to the page, which lets it go.
+    if (!script) await page.waitForFunction(async () => !(await locks()).length);
+    await edited(page, '0.1');
+    if (!script) await page.waitForFunction(async () => (await locks()).join() === 'held,pending');
+
+    // The planner's file is not there for a while: that is said, and not kept.
+    if (!script) {
+      let isThere = false;
+      await page.context().route('**/*.wasm', (route) => (isThere ? route.continue() : route.fulfill({ status: 503, body: '' })));
+      await page.workers()[0].evaluate(() => self.close()).catch(() => {});
+      await cell(page, PLACE).fill('0.2');
+      await page.keyboard.press('Enter');
+      await page.waitForFunction(() => window.document.querySelector('synthetica-linkage').error !== null);
+      isThere = true;
+      await edited(page, '0.3');
+      assert.equal(await page.evaluate(() => window.document.querySelector('synthetica-linkage').error), null);
+    }
+    // The browser's own words.
+    assert.deepEqual(problems.filter((text) => !/503|Service Worker/.test(text)), []);
+  });
+}
 
 test('a slow network makes the first motion late, and breaks nothing', async () => {
   const { page, problems } = await browser.blankPage();

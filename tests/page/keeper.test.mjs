@@ -23,9 +23,9 @@ const work = (name, past = []) => ({ doc: named(name), past: past.map(named), fu
 test('the work comes back with its undo steps', () => {
   const storage = storageOf();
   const keeper = createKeeper(() => storage, 'a');
-  assert.deepEqual(keeper.load(), { work: null, broken: false });
+  assert.deepEqual(keeper.load(), { work: null, broken: '' });
   assert.ok(keeper.save(work('b', ['a'])));
-  assert.deepEqual(createKeeper(() => storage, 'b').load(), { work: work('b', ['a']), broken: false });
+  assert.deepEqual(createKeeper(() => storage, 'b').load(), { work: work('b', ['a']), broken: '' });
 });
 
 test('where the undo steps do not fit, the document is kept', () => {
@@ -43,7 +43,7 @@ test('a full or forbidden storage is told', () => {
   const forbidden = createKeeper(() => {
     throw new DOMException('no', 'SecurityError');
   }, 'a');
-  assert.deepEqual(forbidden.load(), { work: null, broken: false });
+  assert.deepEqual(forbidden.load(), { work: null, broken: '' });
   assert.equal(forbidden.save(work('a')), false);
   assert.deepEqual(forbidden.earlier(), []);
 });
@@ -53,9 +53,9 @@ test('a broken text is put aside, whole', () => {
     const storage = storageOf();
     storage.setItem('synthetica.work.1', broken);
     const keeper = createKeeper(() => storage, 'a');
-    assert.deepEqual(keeper.load(), { work: null, broken: true });
-    assert.equal(keeper.broken(), broken);
-    assert.deepEqual(keeper.load(), { work: null, broken: false });
+    assert.deepEqual(keeper.load(), { work: null, broken });
+    assert.deepEqual(keeper.earlier().map(({ doc, text }) => [doc, text]), [[undefined, broken]]);
+    assert.deepEqual(keeper.load(), { work: null, broken: '' });
   }
 });
 
@@ -93,4 +93,27 @@ test('what cannot be put onto the shelf is not overwritten', () => {
   createKeeper(() => storage, 'a').save(work('x'.repeat(100), ['y']));
   assert.equal(createKeeper(() => storage, 'b').save(work('z')), false);
   assert.equal(createKeeper(() => storage, 'c').load().work.doc.name[0], 'x');
+});
+
+test('kept work that cannot be shown goes onto the shelf, changed or not; what stands there stays', () => {
+  const storage = storageOf();
+  createKeeper(() => storage, 'a').save(work('at fault'));
+  storage.setItem('synthetica.earlier.1', JSON.stringify([{ when: 1, by: '', title: '', text: '{' }]));
+  // Of an earlier version of the page.
+  storage.setItem('synthetica.broken', '[');
+  const keeper = createKeeper(() => storage, 'b');
+  keeper.load();
+  keeper.setAside();
+  assert.deepEqual(keeper.load(), { work: null, broken: '' });
+  assert.deepEqual(keeper.earlier().map(({ doc, text }) => doc?.name ?? text), ['at fault', '{', '[']);
+});
+
+test('where the shelf is full, what cannot be read stays, and nothing is kept in its place', () => {
+  const storage = storageOf(120);
+  const broken = `x 1\n${'?'.repeat(80)}`;
+  storage.setItem('synthetica.work.1', broken);
+  const keeper = createKeeper(() => storage, 'a');
+  assert.deepEqual(keeper.load(), { work: null, broken });
+  assert.equal(keeper.save(work('z')), false);
+  assert.equal(storage.getItem('synthetica.work.1'), broken);
 });

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { afterEach, beforeEach, mock, test } from 'node:test';
 import { Queue } from '../../www/planner/queue.js';
-import { DocumentFault, Planner, PlannerFailure, Superseded } from '../../www/planner/planner.js';
+import { DocumentFault, Planner, PlannerFailure, PlannerNotLoaded, Superseded } from '../../www/planner/planner.js';
 
 /** `requests` are the questions, `messages` all that was posted. @type {{requests: {id: number, call: string, args: unknown[], document?: number, text?: string}[], messages: any[], ended: boolean, onmessage: Function, onerror: Function}[]} */
 let workers;
@@ -149,12 +149,45 @@ test('a failed worker is discarded, and the next plan gets a new one', async () 
   assert.equal(await second, 2);
 });
 
-test('a worker that cannot be loaded is not tried for ever', async () => {
+test('where no worker starts the page plans by itself; where that cannot be loaded either, the next question begins with a worker', async () => {
+  const planner = new Planner(new Queue());
+  for (const count of [1, 2, 3]) {
+    const [plan, waits] = [planner.plan('a'), planner.plan('b')].map((promise) => assert.rejects(promise, PlannerNotLoaded));
+    workers.at(-1).onerror({ preventDefault() {}, message: 'gone' });
+    await Promise.all([plan, waits]);
+    assert.equal(workers.length, count);
+  }
+});
+
+test('what could not be loaded fails all that waited for it, and is not kept', async () => {
+  const queue = new Queue();
+  const [one, two] = [new Planner(queue), new Planner(queue)];
+  const lost = [one.plan('a'), one.defaults(), two.normalise('b')].map((promise) => assert.rejects(promise, PlannerNotLoaded));
+  answer(workers[0], { kind: 'failure', message: '503', loading: true });
+  await Promise.all(lost);
+  assert.deepEqual([workers.length, workers[0].ended], [1, true]);
+  const next = one.defaults();
+  answer(workers[1], { kind: 'value', value: 1 });
+  assert.equal(await next, 1);
+});
+
+test('where the rest of the package could not be loaded plans go on; a new worker tries again as soon as none does', async () => {
   const planner = new Planner(new Queue());
   const plan = planner.plan('a');
-  workers[0].onerror({ preventDefault() {}, message: 'gone' });
-  await assert.rejects(plan, PlannerFailure);
-  assert.equal(workers.length, 1);
+  const [asked] = workers[0].requests;
+  begin(workers[0], asked);
+  const trace = () => planner.trace('a', 0, new Float64Array());
+  for (const _ of [1, 2]) {
+    const lost = assert.rejects(trace(), PlannerNotLoaded);
+    answer(workers[0], { kind: 'failure', message: '503', loading: true });
+    await lost;
+  }
+  answer(workers[0], { kind: 'value', value: 1 }, asked);
+  assert.equal(await plan, 1);
+  const traced = trace();
+  assert.deepEqual([workers.length, textsOf(workers[1])], [2, ['a']]);
+  answer(workers[1], { kind: 'value', value: 2 });
+  assert.equal(await traced, 2);
 });
 
 test('a plan gives way to a newer edit, not before one comes, nor before half a second', async () => {
@@ -213,6 +246,48 @@ test('a question that hangs gives way to a newer one of the same asker', async (
   await given;
   answer(workers[1], { kind: 'value', value: 2 });
   assert.equal(await next, 2);
+});
+
+test('a question that hangs gives way to one of another asker, which is answered', async () => {
+  mock.timers.enable({ apis: ['setTimeout'] });
+  const queue = new Queue();
+  const [one, two] = [new Planner(queue), new Planner(queue)];
+  const given = assert.rejects(one.trace('a', 0, new Float64Array()), PlannerFailure);
+  begin(workers[0]);
+  mock.timers.tick(60_000);
+  assert.equal(workers[0].ended, false);
+  const [plan, next] = [two.plan('b'), two.normalise('b')];
+  mock.timers.tick(3900);
+  assert.equal(workers[0].ended, false);
+  mock.timers.tick(100);
+  await given;
+  assert.deepEqual(workers[1].requests.map(({ call }) => call), ['plan', 'text']);
+  answer(workers[1], { kind: 'value', value: 1 }, workers[1].requests[0]);
+  answer(workers[1], { kind: 'value', value: 2 });
+  assert.deepEqual([await plan, await next], [1, 2]);
+});
+
+test('an asker that leaves takes all of its questions back, and its documents are closed; the others stay', async () => {
+  const queue = new Queue();
+  const [one, two] = [new Planner(queue), new Planner(queue)];
+  const gone = [one.plan('a'), one.exportMotion('b', 'csv'), one.normalise('a'), one.explain('a', new Float64Array(1), new Float64Array(7))].map((promise) => assert.rejects(promise, Superseded));
+  const theirs = [two.plan('a'), two.normalise('a')];
+  const [plan, file, short] = workers[0].requests;
+  for (const question of [plan, file, short]) begin(workers[0], question);
+  assert.equal(one.leave(), true, 'a plan was under way');
+  await Promise.all(gone);
+  assert.deepEqual(others(workers[0]), [...[plan, file, short].map(({ id }) => ({ kind: 'cancel', id })), ...[file, plan].map(({ doc }) => ({ kind: 'close', doc }))]);
+  for (const question of [plan, file, short]) answer(workers[0], { kind: 'cancelled' }, question);
+  assert.deepEqual(workers[0].requests.map(({ call }) => call), ['plan', 'export_motion', 'text', 'plan', 'text'], 'what waited is not asked');
+  answer(workers[0], { kind: 'value', value: 1 }, workers[0].requests[3]);
+  answer(workers[0], { kind: 'value', value: 2 });
+  assert.deepEqual(await Promise.all(theirs), [1, 2]);
+  assert.equal(two.leave(), false);
+  // It may come back.
+  const again = one.plan('a');
+  assert.equal(workers[0].requests.at(-1).text, 'a');
+  answer(workers[0], { kind: 'value', value: 3 });
+  assert.deepEqual([await again, workers.length], [3, 1]);
 });
 
 test('on a slow network the planner may take as long to load as it takes, also for what is taken back', async () => {
@@ -291,7 +366,7 @@ test('two plans of one document wait for each other, as they are made in one pla
   assert.deepEqual(await Promise.all(both), [1, 2]);
 });
 
-test('a failure is its own question’s; a worker that ends by itself fails all that it had', async () => {
+test('a failure is its own question’s; the others of its worker are asked again', async () => {
   const queue = new Queue();
   const [one, two] = [new Planner(queue), new Planner(queue)];
   const failing = assert.rejects(one.plan('a'), PlannerFailure);
@@ -299,10 +374,8 @@ test('a failure is its own question’s; a worker that ends by itself fails all 
   answer(workers[0], { kind: 'failure', message: 'unreachable' }, workers[0].requests[0]);
   await failing;
   assert.deepEqual([workers[0].ended, textsOf(workers[1])], [true, ['b']]);
-  answer(workers[1], { kind: 'progress', progress: { done: 1, frames: 9 } });
-  const lost = [theirs, one.plan('c')].map((promise) => assert.rejects(promise, PlannerFailure));
-  workers[1].onerror({ preventDefault() {}, message: 'gone' });
-  await Promise.all(lost);
+  answer(workers[1], { kind: 'value', value: 1 });
+  assert.equal(await theirs, 1);
 });
 
 test('a question that cannot be copied is refused, and the next is answered', async () => {

@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { afterEach, beforeEach, mock, test } from 'node:test';
 import { createReplanning } from '../../www/core/replan.js';
 import { createStore } from '../../www/core/store.js';
+import { DocumentFault, PlannerNotLoaded, Superseded } from '../../www/planner/errors.js';
 
 const named = (name) => ({ version: 1, name, chains: [], motion: { key_frames: [] } });
 const settled = () => new Promise((done) => setImmediate(done));
@@ -44,7 +45,7 @@ test('of an older plan nothing is said', async () => {
   assert.equal(store.planning, null);
   now += 1000;
   plans[1].onProgress({ done: 1, frames: 9 });
-  plans[0].reject(new Error('superseded'));
+  plans[0].reject(new Superseded());
   await settled();
   assert.equal(store.planning.done, 1);
 });
@@ -60,4 +61,34 @@ test('a fault of an earlier text goes as soon as the mended one is being planned
   store.setResult({ fault: { code: 'out-of-range', message: 'a fault', where: '', accepted: '' } });
   plans[0].onProgress({ done: 2, frames: 9 });
   assert.notEqual(store.result.fault, null);
+});
+
+test('a plan for which the planner could not be loaded is asked for again when that trouble is over, unless a newer one was', async () => {
+  const { store, plans, replan } = made();
+  replan();
+  plans[0].reject(new PlannerNotLoaded('503'));
+  await settled();
+  assert.deepEqual([store.result.trouble, store.result.again], ['The planner could not be loaded (503).', true]);
+  store.setResult({ trouble: '' });
+  await settled();
+  assert.deepEqual([plans.length, store.result.again], [2, false]);
+  plans[1].reject(new PlannerNotLoaded('503'));
+  await settled();
+  store.edit(() => named('b'));
+  plans[2].resolve('a motion');
+  await settled();
+  assert.deepEqual([plans.length, store.result.motion, store.result.trouble, store.result.again], [3, 'a motion', '', false]);
+});
+
+test('a fault is told of the present document only', async () => {
+  const { store, plans, replan } = made();
+  const fault = { code: 'out-of-range', message: 'a fault', where: '', accepted: '' };
+  replan();
+  store.edit(() => named('b'));
+  plans[0].reject(new DocumentFault(fault));
+  await settled();
+  assert.equal(store.result.fault, null);
+  plans[1].reject(new DocumentFault(fault));
+  await settled();
+  assert.equal(store.result.fault, fault);
 });

@@ -4,6 +4,7 @@
 import { sampleText, samples } from '../core/samples.js';
 import { plural } from '../core/format.js';
 import { element } from '../ui/dom.js';
+import { withPart } from '../ui/lazy.js';
 import { openDialog } from '../ui/dialog.js';
 import '../style/gallery.css';
 
@@ -11,12 +12,13 @@ import '../style/gallery.css';
 const pictures = import.meta.glob('../thumbnails/*.webp', { query: '?url&no-inline', import: 'default', eager: true });
 
 /** @param {import('../element/workbench.js').App} app */
-export function openGallery({ store, open }) {
+export function openGallery({ store, open, say }) {
   const cards = samples.map((sample) => {
     const { file, title, line, mobility } = sample;
-    const choose = async () => {
-      if (await open(await sampleText(sample), file)) dialog.close();
-    };
+    const choose = () =>
+      withPart({ say }, 'The example', () => sampleText(sample), async (text) => {
+        if (await open(text, file)) dialog.close();
+      });
     const picture = element('img', { src: pictures[`../thumbnails/${file.replace('.json', '.webp')}`], alt: '', loading: 'lazy', width: 240, height: 160 });
     return element(
       'button',

@@ -12,7 +12,6 @@ import { createHelp } from './help/help.js';
 import { workOffline } from './offline.js';
 // Asked for by the element; named here so that it comes with the page and not after it.
 import '../element/panels.js';
-import { PlannerFailure } from '../planner/planner.js';
 import { createDrop } from './drop.js';
 import { createHeader } from './header.js';
 import { createHistory } from './history.js';
@@ -24,19 +23,16 @@ const { linkage } = element;
 byId('start-note').remove();
 const keeper = createKeeper(() => localStorage, Math.random().toString(36).slice(2));
 
-try {
-  // Both need the planner, and neither the other.
-  const [app] = await Promise.all([element.workbench, start(linkage, keeper)]);
-  createHistory(linkage.store);
-  const documents = createDocuments(app);
-  createHeader(app, documents, keeper);
-  createDrop(documents, linkage.open);
-  createExport(app);
-  createHelp(app);
-  createAutosave(linkage, keeper);
-  if (!matchMedia('(prefers-reduced-motion: reduce)').matches) linkage.player.play();
-  workOffline();
-} catch (error) {
-  if (!(error instanceof PlannerFailure)) throw error;
-  linkage.store.setResult({ trouble: `The planner could not be started (${error.message}). Reload the page to try again.` });
-}
+// What it shows comes from the start, however long that waits for the planner.
+element.document = null;
+// Both need the planner, and neither the other.
+const [app] = await Promise.all([element.workbench, start(linkage, keeper)]);
+createHistory(linkage.store);
+const documents = createDocuments(app);
+createHeader(app, documents, keeper);
+createDrop(documents, linkage.open);
+createExport(app);
+createHelp(app);
+createAutosave(linkage, keeper);
+if (!matchMedia('(prefers-reduced-motion: reduce)').matches) linkage.player.play();
+workOffline();

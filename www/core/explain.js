@@ -2,8 +2,8 @@
  * Keeps the store's `why` in step with what is shown: asks the planner why the workpiece rests there, at once when
  * the view rests, a few times a second while it moves.
  */
+import { ask } from './ask.js';
 import { textOf } from './document-text.js';
-import { DocumentFault, PlannerFailure, Superseded } from '../planner/planner.js';
 import { groupAt, shown } from './shown.js';
 
 /** Least pause between two questions, in milliseconds: as often as a person can read. */
@@ -17,7 +17,7 @@ export function createExplainer({ store, planner }) {
   let waiting;
   let last = -Infinity;
 
-  async function ask() {
+  async function askWhy() {
     waiting = undefined;
     const what = shown(store);
     if (!what) return;
@@ -25,20 +25,15 @@ export function createExplainer({ store, planner }) {
     if (question.every((part, i) => part === asked[i])) return;
     asked = question;
     last = performance.now();
-    try {
-      const insight = await planner.explain(textOf(what.doc), groupAt(what.joints, what).slice(), groupAt(what.goal, what).slice());
-      const { doc, joints, goal, index } = what;
-      if (asked === question) store.setWhy({ ...insight, of: { doc, joints, goal, index } });
-    } catch (error) {
-      if (error instanceof Superseded) return;
-      // Open loops hold nothing, and a planner that failed says so where the motion is planned.
-      if (!(error instanceof DocumentFault || error instanceof PlannerFailure)) throw error;
-      if (asked === question) store.setWhy(null);
-    }
+    const { doc, joints, goal, index } = what;
+    const why = await ask(() => planner.explain(textOf(doc), groupAt(joints, what).slice(), groupAt(goal, what).slice()), 'say why the workpiece rests there');
+    if (asked !== question || why.is === 'late') return;
+    // Open loops hold nothing, and a planner that failed says so where the motion is planned.
+    store.setWhy(why.is === 'answer' ? { ...why.value, of: { doc, joints, goal, index } } : null);
   }
 
   function follow() {
-    waiting ??= setTimeout(ask, Math.max(0, last + PAUSE - performance.now()));
+    waiting ??= setTimeout(askWhy, Math.max(0, last + PAUSE - performance.now()));
   }
   store.subscribe('result', follow);
   store.subscribe('view', follow);

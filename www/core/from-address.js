@@ -1,16 +1,18 @@
 /**
  * The document that an address asks for: the one in a share link, or a sample, with the changes of `set=`.
  */
+import { loaded } from '../ui/lazy.js';
 import { reason } from './open.js';
 import { sampleOf, sampleText, samples } from './samples.js';
 
 /**
  * @param {ReturnType<typeof import('./address.js').readAddress>} asked
- * @param {import('./linkage.js').Linkage['whole']} whole
- * @returns {Promise<{doc: import('./types.js').MechanismDocument, title: string, problems: string[]}>} with what
- *   was wrong with the address; something is always shown
+ * @param {Pick<import('./linkage.js').Linkage, 'whole' | 'say'>} linkage
+ * @returns {Promise<import('./ask.js').Answer<{doc: import('./types.js').MechanismDocument, title: string, problems: string[]}>
+ *   | import('./ask.js').Trouble>} with what was wrong with the address; something is always shown
  */
-export async function answerTo({ payload, sample, sets }, whole) {
+export async function answerTo({ payload, sample, sets }, linkage) {
+  const { whole } = linkage;
   /** @type {string[]} */
   const problems = [];
   let found = samples[0];
@@ -19,24 +21,38 @@ export async function answerTo({ payload, sample, sets }, whole) {
   } catch (error) {
     problems.push(reason(error));
   }
-  let doc = await whole(await sampleText(found));
+  const first = await whole(await loaded(linkage, 'The sample', () => sampleText(found)));
+  if (first.is === 'trouble') return first;
+  if (first.is !== 'answer') throw new Error(`The sample ${found.file} cannot be opened. ${first.message}`);
+  let doc = first.value;
   let title = found.file;
   if (payload !== null) {
-    try {
-      const { decode } = await import('./link-codec.js');
-      doc = await whole(await decode(payload));
+    const { decode } = await loaded(linkage, 'What reads links', () => import('./link-codec.js'));
+    const refuse = (/** @type {string} */ why) => problems.push(`This link cannot be opened: a sample is shown in its place. ${why}`);
+    const text = await decode(payload).catch((error) => {
+      refuse(reason(error));
+      return null;
+    });
+    const shared = text === null ? null : await whole(text);
+    if (shared?.is === 'trouble') return shared;
+    if (shared?.is === 'answer') {
+      doc = shared.value;
       title = '';
+    } else if (shared) refuse(shared.message);
+  }
+  if (sets.length) {
+    const { applyOverrides, parseOverrides } = await loaded(linkage, 'What reads the changes in the address', () => import('./overrides.js'));
+    const leaveOut = (/** @type {string} */ why) => problems.push(`The changes in the address (set=…) were left out. ${why}`);
+    let text = '';
+    try {
+      text = JSON.stringify(applyOverrides(doc, parseOverrides(sets)));
     } catch (error) {
-      problems.push(`This link cannot be opened: a sample is shown in its place. ${reason(error)}`);
+      leaveOut(reason(error));
     }
+    const changed = text ? await whole(text) : null;
+    if (changed?.is === 'trouble') return changed;
+    if (changed?.is === 'answer') doc = changed.value;
+    else if (changed) leaveOut(changed.message);
   }
-  try {
-    if (sets.length) {
-      const { applyOverrides, parseOverrides } = await import('./overrides.js');
-      doc = await whole(JSON.stringify(applyOverrides(doc, parseOverrides(sets))));
-    }
-  } catch (error) {
-    problems.push(`The changes in the address (set=…) were left out. ${reason(error)}`);
-  }
-  return { doc, title, problems };
+  return { is: 'answer', value: { doc, title, problems } };
 }

@@ -31,7 +31,20 @@ export function createLinkage() {
     tell: (text) => console.info(text),
     say: (text, action) => parts.tell(text, action),
   };
-  return Object.assign(parts, createReplanning(parts), createOpening(parts));
+  const linkage = Object.assign(parts, createReplanning(parts), createOpening(parts));
+  let interrupted = false;
+  return Object.assign(linkage, {
+    /** Nobody looks at it any more: what it asked is taken back. */
+    leave() {
+      interrupted = planner.leave();
+    },
+    /** Plans what was interrupted, unless that is of another document by now and planned. */
+    comeBack() {
+      const { motion, doc } = store.result;
+      if (interrupted && (doc !== store.doc || motion?.partial)) linkage.replan();
+      interrupted = false;
+    },
+  });
 }
 
 /** Whether a linkage has been given a document. @param {import('./store.js').Store} store */

@@ -3,14 +3,13 @@
  *
  * @typedef {import('./types.js').MechanismDocument} MechanismDocument
  */
-import { DocumentFault, PlannerFailure } from '../planner/planner.js';
+import { ask } from './ask.js';
 import { Refusal } from './refusal.js';
-import { sentence } from './format.js';
 
 /** @param {import('./linkage.js').Parts} parts */
 export function createOpening({ store, planner, player, say }) {
-  /** The document with every default written out. @param {string} text @returns {Promise<MechanismDocument>} */
-  const whole = async (text) => JSON.parse(await planner.normalise(text));
+  /** The document with every default written out. @param {string} text @returns {Promise<import('./ask.js').Outcome<MechanismDocument>>} */
+  const whole = (text) => ask(async () => JSON.parse(await planner.normalise(text)), 'read the document');
 
   /** A step that undo takes back. @param {MechanismDocument} doc @param {string} [title] @param {FileSystemFileHandle | null} [handle] */
   function show(doc, title = '', handle = null) {
@@ -29,23 +28,22 @@ export function createOpening({ store, planner, player, say }) {
    * @returns {Promise<boolean>} whether it is shown now; if not, the reason has been told
    */
   async function open(text, title = '', handle = null) {
-    try {
-      show(await whole(text), title, handle);
+    const read = await whole(text);
+    if (read.is === 'answer') {
+      show(read.value, title, handle);
       return true;
-    } catch (error) {
-      say(`${title ? `“${title}”` : 'The document'} was not opened. ${reason(error)}`, { stays: true });
-      return false;
     }
+    const again = read.is === 'trouble' && { label: 'Try again', act: () => open(text, title, handle) };
+    say(`${title ? `“${title}”` : 'The document'} was not opened. ${read.message}`, { ...again, stays: true });
+    return false;
   }
 
   return { open, show, whole };
 }
 
-/** Why a document was not opened, in words. @param {unknown} error */
+/** Why something that was given could not be used, in words. @param {unknown} error */
 export function reason(error) {
-  if (error instanceof DocumentFault) return sentence(error.fault.message);
   if (error instanceof Refusal) return error.message;
-  if (error instanceof PlannerFailure) return `The planner failed (${error.message}).`;
   // Nothing that goes wrong is silent.
   return `Something went wrong (${error instanceof Error ? error.message : error}).`;
 }

@@ -2,23 +2,15 @@
  * Keeps the result in step with the document: plans after every edit, and says what the planner says. A plan that takes
  * long says how far it is, and can be stopped.
  */
+import { ask, troubleIsOver } from './ask.js';
 import { textOf } from './document-text.js';
 import { takeStarts } from './edits.js';
-import { DocumentFault, PlannerFailure } from '../planner/planner.js';
 
 /** After how many milliseconds a plan takes long. */
 const LONG = 500;
 
-/** @param {Pick<import('./linkage.js').Parts, 'store' | 'planner'>} app */
-export function createReplanning({ store, planner }) {
-  /** What the page says when the planner fails or the document is at fault. @param {unknown} error @param {unknown} doc */
-  function report(error, doc) {
-    if (error instanceof DocumentFault && doc === store.doc) store.setResult({ fault: error.fault, trouble: '' });
-    if (error instanceof PlannerFailure) {
-      store.setResult({ trouble: `The planner failed on this document and was started afresh (${error.message}). Your document is safe: undo the last edit or change it.` });
-    }
-  }
-
+/** @param {Pick<import('./linkage.js').Parts, 'store' | 'planner' | 'say'>} app */
+export function createReplanning({ store, planner, say }) {
   /** Of the newest plan. @type {AbortController} */
   let stop;
 
@@ -29,33 +21,31 @@ export function createReplanning({ store, planner }) {
     const mine = new AbortController();
     stop = mine;
     store.setPlanning(null);
-    try {
-      const motion = await planner.plan(textOf(doc), {
-        stop: mine.signal,
-        onProgress: (progress) => {
-          if (stop !== mine) return;
-          // What is planned is not at fault: what was wrong with an earlier text is mended.
-          if (store.result.fault) store.setResult({ fault: null });
-          if (performance.now() - began > LONG) store.setPlanning({ ...progress, stop: () => mine.abort() });
-        },
-      });
-      store.setResult({ motion, doc, fault: null, trouble: '' });
-    } catch (error) {
-      report(error, doc);
-    } finally {
-      if (stop === mine) store.setPlanning(null);
-    }
+    const onProgress = (/** @type {import('./types.js').Progress} */ progress) => {
+      if (stop !== mine) return;
+      // What is planned is not at fault: what was wrong with an earlier text is mended.
+      if (store.result.fault) store.setResult({ fault: null });
+      if (performance.now() - began > LONG) store.setPlanning({ ...progress, stop: () => mine.abort() });
+    };
+    const plan = await ask(() => planner.plan(textOf(doc), { stop: mine.signal, onProgress }), 'plan the motion');
+    // A newer plan says how it is.
+    if (stop !== mine) return;
+    // First the result: what stands over the view goes over from one to the other, and keeps the focus.
+    if (plan.is === 'answer') store.setResult({ motion: plan.value, doc, fault: null, trouble: '' });
+    if (plan.is === 'fault') store.setResult({ fault: plan.fault, trouble: '' });
+    store.setPlanning(null);
+    if (plan.is !== 'trouble') return;
+    await troubleIsOver(store, plan.notLoaded ? plan.message : `${plan.message} Your document is safe: undo the last edit or change it.`);
+    if (stop === mine) replan();
   }
 
   /** Writes start values that close the loops into the document. */
   async function findStart() {
     const { doc } = store;
-    try {
-      const { chains } = JSON.parse(await planner.findStart(textOf(doc)));
-      store.edit((present) => takeStarts(present, chains));
-    } catch (error) {
-      report(error, doc);
-    }
+    const found = await ask(() => planner.findStart(textOf(doc)), 'find a start');
+    if (found.is === 'answer') store.edit((present) => takeStarts(present, JSON.parse(found.value).chains));
+    if (found.is === 'fault' && doc === store.doc) store.setResult({ fault: found.fault, trouble: '' });
+    if (found.is === 'trouble') say(`No start was looked for. ${found.message}`, { label: 'Try again', act: findStart, stays: true });
   }
 
   store.subscribe('document', () => {

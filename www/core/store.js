@@ -30,7 +30,7 @@ export function createStore(first) {
   /** Edits with the same mark make one undo step. */
   let mark = '';
   /** @type {Result} */
-  let result = { motion: null, doc: null, fault: null, trouble: '' };
+  let result = { motion: null, doc: null, fault: null, trouble: '', again: false };
   /** @type {View} */
   let view = {
     frame: 0, playing: false, posture: null, selected: '', hovered: '',
@@ -183,7 +183,7 @@ export function createStore(first) {
 
     /** @param {Partial<Result>} change */
     setResult(change) {
-      result = { ...result, ...change };
+      result = { ...result, ...(change.trouble === '' && { again: false }), ...change };
       tell('result');
     },
 

@@ -35,8 +35,8 @@
  *   motion: Partial<MotionSpec>, planner: PlannerSpec}} Defaults
  *
  * The last good motion with the document that it belongs to; the fault, if the present document has one;
- * `trouble`, if the planner itself failed.
- * @typedef {{motion: Motion | null, doc: MechanismDocument | null, fault: Fault | null, trouble: string}} Result
+ * `trouble`, if the planner itself failed; `again`, if somebody waits for that to end, to ask once more.
+ * @typedef {{motion: Motion | null, doc: MechanismDocument | null, fault: Fault | null, trouble: string, again: boolean}} Result
  *
  * A plan that takes long: how far it is; `stop` ends it with what there is so far.
  * @typedef {Progress & {stop: () => void}} Planning

@@ -8,11 +8,11 @@
  * @typedef {{message: string, where: string, code: string}} LinkageError `where` is the place in the document, such as
  *   `chains[1].joints[0]`; empty where the document is not at fault
  */
+import { ask, LATE, untilAnswered } from '../core/ask.js';
 import { textOf } from '../core/document-text.js';
 import { isEmpty } from '../core/linkage.js';
 import { wear } from '../ui/style-sheets.js';
 import { reason } from '../core/open.js';
-import { DocumentFault } from '../planner/planner.js';
 import { Refusal } from '../core/refusal.js';
 import { findSample, sampleText } from '../core/samples.js';
 import markup from './canvas-area.html?raw';
@@ -42,6 +42,8 @@ export class SyntheticaLinkage extends LinkageWords {
   #benchBegun = false;
   /** Counts loads: an answer to an older one is late. */
   #loads = 0;
+  /** Goes on with a load that was interrupted because the element was taken out. @type {((back: null) => void) | null} */
+  #goOn = null;
   /** A document is being opened that is no edit. */
   #opening = false;
   /** The next motion is the first of its document. */
@@ -72,7 +74,11 @@ export class SyntheticaLinkage extends LinkageWords {
   connectedCallback() {
     for (const name of PROPERTIES) this.#takeOver(name);
     // Taken out and put in again at once, as by a move: it goes on as it is.
-    if (!this.#life) this.#build();
+    if (!this.#life) {
+      this.#build();
+      this.linkage.comeBack();
+      this.#goOn?.(null);
+    }
     if (isEmpty(this.linkage.store) && !this.#loads) this.#load();
   }
 
@@ -81,6 +87,7 @@ export class SyntheticaLinkage extends LinkageWords {
       if (this.isConnected) return;
       this.pause();
       this.#dismantle();
+      this.linkage.leave();
     });
   }
 
@@ -124,7 +131,7 @@ export class SyntheticaLinkage extends LinkageWords {
       this.#complain(new Refusal(`The property document is ${Array.isArray(next) ? 'a list' : typeof next}. Accepted: a document as an object or its text.`));
       return;
     }
-    this.#open(typeof next === 'string' ? next : JSON.stringify(next), '', load).catch((error) => this.#complain(error));
+    this.#open(typeof next === 'string' ? next : JSON.stringify(next), '', load);
   }
 
   /** The planned motion, as columns; null before there is one. @returns {Motion | null} */
@@ -161,8 +168,7 @@ export class SyntheticaLinkage extends LinkageWords {
   async #load() {
     const load = ++this.#loads;
     try {
-      const found = await this.#find();
-      if (load !== this.#loads) return;
+      const found = await this.#find(load);
       if (found) await this.#open(found.text, found.title, load);
       else if (document.readyState === 'loading') document.addEventListener('DOMContentLoaded', () => load === this.#loads && this.#load(), { once: true });
       else setTimeout(() => load === this.#loads && isEmpty(this.linkage.store) && this.#complain(new Refusal(NOTHING_GIVEN)), PATIENCE);
@@ -171,30 +177,43 @@ export class SyntheticaLinkage extends LinkageWords {
     }
   }
 
-  /** @returns {Promise<{text: string, title: string} | null>} */
-  async #find() {
+  /** @param {number} load @returns {Promise<{text: string, title: string} | null>} */
+  async #find(load) {
     const { src, type } = this;
     if (src) return { text: await fetched(src, this.baseURI), title: src.replace(/^.*\//, '') };
     const inside = this.querySelector(':scope > script[type="application/json"]');
     if (inside) return { text: inside.textContent ?? '', title: '' };
     if (!type) return null;
     const sample = findSample(type);
-    return sample ? { text: await sampleText(sample), title: sample.file } : { text: await this.linkage.planner.assemble(type), title: '' };
+    if (sample) return { text: await sampleText(sample), title: sample.file };
+    const made = await this.#answer(load, () => ask(() => this.linkage.planner.assemble(type), 'make a linkage of this type'));
+    if (made.is === 'fault') throw new Refusal(made.message);
+    return made.is === 'answer' ? { text: made.value, title: '' } : null;
+  }
+
+  /**
+   * Asked again after trouble, and when the element is put back that was taken out meanwhile, while nothing else is to be shown.
+   * @template {{is: string}} O @param {number} load @param {() => Promise<O>} question
+   */
+  async #answer(load, question) {
+    for (;;) {
+      const outcome = await untilAnswered(this.linkage.store, async () => (load === this.#loads ? question() : LATE));
+      if (outcome.is !== 'late' || load !== this.#loads) return outcome;
+      if (!this.isConnected) await new Promise((resolve) => (this.#goOn = resolve));
+    }
   }
 
   /** @param {string} text @param {string} title @param {number} load */
   async #open(text, title, load) {
     const { store, whole } = this.linkage;
-    try {
-      const doc = await whole(text);
-      if (load !== this.#loads) return;
-      this.#fresh = this.#opening = true;
-      store.restore({ doc, past: [], future: [] }, { title, handle: null, saved: doc });
-      this.#opening = false;
-    } catch (error) {
-      if (!(error instanceof DocumentFault)) throw error;
-      if (load === this.#loads) store.setResult({ fault: error.fault, trouble: '' });
-    }
+    const read = await this.#answer(load, () => whole(text));
+    if (load !== this.#loads) return;
+    if (read.is === 'fault') store.setResult({ fault: read.fault, trouble: '' });
+    if (read.is !== 'answer') return;
+    const doc = read.value;
+    this.#fresh = this.#opening = true;
+    store.restore({ doc, past: [], future: [] }, { title, handle: null, saved: doc });
+    this.#opening = false;
   }
 
   /** The document that the motion belongs to. */

@@ -5,6 +5,7 @@
  * @typedef {import('./workbench.js').AppWithPanels} AppWithPanels
  */
 import markup from './panels.html?raw';
+import { ask, untilAnswered } from '../core/ask.js';
 import { allTimes, keyFrameFrames } from '../core/playhead.js';
 import { textOf } from '../core/document-text.js';
 import { createDock } from '../panels/dock.js';
@@ -13,7 +14,6 @@ import { createSelection } from '../panels/tables/selection.js';
 import { createStatus } from '../panels/info/status.js';
 import { createTables } from '../panels/tables/tables.js';
 import { createTabs } from '../ui/tabs.js';
-import { DocumentFault } from '../planner/planner.js';
 import { createTree } from '../panels/tree.js';
 import { createWhy } from '../panels/info/why.js';
 
@@ -24,8 +24,9 @@ import { createWhy } from '../panels/info/why.js';
  */
 export async function createPanels(bare, banners) {
   const { find, store, player, planner, say, findStart } = bare;
-  const defaults = await planner.defaults();
-  if (bare.signal.aborted) return /** @type {AppWithPanels} */ (bare);
+  const made = await untilAnswered(store, () => ask(() => planner.defaults(), 'say what new parts are made of'));
+  if (bare.signal.aborted || made.is !== 'answer') return /** @type {AppWithPanels} */ (bare);
+  const defaults = made.value;
   const template = document.createElement('template');
   template.innerHTML = markup;
   find('frame').append(template.content);
@@ -43,9 +44,11 @@ export async function createPanels(bare, banners) {
     if (motion && doc) player.frame = keyFrameFrames(doc, allTimes(motion))[key];
   };
   const places = { root: find('tables'), mechanism: find('mechanism'), motion: find('motion') };
-  const compareMetrics = (/** @type {string} */ text, /** @type {AbortSignal} */ signal) => planner.compareMetrics(text, signal);
-  const check = (/** @type {import('../core/types.js').MechanismDocument} */ doc) =>
-    planner.normalise(textOf(doc)).then(() => null, (error) => (error instanceof DocumentFault ? error.fault : null));
+  const compareMetrics = (/** @type {string} */ text, /** @type {AbortSignal} */ signal) => ask(() => planner.compareMetrics(text, signal), 'compare the metrics');
+  const check = async (/** @type {import('../core/types.js').MechanismDocument} */ doc) => {
+    const read = await ask(() => planner.normalise(textOf(doc)), 'read the document');
+    return read.is === 'fault' ? read.fault : null;
+  };
   const tables = createTables(places, store, defaults, { markFault: tabs.mark, findStart, goToKey, compareMetrics, check, say });
   const selection = createSelection(places.root, [places.mechanism, places.motion], app);
   places.root.addEventListener('focusin', ({ target }) => bringOut(/** @type {Element} */ (target), app));

@@ -4,8 +4,8 @@
 import '../element/define.js';
 import { element as make } from '../ui/dom.js';
 import { readAddress } from '../core/address.js';
+import { untilAnswered } from '../core/ask.js';
 import { answerTo } from '../core/from-address.js';
-import { reason } from '../core/open.js';
 import { wear } from '../ui/style-sheets.js';
 import look from '../style/embed.css?inline';
 import { attributesOf, parentOrigin } from './address.js';
@@ -39,13 +39,10 @@ export function startFrame() {
   else {
     // The element waits for its document.
     element.document = null;
-    answerTo(asked, linkage.whole).then(
-      ({ doc: shown, problems }) => {
-        element.document = shown;
-        for (const problem of problems) linkage.say(problem, { stays: true });
-      },
-      (error) => linkage.store.setResult({ trouble: reason(error) }),
-    );
+    untilAnswered(linkage.store, () => answerTo(asked, linkage)).then(({ value: { doc: shown, problems } }) => {
+      element.document = shown;
+      for (const problem of problems) linkage.say(problem, { stays: true });
+    });
   }
   // For screen readers; a person sees the linkage.
   const heading = make('h1', {}, 'Linkage');

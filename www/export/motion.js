@@ -1,6 +1,7 @@
 /**
  * The motion as text: a table, data, a MuJoCo model; the planner writes them.
  */
+import { ask } from '../core/ask.js';
 import { textOf } from '../core/document-text.js';
 import { fileName, saveFile } from './save.js';
 
@@ -14,9 +15,11 @@ const FILES = {
 export async function exportMotion({ store, planner, say }, format) {
   const { doc } = store.result;
   if (!doc) return;
-  const text = await planner.exportMotion(textOf(doc), format);
+  const text = await ask(() => planner.exportMotion(textOf(doc), format), 'write the motion');
+  if (text.is === 'late') return;
+  if (text.is !== 'answer') return say(`The file could not be made. ${text.message}`, { stays: true });
   const { ending, type } = FILES[format];
   const name = fileName(doc, ending);
-  saveFile(name, new Blob([text], { type }));
+  saveFile(name, new Blob([text.value], { type }));
   say(`Saved ${name}.`);
 }

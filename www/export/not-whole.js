@@ -9,7 +9,7 @@
 export function notWhole({ doc, result: { motion, doc: planned, fault, trouble } }) {
   const old = motion ? ', and the motion that is shown is of an earlier one' : '';
   if (fault) return `The document has a fault${old}: mend it first`;
-  if (trouble) return `The planner failed on this document${old}`;
+  if (trouble) return `The planner failed on this document or could not be loaded${old}`;
   if (!motion || planned !== doc) return `The document is still being planned${old}`;
   return motion.partial ? 'The motion is planned only in part: plan the rest first' : '';
 }

@@ -83,6 +83,7 @@ export function createDock({ find, narrow, tabs, signal }, dockTabs) {
     tabs.settle();
     dockTabs.settle();
   }
+  // It is told once more when the element has been taken out, where nothing is found any more.
   const [frame, stage] = [find('frame'), find('stage')];
   new ResizeObserver(() => frame.style.setProperty('--stage-height', `${stage.offsetHeight}px`)).observe(stage);
   new ResizeObserver(arrange).observe(find('bench'));

@@ -21,7 +21,7 @@ import { Queue } from './queue.js';
 import { DocumentFault } from './errors.js';
 import { groupAt } from '../core/shown.js';
 
-export { DocumentFault, PlannerFailure } from './errors.js';
+export { DocumentFault, PlannerFailure, PlannerNotLoaded } from './errors.js';
 
 /** A program may ask for what takes minutes, and waits for all that it asked for. */
 const queue = new Queue(Infinity);

@@ -12,11 +12,11 @@
  *   | {kind: 'close', doc: number}} Message
  * @typedef {{id: number, kind: 'value', value: unknown}
  *   | {id: number, kind: 'fault', fault: Fault}
- *   | {id: number, kind: 'failure', message: string}
- *   | {id: number, kind: 'begun'}
+ *   | {id: number, kind: 'failure', message: string, loading?: boolean}
+ *   | {id: number, kind: 'heard' | 'begun'}
  *   | {id: number, kind: 'progress', progress: Progress}
- *   | {id: number, kind: 'cancelled'}} Answer `begun`, when the planner is loaded, and `progress` are followed by others,
- *   all else is the last
+ *   | {id: number, kind: 'cancelled'}} Answer `heard`, at once, `begun`, when the planner is loaded, and `progress` are
+ *   followed by others, all else is the last; `loading` where the planner could not be loaded
  *
  * @typedef {'plan' | 'pull' | 'explain' | 'text' | 'find_start' | 'drive' | 'trace' | 'matrix' | 'compare_metrics' | 'export_motion'} DocumentCall
  *   methods of the packages' Session
@@ -35,20 +35,29 @@ const FIRST = ['plan', 'pull', 'explain', 'text', 'find_start', 'defaults'];
 /** How long a portion of a plan is, in milliseconds: two pictures of a screen, so that what is dragged goes on. */
 const PORTION = 30;
 
-/** @type {ReturnType<typeof init> | null} */
-let ready = null;
+/** The planner could not be loaded, which is no failure of its own. */
+class NotLoaded extends Error {}
 
-/** The whole package, loaded when something else is asked for. @type {Promise<typeof import('../pkg/synthetica.js')> | null} */
-let whole = null;
-
-async function loadWhole() {
-  const module = await import('../pkg/synthetica.js');
-  await module.default();
-  return module;
+/** Loads once; a load that failed is not kept, and the next question tries again. @template T @param {() => Promise<T>} load */
+function once(load) {
+  /** @type {Promise<T> | null} */
+  let loading = null;
+  return () =>
+    (loading ??= load().catch((error) => {
+      loading = null;
+      throw new NotLoaded(error instanceof Error ? error.message : String(error));
+    }));
 }
 
 /** Begins to load what every question needs. */
-export const load = () => (ready ??= init());
+export const load = once(() => init());
+
+/** The whole package, loaded when something else is asked for. */
+const loadWhole = once(async () => {
+  const module = await import('../pkg/synthetica.js');
+  await module.default();
+  return module;
+});
 
 /** @param {(answer: Answer) => void} send */
 export function createAnswers(send) {
@@ -76,6 +85,7 @@ export function createAnswers(send) {
     const doc = number === undefined ? undefined : documents.get(number);
     const question = { stopped: false };
     asked.set(id, question);
+    send({ id, kind: 'heard' });
     const isWanted = () => asked.get(id) === question;
     if (doc) doc.users += 1;
     /** @type {Answer | null} */
@@ -83,7 +93,7 @@ export function createAnswers(send) {
     try {
       await load();
       /** @type {Record<string, any> & Module} */
-      const module = FIRST.includes(call) ? first : await (whole ??= loadWhole());
+      const module = FIRST.includes(call) ? first : await loadWhole();
       if (!isWanted()) return;
       send({ id, kind: 'begun' });
       if (doc) {
@@ -92,7 +102,9 @@ export function createAnswers(send) {
         if (done) last = { id, kind: 'value', value: call === 'plan' ? session.plan_so_far() : session[call](...args) };
       } else last = { id, kind: 'value', value: module[call](...args) };
     } catch (error) {
-      last = isFault(error) ? { id, kind: 'fault', fault: error } : { id, kind: 'failure', message: String(error) };
+      if (isFault(error)) last = { id, kind: 'fault', fault: error };
+      else if (error instanceof NotLoaded) last = { id, kind: 'failure', message: error.message, loading: true };
+      else last = { id, kind: 'failure', message: String(error) };
     } finally {
       const wanted = isWanted();
       if (wanted) asked.delete(id);

@@ -1,11 +1,20 @@
 /**
  * The channel to what answers questions: a worker; where the page cannot have one, the page itself.
  *
+ * `isMakeshift` where the page itself answers though a worker might: whoever has no question open should open another
+ * channel.
  * @typedef {import('./calls.js').Message} Message
  * @typedef {import('./calls.js').Answer} Answer
- * @typedef {{post: (message: Message) => void, close: () => void}} Channel
+ * @typedef {{post: (message: Message) => void, close: () => void}} Line
+ * @typedef {Line & {isMakeshift: () => boolean}} Channel
  */
+import { loading } from './loading.js';
 import { startWorker } from './start-worker.js';
+import { createWatch } from './watch.js';
+
+/** So many workers in a row must fail to start, with the page itself able to load the planner, before they count as forbidden. */
+const TRIES = 2;
+let failed = 0;
 
 /**
  * @param {(answer: Answer) => void} receive
@@ -14,50 +23,80 @@ import { startWorker } from './start-worker.js';
  */
 export function openChannel(receive, fail) {
   let works = false;
-  /** What was posted before the first answer. @type {Message[]} */
+  let makeshift = false;
+  /** What was posted before the worker said anything. @type {Message[]} */
   let first = [];
-  /** @type {Channel} */
-  let channel;
-  /** A worker that ends before its first answer was forbidden (by a content policy, in a sandbox) or could not be loaded. */
+  /** @type {Line} */
+  let line;
+  const speaks = () => {
+    works = true;
+    first = [];
+    failed = 0;
+  };
+  /** A worker that ends before it says anything was forbidden (by a content policy, in a sandbox) or could not be loaded. */
   const end = (/** @type {string} */ reason) => {
     if (works) return fail(reason);
-    works = true;
-    channel = openHere(receive);
-    for (const message of first) channel.post(message);
+    works = makeshift = true;
+    let loads = false;
+    line = openHere((answer) => {
+      if (answer.kind === 'begun' && !loads) {
+        loads = true;
+        failed += 1;
+      }
+      receive(answer);
+    });
+    for (const message of first) line.post(message);
     first = [];
   };
   try {
-    channel = openWorker((answer) => {
-      works = true;
-      first = [];
-      receive(answer);
-    }, end);
+    line = openWorker({ speaks, receive, fail: end });
   } catch {
     works = true;
-    channel = openHere(receive);
+    line = openHere(receive);
   }
   return {
     post(message) {
-      channel.post(message);
+      line.post(message);
       if (!works) first.push(message);
     },
-    close: () => channel.close(),
+    close: () => line.close(),
+    isMakeshift: () => makeshift && failed < TRIES,
   };
 }
 
-/** @param {(answer: Answer) => void} receive @param {(reason: string) => void} fail @returns {Channel} */
-function openWorker(receive, fail) {
+/** @param {{speaks: () => void, receive: (answer: Answer) => void, fail: (reason: string) => void}} to @returns {Line} */
+function openWorker({ speaks, receive, fail }) {
   const worker = startWorker();
-  worker.onmessage = ({ data }) => receive(data);
+  const close = () => {
+    watch.end();
+    worker.terminate();
+  };
+  const watch = createWatch(() => {
+    worker.terminate();
+    fail('its worker was ended');
+  });
+  worker.onmessage = ({ data }) => {
+    speaks();
+    if (data.kind === 'holds') return watch.holds(data.lock);
+    if (data.kind === 'loading') return loading.tell(data);
+    watch.received(data);
+    receive(data);
+  };
   worker.onerror = (event) => {
     event.preventDefault();
-    worker.terminate();
+    close();
     fail(event.message || 'the planner could not be loaded');
   };
-  return { post: (message) => worker.postMessage(message), close: () => worker.terminate() };
+  return {
+    post(message) {
+      worker.postMessage(message);
+      watch.posted(message);
+    },
+    close,
+  };
 }
 
-/** Without a worker the page plans by itself, and is held up for a portion at a time. @param {(answer: Answer) => void} receive @returns {Channel} */
+/** Without a worker the page plans by itself, and is held up for a portion at a time. @param {(answer: Answer) => void} receive @returns {Line} */
 function openHere(receive) {
   let open = true;
   const calls = import('./calls.js').then(({ createAnswers }) => createAnswers((answer) => open && receive(answer)));
@@ -67,7 +106,7 @@ function openHere(receive) {
       const copy = structuredClone(message);
       calls.then(
         (answers) => open && answers.receive(copy),
-        (error) => open && 'id' in message && receive({ id: message.id, kind: 'failure', message: String(error) }),
+        (error) => open && 'id' in message && receive({ id: message.id, kind: 'failure', message: String(error), loading: true }),
       );
     },
     close: () => {

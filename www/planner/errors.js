@@ -18,10 +18,18 @@ export class DocumentFault extends Error {
   }
 }
 
-/** A newer call of the same kind took this one's place; its answer would have been out of date. */
-export class Superseded extends Error {}
+/** A newer call of the same kind took this one's place, or its asker has left: nobody waits for its answer. */
+export class Superseded extends Error {
+  name = 'Superseded';
+  message = 'nobody waits for the answer any more';
+}
 
 /** The planner itself failed: our mistake, not the document's. */
 export class PlannerFailure extends Error {
   name = 'PlannerFailure';
+}
+
+/** The planner could not be loaded, as when the network fails. It is loaded anew for the next question. */
+export class PlannerNotLoaded extends PlannerFailure {
+  name = 'PlannerNotLoaded';
 }

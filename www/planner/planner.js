@@ -11,7 +11,7 @@
  */
 import { queue } from './queue.js';
 
-export { DocumentFault, PlannerFailure, Superseded } from './errors.js';
+export { DocumentFault, PlannerFailure, PlannerNotLoaded, Superseded } from './errors.js';
 
 export class Planner {
   #queue;
@@ -123,6 +123,11 @@ export class Planner {
   /** Tables 2 and 3. @returns {Promise<import('../core/types.js').Enumeration>} */
   enumeration() {
     return this.#askNoDocument('enumeration');
+  }
+
+  /** Takes back all that it asked, and frees its documents. It may ask again. @returns {boolean} whether a plan was under way */
+  leave() {
+    return this.#queue.leave(this).includes('plan');
   }
 
   /** Takes the place of the same call that is still waiting: its answer would be out of date. @param {Call} call @param {string} text @param {...unknown} args */

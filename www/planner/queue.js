@@ -1,7 +1,12 @@
 /**
  * The queue that all planners of a page share, in front of one worker with one wasm module. The worker has one short
  * question at a time, and beside it plans, which it makes in portions. A worker that fails or hangs is discarded and a new
- * one made; the questions of others are asked again.
+ * one made; the questions of others are asked again. One that was ended from outside (watch.js) is made anew, and each of
+ * its questions asked once again.
+ *
+ * Plans hold up nobody. A short question cannot be interrupted, and while it is computed the worker does nothing else: some
+ * seconds after another question was asked, whoever asked it, it is given up with its worker. Where nothing more is asked
+ * it is left to end, and plans under way stand still meanwhile: in a new worker they would begin again.
  *
  * @typedef {import('./calls.js').Answer} Answer
  * @typedef {import('./calls.js').Call} Call
@@ -14,21 +19,19 @@
  *   stop?: AbortSignal, onProgress?: (progress: Progress) => void}} Request
  *
  * `begun` once the worker computes, which on a slow network it first has to load; `slow` after a while; `cancelled` if its
- * answer is not wanted any more.
+ * answer is not wanted any more; `repeated` if it is asked again because its worker ended.
  * @typedef {Request & {id: number, resolve: (value: any) => void, reject: (reason: unknown) => void, begun: boolean,
- *   slow: boolean, cancelled: boolean, timer?: ReturnType<typeof setTimeout>}} Job
+ *   slow: boolean, cancelled: boolean, repeated: boolean, timer?: ReturnType<typeof setTimeout>}} Job
  */
-import { DocumentFault, PlannerFailure, Superseded } from './errors.js';
+import { DocumentFault, PlannerFailure, PlannerNotLoaded, Superseded } from './errors.js';
 import { openChannel } from './channel.js';
+import { OpenDocuments } from './open-documents.js';
 
-/** How long a question that is computed may hold up a newer one of the same asker before its worker is ended, in milliseconds. */
+/** How long a question that is computed may hold up others before its worker is ended, in milliseconds. */
 const PATIENCE = 4000;
 
 /** How long a plan goes on while a newer one of the same asker waits, in milliseconds: what changes step by step is seen to. */
 const GRACE = 500;
-
-/** How many documents the worker keeps open: those of some elements, or those that undo and redo go through. */
-const MAX_OPEN = 4;
 
 /** What goes in portions. @type {Call[]} */
 const LONG = ['plan', 'compare_metrics', 'export_motion'];
@@ -42,12 +45,11 @@ export class Queue {
   /** What the worker has. @type {Map<number, Job>} */
   #running = new Map();
   #lastId = 0;
-  /** The numbers of open documents by asker and text, the one last asked about at the end. @type {Map<string, number>} */
-  #open = new Map();
-  #lastDocument = 0;
-  /** @type {WeakMap<object, number>} */
-  #askers = new WeakMap();
-  #lastAsker = 0;
+  #documents = new OpenDocuments((doc) => this.#channel?.post({ kind: 'close', doc }));
+  /** Whether the present worker has computed something: then it is loaded, but for the rest of the package. */
+  #isLoaded = false;
+  /** Whether the present worker lacks the rest: a browser may remember that a module could not be loaded. */
+  #isIncomplete = false;
 
   /** @param {number} [patience] in milliseconds */
   constructor(patience = PATIENCE) {
@@ -63,9 +65,9 @@ export class Queue {
     }
     return new Promise((resolve, reject) => {
       /** @type {Job} */
-      const job = { ...request, id: ++this.#lastId, resolve, reject, begun: false, slow: false, cancelled: false };
+      const job = { ...request, id: ++this.#lastId, resolve, reject, begun: false, slow: false, cancelled: false, repeated: false };
       this.#waiting.push(job);
-      request.signal?.addEventListener('abort', () => this.#takeBack(job), { once: true });
+      request.signal?.addEventListener('abort', () => this.#takeBack(job, request.signal?.reason), { once: true });
       request.stop?.addEventListener('abort', () => this.#stop(job), { once: true });
       this.#next();
     });
@@ -73,7 +75,16 @@ export class Queue {
 
   /** Frees a document that is not asked about any more. @param {object} asker @param {string} text */
   close(asker, text) {
-    this.#close(this.#keyOf(asker, text));
+    this.#documents.close(asker, text);
+  }
+
+  /** Takes back all that an asker asked, and frees its documents. @param {object} asker @returns {Call[]} what was asked */
+  leave(asker) {
+    const jobs = [...this.#running.values(), ...this.#waiting].filter((job) => job.asker === asker && !job.cancelled);
+    for (const job of jobs) this.#takeBack(job, new Superseded());
+    this.#documents.closeAllOf(asker);
+    this.#next();
+    return jobs.map(({ call }) => call);
   }
 
   #next() {
@@ -88,44 +99,38 @@ export class Queue {
     return running.every((other) => !isLong(other) || !(isSame(other, job) || isOfSamePlan(other, job)));
   }
 
-  /** Only newer questions of the same asker end a job: a slow plan holds up only its own element. @param {Job} job */
+  /** Ends a plan for a newer one of the same asker, another question for those that it holds up. @param {Job} job */
   #hurry(job) {
     if (job.cancelled) {
-      if (job.begun) job.timer ??= setTimeout(() => this.#discard(new PlannerFailure('a question could not be taken back'), job), PATIENCE);
+      if (job.begun) job.timer ??= setTimeout(() => this.#discard(new PlannerFailure('a question could not be taken back'), (one) => one === job), PATIENCE);
     } else if (isLong(job)) {
       if (job.slow && this.#waiting.some((other) => other.latest && isSame(other, job))) this.#cancel(job, new Superseded());
-    } else if (job.begun && this.#patience < Infinity && this.#waiting.some(({ asker }) => asker === job.asker)) {
+    } else if (job.begun && this.#patience < Infinity && this.#waiting.length > 0) {
       // setTimeout cannot take Infinity.
-      job.timer ??= setTimeout(() => this.#discard(new PlannerFailure('a question took too long and was given up'), job), this.#patience);
+      job.timer ??= setTimeout(() => this.#discard(new PlannerFailure('a question took too long and was given up'), (one) => one === job), this.#patience);
     }
   }
 
   /** @param {Job} job */
   #post(job) {
+    if (!this.#running.size && (this.#isIncomplete || this.#channel?.isMakeshift())) this.#closeChannel();
     this.#waiting = this.#waiting.filter((other) => other !== job);
     this.#running.set(job.id, job);
     this.#channel ??= openChannel(
       (answer) => this.#receive(answer),
-      (reason) => this.#discard(new PlannerFailure(reason)),
+      (reason) => this.#askAgain(new PlannerFailure(reason)),
     );
-    const { id, call, args, text } = job;
-    /** @type {Message & {kind: 'ask'}} */
-    const message = { kind: 'ask', id, call, args };
-    const key = text === undefined ? '' : this.#keyOf(job.asker, text);
-    if (text !== undefined) {
-      const known = this.#open.get(key);
-      message.doc = known ?? ++this.#lastDocument;
-      if (known === undefined) message.text = text;
-    }
+    const { id, call, args, asker, text } = job;
+    const about = text === undefined ? null : this.#documents.about(asker, text);
     try {
-      this.#channel.post(message);
+      this.#channel.post({ kind: 'ask', id, call, args, ...about });
     } catch (error) {
       // The structured clone failed: an argument is a function, say.
       this.#settle(job);
       job.reject(error);
       return;
     }
-    if (message.doc !== undefined) this.#keepOpen(key, message.doc);
+    if (about && text !== undefined) this.#documents.keep(asker, text, about.doc);
     if (job.stop?.aborted) this.#channel.post({ kind: 'stop', id });
     if (isLong(job) && job.latest) {
       job.timer = setTimeout(() => {
@@ -140,26 +145,31 @@ export class Queue {
     const job = this.#running.get(answer.id);
     if (!job) return;
     if (answer.kind === 'begun') {
-      job.begun = true;
+      job.begun = this.#isLoaded = true;
       this.#hurry(job);
       return;
     }
+    if (answer.kind === 'heard') return;
     if (answer.kind === 'progress') {
       if (!job.cancelled) job.onProgress?.(answer.progress);
       return;
     }
-    if (answer.kind === 'failure') return this.#discard(new PlannerFailure(answer.message), job);
+    if (answer.kind === 'failure') {
+      if (answer.loading) this.#notLoaded(job, new PlannerNotLoaded(answer.message));
+      else this.#discard(new PlannerFailure(answer.message), (one) => one === job);
+      return;
+    }
     this.#settle(job);
     if (answer.kind === 'fault') job.reject(new DocumentFault(answer.fault));
     else if (answer.kind === 'value') job.resolve(answer.value);
     this.#next();
   }
 
-  /** @param {Job} job */
-  #takeBack(job) {
-    if (this.#running.has(job.id)) return this.#cancel(job, job.signal?.reason);
+  /** @param {Job} job @param {unknown} reason */
+  #takeBack(job, reason) {
+    if (this.#running.has(job.id)) return this.#cancel(job, reason);
     this.#waiting = this.#waiting.filter((other) => other !== job);
-    job.reject(job.signal?.reason);
+    job.reject(reason);
   }
 
   /** Its promise ends at once, its work at the next portion, or with the worker where that does not come. @param {Job} job @param {unknown} reason */
@@ -178,17 +188,41 @@ export class Queue {
     if (this.#running.has(job.id)) this.#channel?.post({ kind: 'stop', id: job.id });
   }
 
-  /** Ends the worker and fails the job that is to blame, all where none is known; the others are asked again. @param {PlannerFailure} reason @param {Job} [guilty] */
-  #discard(reason, guilty) {
-    this.#channel?.close();
-    this.#channel = null;
-    this.#open.clear();
+  /** Ends the worker and fails the jobs that are to blame; the others are asked again. @param {PlannerFailure} reason @param {(job: Job) => boolean} isGuilty */
+  #discard(reason, isGuilty) {
+    this.#closeChannel();
     const jobs = [...this.#running.values()];
     for (const job of jobs) this.#settle(job);
-    const others = jobs.filter((job) => guilty && job !== guilty && !job.cancelled);
-    this.#waiting.unshift(...others);
-    for (const job of jobs) if (!others.includes(job)) job.reject(reason);
+    this.#waiting.unshift(...jobs.filter((job) => !job.cancelled && !isGuilty(job)));
+    for (const job of jobs) if (isGuilty(job)) job.reject(reason);
     this.#next();
+  }
+
+  /** The worker has ended; nobody knows by which question, and one that was there twice is not asked for ever. @param {PlannerFailure} reason */
+  #askAgain(reason) {
+    const twice = [...this.#running.values()].filter(({ repeated }) => repeated);
+    for (const job of this.#running.values()) job.repeated = true;
+    this.#discard(reason, (job) => twice.includes(job));
+  }
+
+  /** All that waits for the load has failed with it; what needs only the part that is loaded goes on. @param {Job} job @param {PlannerNotLoaded} reason */
+  #notLoaded(job, reason) {
+    if (this.#isLoaded) {
+      this.#settle(job);
+      job.reject(reason);
+      this.#isIncomplete = true;
+      return this.#next();
+    }
+    const waiting = this.#waiting.splice(0);
+    this.#discard(reason, () => true);
+    for (const other of waiting) other.reject(reason);
+  }
+
+  #closeChannel() {
+    this.#channel?.close();
+    this.#channel = null;
+    this.#isLoaded = this.#isIncomplete = false;
+    this.#documents.forget();
   }
 
   /** @param {Job} job */
@@ -198,28 +232,6 @@ export class Queue {
     job.begun = false;
     job.slow = false;
     this.#running.delete(job.id);
-  }
-
-  /** @param {object} asker @param {string} text */
-  #keyOf(asker, text) {
-    const number = this.#askers.get(asker) ?? ++this.#lastAsker;
-    this.#askers.set(asker, number);
-    return `${number} ${text}`;
-  }
-
-  /** @param {string} key @param {number} doc */
-  #keepOpen(key, doc) {
-    this.#open.delete(key);
-    this.#open.set(key, doc);
-    const [oldest] = this.#open.keys();
-    if (this.#open.size > MAX_OPEN) this.#close(oldest);
-  }
-
-  /** @param {string} key */
-  #close(key) {
-    const doc = this.#open.get(key);
-    this.#open.delete(key);
-    if (doc !== undefined) this.#channel?.post({ kind: 'close', doc });
   }
 }
 

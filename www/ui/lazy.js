@@ -44,23 +44,33 @@ export async function withPart({ say }, what, load, go) {
 export const loaded = (app, what, load) => new Promise((resolve) => withPart(app, what, load, resolve));
 
 /**
+ * Says in a panel's place why it is not there, with a button that tries again.
+ * @param {HTMLElement} panel @param {string} what such as "The charts" @param {string} why a sentence @param {() => unknown} attempt
+ */
+export function notLoaded(panel, what, why, attempt) {
+  const again = () => {
+    // The button goes; the focus stays in its panel.
+    panel.tabIndex = -1;
+    panel.focus();
+    panel.textContent = `${what}: loading …`;
+    attempt();
+  };
+  panel.replaceChildren(element('p', { class: 'not-loaded', role: 'alert' }, why, ' ', element('button', { class: 'link', click: again }, 'Try again')));
+}
+
+/**
  * @param {HTMLElement} panel fills itself when it first comes into view
  * @param {string} what stands in the message if it cannot: "The charts"
  * @param {() => Promise<unknown>} load
  */
 export function whenSeen(panel, what, load) {
   const attempt = () =>
-    load().catch((error) => {
-      const again = () => {
-        // The button goes; the focus stays in its panel.
-        panel.tabIndex = -1;
-        panel.focus();
-        panel.textContent = `${what}: loading …`;
+    load().catch((error) =>
+      notLoaded(panel, what, failure(what, error), () => {
         loadStylesAgain();
         attempt();
-      };
-      panel.replaceChildren(element('p', { class: 'not-loaded', role: 'alert' }, failure(what, error), ' ', element('button', { class: 'link', click: again }, 'Try again')));
-    });
+      }),
+    );
   const observer = new IntersectionObserver((entries) => {
     if (!entries.some((entry) => entry.isIntersecting)) return;
     observer.disconnect();

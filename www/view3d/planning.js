@@ -2,6 +2,8 @@
  * What stands over the view while the planner is loaded or a plan takes long: how far it is, and a way to stop it; then how
  * far it came, and a way to go on.
  */
+import { ask, untilAnswered } from '../core/ask.js';
+import { loading } from '../planner/loading.js';
 import { focusBeside, setText } from '../ui/dom.js';
 import { partSentence } from '../core/status-words.js';
 
@@ -19,16 +21,16 @@ export function createPlanning({ find, store, planner, replan, signal }) {
   const stop = find('planning-stop');
   const on = find('planning-on');
   let spoken = -Infinity;
-  let loading = false;
+  let isLoading = false;
 
   function show() {
     const { planning, result } = store;
-    const text = planning ? `Planning frame ${planning.done + 1} of ${planning.frames}.` : loading ? LOADING : partSentence(result.motion);
+    const text = planning ? `Planning frame ${planning.done + 1} of ${planning.frames}.` : isLoading ? loadingText() : partSentence(result.motion);
     const focused = [stop, on].some((button) => button === focusBeside(button));
     banner.hidden = !text;
     setText(find('planning-text'), text);
     stop.hidden = !planning;
-    on.hidden = planning !== null || loading;
+    on.hidden = planning !== null || isLoading;
     if (focused) (!text ? find('play') : planning ? stop : on).focus();
     if (!planning || performance.now() - spoken < SPEAK_EVERY) return;
     spoken = performance.now();
@@ -41,17 +43,25 @@ export function createPlanning({ find, store, planner, replan, signal }) {
   store.subscribe('result', show);
   show();
 
-  const late = setTimeout(() => {
-    loading = true;
-    setText(find('live'), LOADING);
-    show();
-  }, LOADS_LONG);
-  const loaded = () => {
+  loading.subscribe(show, signal);
+  // Its first answer says that it is there.
+  untilAnswered(store, async () => {
+    const late = setTimeout(() => {
+      isLoading = true;
+      setText(find('live'), LOADING);
+      show();
+    }, LOADS_LONG);
+    signal.addEventListener('abort', () => clearTimeout(late), { once: true });
+    const answer = await ask(() => planner.defaults(), 'start');
     clearTimeout(late);
-    loading = false;
+    isLoading = false;
     if (!signal.aborted) show();
-  };
-  // Its first answer says that it is there; where it cannot be loaded, whoever asks next tells why.
-  planner.defaults().then(loaded, loaded);
-  signal.addEventListener('abort', () => clearTimeout(late), { once: true });
+    return answer;
+  });
+}
+
+/** With how much has come, where that is known. */
+function loadingText() {
+  const { latest } = loading;
+  return latest ? `${LOADING.slice(0, -1)} … ${Math.floor((100 * latest.loaded) / latest.total)} %` : LOADING;
 }

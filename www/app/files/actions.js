@@ -4,13 +4,13 @@
  *
  * @typedef {import('../../element/workbench.js').App} App
  */
+import { ask } from '../../core/ask.js';
 import { encode } from '../../core/link-codec.js';
 import { readText, RefusedFile } from './reading.js';
 import { fileName, saveFile } from '../../export/save.js';
 import { openShare } from './share.js';
 import { openDialog } from '../../ui/dialog.js';
 import { newLinkageForm } from '../../panels/types/new-linkage.js';
-import { DocumentFault } from '../../planner/planner.js';
 import { faultText } from '../../core/fault-text.js';
 
 /** What not every browser has, and the page's types do not know. @typedef {{showOpenFilePicker?: (options: object) => Promise<FileSystemFileHandle[]>, showSaveFilePicker?: (options: object) => Promise<FileSystemFileHandle>}} Pickers */
@@ -20,7 +20,7 @@ const TYPES = [{ description: 'Linkage', accept: { 'application/json': ['.json']
 
 /** @param {App} app @param {HTMLInputElement} chooser */
 export function createActs(app, chooser) {
-  const { store, planner, say, open } = app;
+  const { store, planner, say, open, whole } = app;
 
   /** Opens a file that was handed in. @param {File} file @param {FileSystemFileHandle | null} [handle] */
   async function take(file, handle = null) {
@@ -59,7 +59,7 @@ export function createActs(app, chooser) {
     const handle = await target(another);
     if (handle === undefined) return;
     const { doc } = store;
-    const { text, whole } = await textOf(doc);
+    const { text, flaw } = await textOf(doc);
     const title = handle?.name ?? fileName(doc, 'json');
     try {
       if (handle) {
@@ -73,17 +73,16 @@ export function createActs(app, chooser) {
     }
     store.markSaved(doc, { title, handle });
     const done = handle ? `Saved as ${title}.` : `Downloaded as ${title}.`;
-    say(whole ? done : `${done} It is at fault, and opens again only after that is mended.`);
+    say(`${done} ${flaw}`.trim());
   }
 
-  /** @param {import('../../core/types.js').MechanismDocument} doc @returns {Promise<{text: string, whole: boolean}>} `whole` if it is without a fault */
+  /** @param {import('../../core/types.js').MechanismDocument} doc @returns {Promise<{text: string, flaw: string}>} `flaw` in words, if it has one */
   async function textOf(doc) {
-    try {
-      return { text: await planner.normalise(JSON.stringify(doc)), whole: true };
-    } catch {
-      // The work is the person's, with its fault too.
-      return { text: `${JSON.stringify(doc, null, 2)}\n`, whole: false };
-    }
+    const read = await ask(() => planner.normalise(JSON.stringify(doc)), 'read the document');
+    if (read.is === 'answer') return { text: read.value, flaw: '' };
+    // The work is the person's, with its fault too.
+    const flaw = read.is === 'fault' ? 'It is at fault, and opens again only after that is mended.' : `It was not checked for faults. ${read.message}`;
+    return { text: `${JSON.stringify(doc, null, 2)}\n`, flaw };
   }
 
   function fresh() {
@@ -93,13 +92,12 @@ export function createActs(app, chooser) {
   }
 
   async function share() {
-    try {
-      const text = JSON.stringify(JSON.parse(await planner.normalise(JSON.stringify(store.doc))));
-      openShare(app, text, await encode(text));
-    } catch (error) {
-      if (!(error instanceof DocumentFault)) throw error;
-      say(`A link is made of a document without faults. ${faultText(error.fault)}`, { stays: true });
-    }
+    const read = await whole(JSON.stringify(store.doc));
+    if (read.is === 'fault') say(`A link is made of a document without faults. ${faultText(read.fault)}`, { stays: true });
+    if (read.is === 'trouble') say(`No link was made. ${read.message}`, { label: 'Try again', act: share, stays: true });
+    if (read.is !== 'answer') return;
+    const text = JSON.stringify(read.value);
+    openShare(app, text, await encode(text));
   }
 
   return { fresh, pick, save, share, take };

@@ -9,19 +9,21 @@
  * @typedef {{doc: MechanismDocument, past: MechanismDocument[], future: MechanismDocument[],
  *   good: MechanismDocument | null, title: string, unsaved: boolean}} Work
  *   `good` is the last document without a fault, if the present one has one; `title` what its file is called
- * @typedef {{when: number, by: string, title: string, doc: MechanismDocument}} Earlier
+ * @typedef {{when: number, by: string, title: string, doc?: MechanismDocument, text?: string}} Earlier `text` in place of a
+ *   document, where it cannot be read
  */
 
 /** The 1 is the version of the form. */
 const KEPT = 'synthetica.work.1';
 const SHELF = 'synthetica.earlier.1';
+/** Where versions of the page before this one put a text that they could not read. */
 const BROKEN = 'synthetica.broken';
 
 /** Undo steps that are kept, fewer where they do not fit. */
 const STEPS = [60, 8, 0];
 
 /** Pieces of earlier work on the shelf. */
-const MAX_EARLIER = 6;
+export const MAX_EARLIER = 6;
 
 /**
  * @param {() => Storage} storage may throw: some browsers forbid even the look at it
@@ -49,40 +51,55 @@ export function createKeeper(storage, page) {
     }
   };
 
+  /** @param {string} key */
+  const remove = (key) => {
+    try {
+      storage().removeItem(key);
+    } catch {
+      // It stays.
+    }
+  };
+
   /** @returns {Earlier[]} newest first */
   const earlier = () => {
     try {
       const list = JSON.parse(read(SHELF) ?? '[]');
-      return Array.isArray(list) ? list.map(fromStored).filter((entry) => isDocument(entry?.doc)) : [];
+      const listed = Array.isArray(list) ? list.map(fromStored).filter((entry) => isDocument(entry?.doc) || typeof entry?.text === 'string') : [];
+      const old = read(BROKEN);
+      return old ? [...listed, { when: 0, by: '', title: '', text: old }] : listed;
     } catch {
       return [];
     }
   };
 
-  /** Puts kept work aside, unless nothing was changed in it. @param {string} text @returns {boolean} whether it may be overwritten */
-  function shelve(text) {
+  /**
+   * Puts kept work aside, unless it is a document in which nothing was changed.
+   * @param {string} text @param {boolean} [always] also then @returns {boolean} whether it may be overwritten
+   */
+  function shelve(text, always = false) {
     const work = parse(text);
-    if (!work || !(work.unsaved || work.past.length)) return true;
-    const by = text.slice(0, text.indexOf('\n')).split(' ')[0];
-    const { doc, title } = work;
-    const others = earlier().filter((entry) => entry.by !== by && !same(entry.doc, doc));
-    return write(SHELF, JSON.stringify([{ when: Date.now(), by, title, doc }, ...others].slice(0, MAX_EARLIER).map(toStored)));
+    if (work && !always && !(work.unsaved || work.past.length)) return true;
+    const what = work ? { by: stampOf(text).split(' ')[0], title: work.title, doc: work.doc } : { by: '', title: '', text };
+    const others = earlier().filter(({ by, doc, text: other }) => !(what.by && by === what.by) && !same([doc, other], [what.doc, what.text]));
+    if (!write(SHELF, JSON.stringify([{ when: Date.now(), ...what }, ...others].slice(0, MAX_EARLIER).map(toStored)))) return false;
+    remove(BROKEN);
+    return true;
   }
 
   return {
     earlier,
 
-    /** The kept work; `broken` if there is something that cannot be read, which is put aside. @returns {{work: Work | null, broken: boolean}} */
+    /** The kept work, or a text that cannot be read, which is put aside. @returns {{work: Work | null, broken: string}} */
     load() {
       const text = read(KEPT);
-      if (!text) return { work: null, broken: false };
+      if (!text) return { work: null, broken: '' };
       const work = parse(text);
       if (work) {
         known = stampOf(text);
-        return { work, broken: false };
+        return { work, broken: '' };
       }
-      this.setAside(text);
-      return { work: null, broken: true };
+      this.setAside();
+      return { work: null, broken: text };
     },
 
     /** Another document is shown than the kept one: it goes onto the shelf before it is overwritten. */
@@ -90,17 +107,11 @@ export function createKeeper(storage, page) {
       known = '';
     },
 
-    /** What could not be shown. @param {string} [text] the kept text unless told */
-    setAside(text = read(KEPT) ?? '') {
-      if (write(BROKEN, text)) {
-        try {
-          storage().removeItem(KEPT);
-        } catch {
-          // It stays, and is overwritten by the next edit.
-        }
-      }
+    /** The kept work cannot be shown: it goes onto the shelf. Where that is full, it stays, and nothing is kept in its place. */
+    setAside() {
+      known = '';
+      if (shelve(read(KEPT) ?? '', true)) remove(KEPT);
     },
-    broken: () => read(BROKEN) ?? '',
 
     /** @param {Work} work @returns {boolean} false where the storage is full or forbidden */
     save(work) {
@@ -123,7 +134,7 @@ export function createKeeper(storage, page) {
   };
 }
 
-/** In the stored form, which earlier versions of the page wrote too, a document is called so. @template T @param {T & {doc: MechanismDocument}} entry */
+/** In the stored form, which earlier versions of the page wrote too, a document is called so. @template T @param {T & {doc?: MechanismDocument}} entry */
 const toStored = ({ doc, ...rest }) => ({ document: doc, ...rest });
 
 /** @param {any} entry @returns {any} */

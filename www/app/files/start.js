@@ -6,6 +6,7 @@
  * @typedef {import('./browser-storage.js').Work} Work
  */
 import { readAddress, plainAddress } from '../../core/address.js';
+import { untilAnswered } from '../../core/ask.js';
 import { answerTo } from '../../core/from-address.js';
 import { saveFile } from '../../export/save.js';
 
@@ -14,7 +15,8 @@ import { saveFile } from '../../export/save.js';
  * @param {ReturnType<typeof import('./browser-storage.js').createKeeper>} keeper
  * @returns {Promise<void>} when a document is shown
  */
-export function start({ store, player, say, whole, show }, keeper) {
+export function start(linkage, keeper) {
+  const { store, player, say, whole, show } = linkage;
   /** Shows kept work with its undo steps, behind the present document's. @param {Work} work */
   function takeUp(work) {
     const { history } = store;
@@ -28,16 +30,18 @@ export function start({ store, player, say, whole, show }, keeper) {
   async function showKept(work) {
     const origin = originOf(work);
     if (!(await isGood(work.doc))) {
-      if (!work.good || !(await isGood(work.good))) return false;
+      const good = work.good ?? work.past.at(-1);
+      if (!good || !(await isGood(good))) return false;
       // While the document is at fault, the last good motion is shown.
-      store.restore({ doc: work.good, past: [], future: [] }, origin);
+      store.restore({ doc: good, past: [], future: [] }, origin);
       await firstMotion();
     }
     store.restore(work, origin);
     return true;
   }
 
-  const isGood = (/** @type {MechanismDocument} */ doc) => whole(JSON.stringify(doc)).then(() => true, () => false);
+  /** Only a fault of the document counts against it: a planner that failed is asked again. @param {MechanismDocument} doc */
+  const isGood = async (doc) => (await untilAnswered(store, () => whole(JSON.stringify(doc)))).is === 'answer';
 
   const firstMotion = () =>
     new Promise((resolve) => {
@@ -49,15 +53,25 @@ export function start({ store, player, say, whole, show }, keeper) {
 
   /** At the start. */
   async function begin() {
-    const asked = readAddress(location);
+    const { href } = location;
     const { work, broken } = keeper.load();
+    const asked = readAddress(location);
     const explicit = asked.payload !== null || asked.sample !== null || asked.sets.length > 0;
     const shown = !explicit && work !== null && (await showKept(work));
-    const unreadable = broken || (!explicit && work !== null && !shown);
-    if (unreadable && !broken) keeper.setAside();
-    if (unreadable) tellBroken();
+    if (broken) {
+      say('What this browser kept of your last document cannot be read. It is under File, Earlier documents.', {
+        label: 'Download it',
+        act: () => saveFile('kept-document.txt', new Blob([broken], { type: 'text/plain' })),
+        stays: true,
+      });
+    }
     if (!shown) {
-      const { doc, title, problems } = await answerTo(asked, whole);
+      const { value } = await untilAnswered(store, () => answerTo(asked, linkage));
+      const { doc, title, problems } = value;
+      if (work && !explicit) {
+        keeper.setAside();
+        say('Your last document has a fault, and no motion without it is known. It is under File, Earlier documents.', { label: 'Open it', act: () => takeUp(work), stays: true });
+      }
       store.restore({ doc, past: [], future: [] }, { title, handle: null, saved: doc });
       for (const problem of problems) say(problem, { stays: true });
       if (explicit && work) {
@@ -67,18 +81,14 @@ export function start({ store, player, say, whole, show }, keeper) {
         }
       }
     }
-    watchAddress();
+    watchAddress(href);
   }
 
-  const tellBroken = () =>
-    say('What this browser kept of your last document cannot be read. A sample is shown in its place.', {
-      label: 'Download it',
-      act: () => saveFile('kept-document.txt', new Blob([keeper.broken()], { type: 'text/plain' })),
-      stays: true,
-    });
-
-  /** An address describes its document until the first edit; another one may be put in while the page is open. */
-  function watchAddress() {
+  /**
+   * An address describes its document until the first edit; another one may be put in while the page is open.
+   * @param {string} begun the address that the start has seen to
+   */
+  function watchAddress(begun) {
     let { doc } = store;
     store.subscribe('document', () => {
       if (store.doc === doc) return;
@@ -86,16 +96,22 @@ export function start({ store, player, say, whole, show }, keeper) {
       const plain = plainAddress(location.href);
       if (plain !== location.href) history.replaceState(null, '', plain);
     });
-    addEventListener('hashchange', async () => {
+    /** Counts addresses: what an older one asked for comes too late. */
+    let addresses = 0;
+    async function follow() {
+      const mine = ++addresses;
       const asked = readAddress(location);
       if (asked.payload === null) return;
-      const shared = await answerTo(asked, whole);
-      if (shared.problems.length) say(shared.problems[0].replace(': a sample is shown in its place', ''), { stays: true });
-      else {
-        doc = shared.doc;
-        show(shared.doc);
-      }
-    });
+      const shared = await answerTo(asked, linkage);
+      if (mine !== addresses) return;
+      if (shared.is === 'trouble') return say(`This link was not opened. ${shared.message}`, { label: 'Try again', act: follow, stays: true });
+      const { problems } = shared.value;
+      if (problems.length) return say(problems[0].replace(': a sample is shown in its place', ''), { stays: true });
+      doc = shared.value.doc;
+      show(doc);
+    }
+    addEventListener('hashchange', follow);
+    if (location.href !== begun) follow();
   }
 
   return begin();

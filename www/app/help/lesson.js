@@ -6,6 +6,7 @@
  */
 import { wear } from '../../ui/style-sheets.js';
 import look from '../../style/lesson.css?inline';
+import { withPart } from '../../ui/lazy.js';
 import { element, setText } from '../../ui/dom.js';
 import { setValue } from '../../core/edits.js';
 import { angle, length } from '../../core/format.js';
@@ -59,7 +60,10 @@ export function showLesson(app, lesson) {
   /** What a button does, by its attributes. @type {Record<string, (data: DOMStringMap) => void | Promise<unknown>>} */
   const acts = {
     restart: () => app.open(lesson.doc),
-    sample: async ({ sample }) => app.open(await sampleText(sampleOf(sample ?? ''))),
+    sample({ sample }) {
+      const wanted = sampleOf(sample ?? '');
+      withPart(app, 'The example', () => sampleText(wanted), app.open);
+    },
     play: () => player.play(),
     worst: () => {
       player.pause();

@@ -6,13 +6,13 @@
  * @typedef {import('../../core/types.js').Posture} Posture
  * @typedef {import('./algorithm-words.js').Method} Method
  */
+import { ask } from '../../core/ask.js';
 import { textOf } from '../../core/document-text.js';
 import { chainName } from '../../core/chain-name.js';
 import { element } from '../../ui/dom.js';
 import { html, render } from '../../ui/render.js';
 import { scientific } from '../../core/format.js';
 import { wear } from '../../ui/style-sheets.js';
-import { Superseded } from '../../planner/planner.js';
 import { SLOPES, iterateInWords, kept, leastMetric } from './algorithm-words.js';
 import { createConvergence } from './convergence.js';
 import { createMatrixPicture } from './matrix-picture.js';
@@ -104,16 +104,18 @@ export function createAlgorithm({ root, store, planner, player, signal }, panel)
     made = { doc, frame };
     const width = motion.joints.length / motion.frames;
     const before = frame > 0 ? motion.joints.slice((frame - 1) * width, frame * width) : new Float64Array();
-    try {
-      const answer = await planner.trace(textOf(doc), frame, before);
-      if (made.doc !== doc || made.frame !== frame) return;
-      trace = answer;
-    } catch (error) {
-      if (error instanceof Superseded) return;
+    const answer = await ask(() => planner.trace(textOf(doc), frame, before), 'find the iterations');
+    if (made.doc !== doc || made.frame !== frame || answer.is === 'late') return;
+    if (answer.is !== 'answer') {
       trace = null;
       body.hidden = true;
-      return say(`The iterations could not be found (${error instanceof Error ? error.message : error}).`);
+      const again = first(() => {
+        made = { doc: null, frame: -1 };
+        refresh();
+      });
+      return say(html`The iterations could not be found. ${answer.message} <button @click=${again}>Try again</button>`);
     }
+    trace = answer.value;
     const open = kept(trace.gradient) === 0;
     body.hidden = open;
     if (open) return say('The loops cannot be closed from this start: there is nothing to iterate.');
@@ -151,15 +153,11 @@ export function createAlgorithm({ root, store, planner, player, signal }, panel)
   /** @param {import('../../core/types.js').MechanismDocument} doc @param {Float64Array} joints */
   async function showMatrix(doc, joints) {
     asked = joints;
-    try {
-      const answer = await planner.matrix(textOf(doc), joints.slice());
-      if (asked !== joints) return;
-      matrix.show(answer, doc.chains.map(chainName));
-      draw(answer.columns - answer.rank);
-    } catch (error) {
-      if (error instanceof Superseded || asked !== joints) return;
-      matrix.fail(`[A] could not be found (${error instanceof Error ? error.message : error}).`);
-    }
+    const found = await ask(() => planner.matrix(textOf(doc), joints.slice()), 'find the matrix');
+    if (asked !== joints || found.is === 'late') return;
+    if (found.is !== 'answer') return matrix.fail(`[A] could not be found. ${found.message}`);
+    matrix.show(found.value, doc.chains.map(chainName));
+    draw(found.value.columns - found.value.rank);
   }
 
   /** The iterate in words and numbers. @param {number} [freedoms] directions of the null space, once they are known */

@@ -18,12 +18,17 @@ export function createBanners({ find, store }) {
   const live = find('live');
 
   function show() {
-    const { motion, fault, trouble } = store.result;
+    const { motion, fault, trouble, again } = store.result;
     find('fault-banner').hidden = !fault;
     setText(find('fault-text'), fault ? `${faultParts(fault).what}${motion ? ' The last good motion is still shown.' : ''}` : '');
     find('trouble').hidden = !trouble;
-    setText(find('trouble'), trouble);
+    setText(find('trouble-text'), trouble);
+    find('try-again').hidden = !again;
   }
+  find('try-again').addEventListener('click', () => {
+    store.setResult({ trouble: '' });
+    find('play').focus();
+  });
 
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let speech;

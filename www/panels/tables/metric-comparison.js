@@ -7,7 +7,6 @@
 import { textOf } from '../../core/document-text.js';
 import { element, setText } from '../../ui/dom.js';
 import { angle, length } from '../../core/format.js';
-import { PlannerFailure, Superseded } from '../../planner/planner.js';
 import { METRICS } from '../../core/status-words.js';
 
 /** How long the document rests before the question is asked, in milliseconds: not while something is typed or dragged. */
@@ -18,7 +17,7 @@ export const gapsInWords = ({ translation_gap, rotation_gap }, unit) => `${lengt
 
 /**
  * @param {import('../../core/store.js').Store} store
- * @param {(text: string, signal: AbortSignal) => Promise<MetricGaps[]>} ask
+ * @param {(text: string, signal: AbortSignal) => Promise<import('../../core/ask.js').Outcome<MetricGaps[]>>} ask
  */
 export function createMetricComparison(store, ask) {
   const parts = Object.entries(METRICS).map(([name, words]) => {
@@ -67,22 +66,16 @@ export function createMetricComparison(store, ask) {
     asking = new AbortController();
     const { signal } = asking;
     root.setAttribute('aria-busy', 'true');
-    try {
-      const both = await ask(textOf(doc), signal);
-      if (signal.aborted) return;
-      shown = doc;
-      root.classList.remove('waiting');
-      setText(note, '');
-      for (const { name, gaps } of parts) {
-        const own = both.find(({ metric }) => metric === name);
-        setText(gaps, own ? gapsInWords(own, doc.length_unit) : '–');
-      }
-    } catch (error) {
-      if (signal.aborted || error instanceof Superseded) return;
-      if (!(error instanceof PlannerFailure)) throw error;
-      setText(note, 'The planner failed on this comparison.');
-    } finally {
-      if (asking.signal === signal) root.removeAttribute('aria-busy');
+    const both = await ask(textOf(doc), signal);
+    if (asking.signal === signal) root.removeAttribute('aria-busy');
+    if (signal.aborted || both.is === 'late') return;
+    if (both.is !== 'answer') return setText(note, both.message);
+    shown = doc;
+    root.classList.remove('waiting');
+    setText(note, '');
+    for (const { name, gaps } of parts) {
+      const own = both.value.find(({ metric }) => metric === name);
+      setText(gaps, own ? gapsInWords(own, doc.length_unit) : '–');
     }
   }
 

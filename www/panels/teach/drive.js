@@ -12,10 +12,10 @@
  * @property {number | null} max
  * @property {[number, number]} range of its slider
  */
+import { ask } from '../../core/ask.js';
 import { textOf } from '../../core/document-text.js';
 import { degrees } from '../../core/format.js';
 import { chainVariables, variableName } from '../../core/joint-types.js';
-import { DocumentFault, PlannerFailure, Superseded } from '../../planner/planner.js';
 import { groupAt, shown } from '../../core/shown.js';
 
 /** A slider without limits may go this far beyond the motion, as a share of the motion's largest length. */
@@ -65,16 +65,11 @@ export async function driveShown({ store, planner }, { index, turns }, value) {
   const now = shown(store);
   if (!now) return null;
   const wanted = turns ? (value * Math.PI) / 180 : value;
-  try {
-    const posture = await planner.drive(textOf(now.doc), groupAt(now.joints, now).slice(), index, wanted);
-    if (store.result.doc !== now.doc) return null;
-    store.setView({ posture, playing: false });
-    return posture.obstacle ?? '';
-  } catch (error) {
-    if (error instanceof Superseded) return null;
-    if (error instanceof DocumentFault) return error.message;
-    if (!(error instanceof PlannerFailure)) throw error;
-    store.setResult({ trouble: `The planner failed while a joint was driven and was started afresh (${error.message}). Your document is safe.` });
-    return null;
-  }
+  const driven = await ask(() => planner.drive(textOf(now.doc), groupAt(now.joints, now).slice(), index, wanted), 'drive the joint');
+  if (driven.is === 'late') return null;
+  if (driven.is !== 'answer') return driven.message;
+  const posture = driven.value;
+  if (store.result.doc !== now.doc) return null;
+  store.setView({ posture, playing: false });
+  return posture.obstacle ?? '';
 }

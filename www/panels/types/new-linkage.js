@@ -4,10 +4,9 @@
  *
  * @typedef {import('../../pkg/synthetica.js').MakeRequest} MakeRequest
  */
+import { ask } from '../../core/ask.js';
 import { element } from '../../ui/dom.js';
 import { sizeOf } from './size-of.js';
-import { reason } from '../../core/open.js';
-import { DocumentFault, Superseded } from '../../planner/planner.js';
 
 /** What the form has at first, and after that what was made last: a linkage is often made once more with another type. */
 const given = { type: '3-PRS', base_radius: '350', platform_radius: '150', length: '600', by: 'leg_length', length_unit: 'mm' };
@@ -95,17 +94,11 @@ export function newLinkageForm({ planner, open }, { chain, type: first, done }) 
 
   /** The document, or null: what is at fault is shown then. @returns {Promise<string | null>} */
   async function make() {
-    try {
-      const text = await planner.make(JSON.stringify(request()));
-      show(null);
-      said.textContent = '';
-      return text;
-    } catch (error) {
-      if (error instanceof Superseded) return null;
-      if (error instanceof DocumentFault) show(error.fault);
-      else said.textContent = `The linkage was not made. ${reason(error)}`;
-      return null;
-    }
+    const wanted = await ask(() => planner.make(JSON.stringify(request())), 'make the linkage');
+    if (wanted.is === 'late') return null;
+    if (wanted.is !== 'trouble') show(wanted.is === 'fault' ? wanted.fault : null);
+    said.textContent = wanted.is === 'trouble' ? `The linkage was not made. ${wanted.message}` : '';
+    return wanted.is === 'answer' ? wanted.value : null;
   }
 
   function check() {

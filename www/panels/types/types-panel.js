@@ -4,12 +4,14 @@
  *
  * @typedef {import('../../core/types.js').JointType} JointType
  */
+import { ask } from '../../core/ask.js';
 import { element, setText } from '../../ui/dom.js';
 import { capital, chainName } from '../../core/chain-name.js';
 import { addChain, setJoints } from '../../core/edits.js';
 import { plural } from '../../core/format.js';
 import { JOINT_TYPES } from '../../core/joint-types.js';
 import { assemblyName, grouped, linkageOfAssembly, typeSentence } from './type-words.js';
+import { notLoaded } from '../../ui/lazy.js';
 import { menuButton } from '../../ui/menu.js';
 import { newLinkageForm } from './new-linkage.js';
 import { wear } from '../../ui/style-sheets.js';
@@ -18,11 +20,13 @@ import look from '../../style/types.css?inline';
 /** Constraints that a linkage may have, of six. */
 const MOST = 5;
 
-/** @param {import('../../element/workbench.js').App} app @param {HTMLElement} panel */
+/** @param {import('../../element/workbench.js').App} app @param {HTMLElement} panel @returns {Promise<void>} */
 export async function createTypes(app, panel) {
   const { store, planner, say } = app;
   wear(app.root, look);
-  const [tables, defaults] = await Promise.all([planner.enumeration(), planner.defaults()]);
+  const listed = await ask(() => Promise.all([planner.enumeration(), planner.defaults()]), 'list the types');
+  if (listed.is !== 'answer') return notLoaded(panel, 'The types', listed.message, () => createTypes(app, panel));
+  const [tables, defaults] = listed.value;
 
   /** @param {string} type such as RPS */
   const jointsOf = (type) => Array.from(type, (letter) => defaults.joints[/** @type {JointType} */ (letter)]);

@@ -1,17 +1,17 @@
 /**
  * The workpiece as something to be pulled: the linkage follows to the closest pose that it can reach, live.
  */
+import { ask } from '../../core/ask.js';
 import { textOf } from '../../core/document-text.js';
-import { DocumentFault, PlannerFailure, Superseded } from '../../planner/planner.js';
 import { short } from '../../core/format.js';
 import { groupAt, isDriven, shown } from '../../core/shown.js';
 import { endWords, statusWords } from '../../core/status-words.js';
 
 /**
- * @param {Pick<import('../../element/workbench.js').App, 'store' | 'planner'>} app
+ * @param {Pick<import('../../element/workbench.js').App, 'store' | 'planner' | 'say'>} app
  * @returns {import('./key-frame.js').Target & {busy: () => boolean}}
  */
-export function workpieceTarget({ store, planner }) {
+export function workpieceTarget({ store, planner, say }) {
   /** What was shown before the hand came. @type {import('../../core/types.js').View['posture']} */
   let before = null;
   /** Counts the pulls: an answer to a pull that was taken back is not shown. */
@@ -25,14 +25,10 @@ export function workpieceTarget({ store, planner }) {
     const { doc } = now;
     const mine = stay;
     asked++;
-    const answer = await planner.pull(textOf(doc), groupAt(now.joints, now), goal).catch((error) => {
-      if (error instanceof PlannerFailure) {
-        store.setResult({ trouble: `The planner failed while the workpiece was pulled and was started afresh (${error.message}).` });
-      } else if (!(error instanceof Superseded || error instanceof DocumentFault)) throw error;
-      return null;
-    });
+    const pulled = await ask(() => planner.pull(textOf(doc), groupAt(now.joints, now), goal), 'pull the workpiece');
     asked--;
-    if (answer && mine === stay && store.result.doc === doc) store.setView({ posture: answer, playing: false });
+    if (pulled.is === 'trouble') say(`The workpiece was not moved. ${pulled.message}`, { stays: true });
+    if (pulled.is === 'answer' && mine === stay && store.result.doc === doc) store.setView({ posture: pulled.value, playing: false });
   }
 
   return {
