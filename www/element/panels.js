@@ -46,7 +46,7 @@ export async function createPanels(bare, banners) {
   const compareMetrics = (/** @type {string} */ text, /** @type {AbortSignal} */ signal) => planner.compareMetrics(text, signal);
   const check = (/** @type {import('../core/types.js').MechanismDocument} */ doc) =>
     planner.normalise(textOf(doc)).then(() => null, (error) => (error instanceof DocumentFault ? error.fault : null));
-  const tables = createTables(places, store, defaults, { markFault: tabs.mark, findStart, goToKey, compareMetrics, check, say });
+  const tables = createTables(places, store, defaults, { markFault: tabs.mark, findStart, goToKey, compareMetrics, check, bringOut: (target) => bringOut(target, app), say });
   const selection = createSelection(places.root, [places.mechanism, places.motion], app);
   places.root.addEventListener('focusin', ({ target }) => bringOut(/** @type {Element} */ (target), app));
   createTree(/** @type {HTMLDetailsElement} */ (find('objects')), app, selection.enter);
