@@ -103,6 +103,7 @@ export function createChainTables(panel, store, cells, defaults, arrange, findSt
   function draw() {
     const { chains } = store.doc;
     const keys = chainKeys(/** @type {any[]} */ (chains));
+    for (const known of [jointKeys, unfolded]) for (const key of known.keys()) if (!keys.includes(key)) known.delete(key);
     const values = keys.some((key) => unfolded.has(key)) ? shownValues(store) : [];
     const sections = chains.map((_, chain) => ({ key: keys[chain], section: () => chainSection(chain, keys[chain], values[chain] ?? []) }));
     const { field, choice } = unitField();

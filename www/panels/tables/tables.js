@@ -25,8 +25,8 @@ import { createMotionTables } from './motion-tables.js';
  *   check: (doc: import('../../core/types.js').MechanismDocument) => Promise<Fault | null>,
  *   bringOut: (target: Element) => void, say: import('../../ui/notice.js').Say}} outside
  *   `markFault` is told which panel holds the fault; `findStart` asks the planner for start values; `goToKey` takes
- *   the playhead to a key frame; `compareMetrics` asks the planner for both metrics' gaps, `check` for a document's fault; `bringOut` brings what has
- *   the focus out from under the view
+ *   the playhead to a key frame; `compareMetrics` asks the planner for both metrics' gaps, `check` for a document's fault;
+ *   `bringOut` brings what has the focus out from under the view
  */
 export function createTables({ root, mechanism, motion }, store, defaults, { markFault, findStart, goToKey, compareMetrics, check, bringOut, say }) {
   const arrange = createArrange(root, store, bringOut);
