@@ -48,6 +48,8 @@ test('chains change places', async () => {
   await page.keyboard.press('Control+z');
   await page.keyboard.press('Control+z');
   assert.deepEqual(await names(), ['chain 1', 'chain 2', 'chain 3']);
+  await doTo(page, 'chain 3', 'Remove');
+  assert.equal(await active(), 'chains[1]', 'the focus goes to the chain before it');
 });
 
 test('key frames come at the shown pose, and change places', async () => {

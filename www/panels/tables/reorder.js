@@ -70,6 +70,8 @@ export function createArrange(root, store, bringOut) {
       act: () => move(path, step),
     }));
 
+  const menuOf = (/** @type {string} */ path) => /** @type {HTMLElement | null} */ (root.querySelector(`[data-menu="${path}"]`));
+
   /** Gives a thing's button its menu. @param {HTMLButtonElement} button @returns {(now: Thing) => void} */
   function behave(button) {
     /** @type {Thing} */
@@ -83,8 +85,8 @@ export function createArrange(root, store, bringOut) {
           ...item,
           act: () => {
             act();
-            // Of a thing that went, the focus goes to the one in its place.
-            if (!button.isConnected) /** @type {HTMLElement | null} */ (root.querySelector(`[data-menu="${path}"]`))?.focus();
+            // Of a thing that went, the focus goes to the one in its place, or to the one before it.
+            if (!button.isConnected) (menuOf(path) ?? menuOf(path.replace(/\d+(?=]$)/, (index) => String(Number(index) - 1))))?.focus();
           },
         })),
       ];
