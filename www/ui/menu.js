@@ -15,8 +15,19 @@ let made = 0;
  * @returns {HTMLButtonElement} the button that opens the menu
  */
 export function menuButton(label, items) {
-  const menu = element('div', { class: 'menu', role: 'menu', popover: 'auto', id: `menu-${++made}`, 'aria-label': label });
-  const button = element('button', { class: 'menu-button', 'aria-haspopup': 'menu', 'aria-expanded': 'false', 'aria-controls': menu.id }, label);
+  const button = element('button', { class: 'menu-button' }, label);
+  attachMenu(button, items);
+  return button;
+}
+
+/**
+ * Gives a button a menu, named as the button is.
+ * @param {HTMLButtonElement} button
+ * @param {() => MenuItem[]} items asked for each time the menu opens
+ */
+export function attachMenu(button, items) {
+  const menu = element('div', { class: 'menu', role: 'menu', popover: 'auto', id: `menu-${++made}` });
+  for (const [name, value] of [['haspopup', 'menu'], ['expanded', 'false'], ['controls', menu.id]]) button.setAttribute(`aria-${name}`, value);
 
   const entries = () => /** @type {HTMLButtonElement[]} */ ([...menu.querySelectorAll('button')]);
   const close = () => menu.hidePopover();
@@ -40,6 +51,7 @@ export function menuButton(label, items) {
         return entry;
       }),
     );
+    menu.setAttribute('aria-label', button.getAttribute('aria-label') ?? button.textContent ?? '');
     if (!menu.isConnected) button.after(menu);
     menu.showPopover();
     const at = button.getBoundingClientRect();
@@ -85,5 +97,4 @@ export function menuButton(label, items) {
     event.preventDefault();
     all.at(next % all.length)?.focus();
   });
-  return button;
 }

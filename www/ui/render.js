@@ -2,7 +2,57 @@
  * Renders a panel's HTML so that nodes, and with them focus, selection and scroll position, stay where they were: lit-html,
  * of which the page uses templates, lists with keys, and attributes that depend on state.
  */
+import { noChange, render } from 'lit-html';
+import { directive, Directive } from 'lit-html/directive.js';
+import { focusBeside } from './dom.js';
+
 export { html, nothing, render, svg } from 'lit-html';
 export { ifDefined } from 'lit-html/directives/if-defined.js';
 export { live } from 'lit-html/directives/live.js';
 export { repeat } from 'lit-html/directives/repeat.js';
+
+class Attached extends Directive {
+  /** @type {((state: any) => void) | null} */
+  follow = null;
+
+  /** @param {(node: any) => (state: any) => void} _make @param {unknown} _state */
+  render(_make, _state) {
+    return noChange;
+  }
+
+  /** @override @param {import('lit-html').ElementPart} part @param {[make: (node: any) => (state: any) => void, state: unknown]} what */
+  update({ element }, [make, state]) {
+    this.follow ??= make(element);
+    this.follow(state);
+    return noChange;
+  }
+}
+
+/**
+ * Behaviour of an element in a template, `<input ${attach(make, state)}>`: `make(element)` is called once, and what it
+ * returns with the present state at every rendering.
+ */
+export const attach = directive(Attached);
+
+/** What is not to be heard of a focus that stays where it is. */
+const FOCUS_EVENTS = ['blur', 'change', 'focus', 'focusin', 'focusout'];
+
+/**
+ * Renders rows that may change places. To move a node a browser takes it out, which takes the focus from it: the focus and the
+ * chosen text are given back, and no listener hears of it.
+ * @param {unknown} template @param {HTMLElement} place
+ */
+export function renderRows(template, place) {
+  const focused = /** @type {HTMLInputElement | null} */ (focusBeside(place));
+  if (!place.contains(focused)) return render(template, place);
+  const { selectionStart, selectionEnd, selectionDirection } = /** @type {HTMLInputElement} */ (focused);
+  const life = new AbortController();
+  for (const name of FOCUS_EVENTS) place.getRootNode().addEventListener(name, (event) => event.stopImmediatePropagation(), { capture: true, signal: life.signal });
+  const part = render(template, place);
+  if (focused?.isConnected && focusBeside(place) !== focused) {
+    focused.focus({ preventScroll: true });
+    if (typeof selectionStart === 'number') focused.setSelectionRange(selectionStart, selectionEnd, selectionDirection ?? undefined);
+  }
+  life.abort();
+  return part;
+}

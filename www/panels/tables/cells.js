@@ -7,6 +7,7 @@
  * @typedef {object} CellSpec
  * @property {string} path place in the document, as a fault names it
  * @property {string} label name for screen readers: "chain 2, row 3, α in degrees"
+ * @property {string} [column] name of its column, along which Enter goes
  * @property {boolean} [optional] empty means absent
  * @property {boolean} [text] any text, not a number
  * @property {number} [decimals] of the short number; 4 unless told
@@ -16,27 +17,28 @@
 import { entry, setValue } from '../../core/edits.js';
 import { short } from '../../core/format.js';
 import { valueAt } from '../../core/path.js';
-import { element, focusBeside } from '../../ui/dom.js';
+import { focusBeside } from '../../ui/dom.js';
+import { attach, html, live, nothing } from '../../ui/render.js';
+
+/** What a text in a cell means. @param {CellSpec} spec @param {string} text */
+function read({ text: words, optional }, text) {
+  if (words) return text;
+  return text.trim() === '' && optional ? undefined : entry(text);
+}
+
+/** @param {CellSpec} spec @param {MechanismDocument} doc @param {import('../../core/types.js').Entry | undefined} value */
+const written = ({ path, write }, doc, value) => (write ? write(doc, value) : setValue(doc, path, value));
 
 /** @param {Store} store */
 export function createCells(store) {
-  /** @typedef {(doc: MechanismDocument, text: string) => MechanismDocument} Put writes a text as if it were typed */
-  /** @type {Map<string, {input: HTMLInputElement | HTMLSelectElement, show: () => void, put?: Put, hint?: () => number | undefined}>} */
-  const cells = new Map();
+  /** The cells that are shown, by their paths. @type {Map<string, CellSpec>} */
+  const specs = new Map();
   let visits = 0;
 
-  /** @param {CellSpec} spec */
-  function input(spec) {
-    const field = element('input', {
-      type: 'text',
-      inputmode: spec.text ? 'text' : 'decimal',
-      autocomplete: 'off',
-      spellcheck: 'false',
-      'data-path': spec.path,
-      'aria-label': spec.label,
-      class: spec.text ? 'cell text' : 'cell',
-      readonly: store.readonly,
-    });
+  /** Makes an input a cell. @param {HTMLInputElement} field @returns {(spec: CellSpec) => void} shows the document's present value */
+  function behave(field) {
+    /** @type {CellSpec} */
+    let spec;
     /** Names the stay in the cell: what is typed in one stay is undone in one step. */
     let visit = '';
     /** Typed since the cell last showed the document. */
@@ -48,14 +50,8 @@ export function createCells(store) {
     let writing = false;
 
     const value = () => valueAt(store.doc, spec.path);
-    const write = spec.write ?? ((doc, next) => setValue(doc, spec.path, next));
     const editing = () => focusBeside(field) === field;
-    /** @param {string} text */
-    const read = (text) => {
-      if (spec.text) return text;
-      return text.trim() === '' && spec.optional ? undefined : entry(text);
-    };
-    const typed = () => read(field.value);
+    const typed = () => read(spec, field.value);
 
     /** @param {'value' | 'title' | 'placeholder'} name @param {string} text */
     const put = (name, text) => {
@@ -89,7 +85,7 @@ export function createCells(store) {
       const next = typed();
       if (!final && !spec.text && typeof next !== 'number') return;
       writing = true;
-      store.edit((doc) => write(doc, next), visit);
+      store.edit((doc) => written(spec, doc, next), visit);
       writing = false;
       seen = value();
     };
@@ -121,59 +117,52 @@ export function createCells(store) {
       const faulty = field.getAttribute('aria-invalid') === 'true' && value() === before;
       const good = faulty ? valueAt(store.result.doc, spec.path) : before;
       touched = false;
-      store.edit((doc) => write(doc, good ?? undefined), visit);
+      store.edit((doc) => written(spec, doc, good ?? undefined), visit);
       show();
       field.select();
     });
-    cells.set(spec.path, { input: field, show, put: (doc, text) => write(doc, read(text)), hint: spec.fallback });
-    show();
-    return field;
-  }
-
-  /**
-   * @param {{path: string, label: string, options: [string, string][], write?: (doc: MechanismDocument, value: string) => MechanismDocument}} spec
-   */
-  function select({ path, label, options, write }) {
-    const field = element(
-      'select',
-      { 'data-path': path, 'aria-label': label, class: 'cell', disabled: store.readonly },
-      ...options.map(([value, text]) => element('option', { value }, text)),
-    );
-    const show = () => {
-      field.value = String(valueAt(store.doc, path) ?? '');
+    return (next) => {
+      spec = next;
+      show();
     };
-    field.addEventListener('change', () => {
-      store.edit((doc) => (write ?? ((d, value) => setValue(d, path, value)))(doc, field.value));
-    });
-    cells.set(path, { input: field, show });
-    show();
-    return field;
   }
 
   return {
-    input,
-    select,
-    /** Forgets all cells: their elements are about to be replaced. */
-    clear: () => cells.clear(),
-    /** Shows the document's present values. */
-    refresh() {
-      for (const cell of cells.values()) cell.show();
+    /** @param {CellSpec} spec */
+    input(spec) {
+      specs.set(spec.path, spec);
+      return html`<input type="text" inputmode=${spec.text ? 'text' : 'decimal'} autocomplete="off" spellcheck="false"
+        data-path=${spec.path} data-column=${spec.column ?? nothing} aria-label=${spec.label} class=${spec.text ? 'cell text' : 'cell'} ?readonly=${store.readonly}
+        ${attach(behave, spec)} />`;
     },
-    /** @param {string} path */
-    find: (path) => cells.get(path)?.input,
+
+    /**
+     * @param {{path: string, label: string, options: [string, string][], write?: (doc: MechanismDocument, value: string) => MechanismDocument}} spec
+     */
+    select({ path, label, options, write = (doc, value) => setValue(doc, path, value) }) {
+      const now = String(valueAt(store.doc, path) ?? '');
+      const choose = (/** @type {Event} */ { target }) => store.edit((doc) => write(doc, /** @type {HTMLSelectElement} */ (target).value));
+      // What is none of the options is shown as it is.
+      const other = options.some(([value]) => value === now) ? nothing : html`<option hidden value=${now} .selected=${live(true)}>${now}</option>`;
+      return html`<select data-path=${path} aria-label=${label} class="cell" ?disabled=${store.readonly} @change=${choose}>
+        ${options.map(([value, text]) => html`<option value=${value} .selected=${live(value === now)}>${text}</option>`)}${other}
+      </select>`;
+    },
+
+    /** Forgets the cells: those that are still there are rendered next. */
+    clear: () => specs.clear(),
     /**
      * The document with a text written into a cell as if it were typed there; the cell may be one that is not made yet.
      * @param {MechanismDocument} doc @param {string} path @param {string} text
      */
     written(doc, path, text) {
-      const put = cells.get(path)?.put ?? ((next, typed) => setValue(next, path, path.endsWith('.name') ? typed : entry(typed)));
-      return put(doc, text);
+      const spec = specs.get(path) ?? { path, label: '', text: path.endsWith('.name') };
+      return written(spec, doc, read(spec, text));
     },
     /** The number of a cell: the document's, else what holds in its place. @param {string} path @returns {number | null} null for none */
     number(path) {
-      const value = valueAt(store.doc, path) ?? cells.get(path)?.hint?.();
+      const value = valueAt(store.doc, path) ?? specs.get(path)?.fallback?.();
       return typeof value === 'number' && Number.isFinite(value) ? value : null;
     },
-    all: () => [...cells.values()].map((cell) => cell.input),
   };
 }

@@ -58,8 +58,6 @@ export function openCopiesForm(root, store, chain) {
       if (!goodCount || !goodPoint || why) return false;
       const around = { count: many, axis: /** @type {'x' | 'y' | 'z'} */ (chosen), point: /** @type {number[]} */ (place) };
       store.edit((present) => turnedCopies(present, chain, around, /** @type {number[]} */ (Array.from(values ?? []))));
-      // The table is made anew; the focus goes back to the chain.
-      queueMicrotask(() => /** @type {HTMLElement | null} */ (root.querySelector(`[data-menu="chains[${chain}]"]`))?.focus());
       return true;
     },
   });

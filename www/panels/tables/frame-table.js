@@ -2,7 +2,7 @@
  * The paper's table of frames: x, y, z, longitude, latitude, roll, one frame a row.
  */
 import { ANGLE_DECIMALS, lengthUnit } from '../../core/format.js';
-import { element } from '../../ui/dom.js';
+import { html } from '../../ui/render.js';
 
 /** @type {[import('../../core/types.js').Frame extends infer F ? keyof F : never, string, 'length' | 'angle', string][]} */
 const COORDINATES = [
@@ -16,14 +16,7 @@ const COORDINATES = [
 
 /** The six column heads with their units. @param {string | undefined} unit */
 export const coordinateHeads = (unit) =>
-  COORDINATES.map(([, short, kind, long]) =>
-    element(
-      'th',
-      { scope: 'col' },
-      element('abbr', { title: long }, short),
-      element('small', {}, kind === 'length' ? lengthUnit(unit) : '°'),
-    ),
-  );
+  COORDINATES.map(([, short, kind, long]) => html`<th scope="col"><abbr title=${long}>${short}</abbr><small>${kind === 'length' ? lengthUnit(unit) : '°'}</small></th>`);
 
 /**
  * The six cells of one frame.
@@ -35,7 +28,6 @@ export const coordinateHeads = (unit) =>
 export const coordinateCells = (cells, path, name, unit) =>
   COORDINATES.map(([key, short, kind, long]) => {
     const label = `${name}, ${long} in ${kind === 'length' ? lengthUnit(unit) : 'degrees'}`;
-    const field = cells.input({ path: `${path}.${key}`, label, decimals: kind === 'angle' ? ANGLE_DECIMALS : undefined });
-    field.dataset.column = key;
-    return element('td', { 'data-head': `${short} ${kind === 'length' ? lengthUnit(unit) : '°'}` }, field);
+    const cell = cells.input({ path: `${path}.${key}`, column: key, label, decimals: kind === 'angle' ? ANGLE_DECIMALS : undefined });
+    return html`<td data-head="${short} ${kind === 'length' ? lengthUnit(unit) : '°'}">${cell}</td>`;
   });

@@ -6,11 +6,12 @@
  */
 import * as edits from '../../core/edits.js';
 import { lengthUnit, plural } from '../../core/format.js';
-import { element } from '../../ui/dom.js';
+import { html, renderRows, repeat } from '../../ui/render.js';
 import { shownFrame } from '../../core/shown-frame.js';
 import { coordinateCells, coordinateHeads } from './frame-table.js';
 import { createMetricComparison } from './metric-comparison.js';
-import { createPlannerSettings } from './planner-settings.js';
+import { plannerSettings } from './planner-settings.js';
+import { createRowKeys } from './row-keys.js';
 import { pointCells, setting } from './settings.js';
 
 /**
@@ -25,120 +26,100 @@ import { pointCells, setting } from './settings.js';
  */
 export function createMotionTables(panel, store, cells, defaults, arrange, { goTo, compareMetrics }, forms) {
   const unit = () => store.doc.length_unit;
+  // Times stay where they are when poses change places.
+  const rowKeys = createRowKeys((/** @type {import('../../core/types.js').KeyFrame} */ { time: _, ...pose }) => pose);
 
   function keyTable() {
     const keys = store.doc.motion.key_frames;
+    const places = rowKeys(keys);
     const rows = keys.map((_, index) => {
       const path = `motion.key_frames[${index}]`;
       const label = `key frame ${index + 1}`;
-      const name = cells.input({ path: `${path}.name`, label: `name of ${label}`, text: true });
+      const name = cells.input({ path: `${path}.name`, column: 'name', label: `name of ${label}`, text: true });
       const time = cells.input({
         path: `${path}.time`,
+        column: 'time',
         label: `${label}, time in seconds`,
         optional: true,
         write: (doc, value) => edits.setTime(doc, index, value),
       });
-      name.dataset.column = 'name';
-      time.dataset.column = 'time';
-      return element(
-        'tbody',
-        { 'data-path': path, class: 'key' },
-        element(
-          'tr',
-          {},
-          element('th', { scope: 'rowgroup', colspan: 2 }, name),
-          element('td', { colspan: 2, class: 'time' }, element('span', {}, 'time', element('small', {}, 's'), time)),
-          element(
-            'td',
-            { colspan: 2, class: 'act' },
-            element('button', { class: 'quiet', 'aria-label': `Go to ${label}`, title: 'Go to its moment in the motion', click: () => goTo(index) }, 'go to'),
-            arrange.menu(path, label, () => [
-              { label: 'Duplicate', act: () => store.edit((doc) => edits.duplicateKeyFrame(doc, index)) },
-              { label: 'Insert the shown pose after it', act: () => addShown('pose', index + 1) },
-              { label: 'Take the shown pose', act: () => takeShown(index) },
-              { label: 'Turn as quaternion, matrix…', act: () => forms.turn(path, label) },
-              { label: 'Remove', disabled: keys.length <= 2 ? 'A motion has at least two key frames' : '', act: () => store.edit((doc) => edits.removeKeyFrame(doc, index)) },
-            ]),
-          ),
-        ),
-        element('tr', {}, ...coordinateCells(cells, path, label, unit())),
-      );
+      const menu = arrange.menu(path, label, () => [
+        { label: 'Duplicate', act: () => store.edit((doc) => edits.duplicateKeyFrame(doc, index)) },
+        { label: 'Insert the shown pose after it', act: () => addShown('pose', index + 1) },
+        { label: 'Take the shown pose', act: () => takeShown(index) },
+        { label: 'Turn as quaternion, matrix…', act: () => forms.turn(path, label) },
+        { label: 'Remove', disabled: keys.length <= 2 ? 'A motion has at least two key frames' : '', act: () => store.edit((doc) => edits.removeKeyFrame(doc, index)) },
+      ]);
+      return {
+        key: places[index],
+        body: html`<tbody data-path=${path} class="key">
+          <tr>
+            <th scope="rowgroup" colspan="2">${name}</th>
+            <td colspan="2" class="time"><span>time<small>s</small>${time}</span></td>
+            <td colspan="2" class="act"><button class="quiet" aria-label="Go to ${label}" title="Go to its moment in the motion" @click=${() => goTo(index)}>go to</button>${menu}</td>
+          </tr>
+          <tr>${coordinateCells(cells, path, label, unit())}</tr>
+        </tbody>`,
+      };
     });
-    return element(
-      'div',
-      { class: 'scroller', 'data-path': 'motion.key_frames' },
-      element(
-        'table',
-        { class: 'frames keys' },
-        element('caption', { class: 'sr' }, 'Key frames'),
-        element('thead', {}, element('tr', {}, ...coordinateHeads(unit()))),
-        ...rows,
-      ),
-    );
+    return html`<div class="scroller" data-path="motion.key_frames"><table class="frames keys">
+      <caption class="sr">Key frames</caption>
+      <thead><tr>${coordinateHeads(unit())}</tr></thead>
+      ${repeat(rows, ({ key }) => key, ({ body }) => body)}
+    </table></div>`;
   }
 
-  const planner = createPlannerSettings(store, cells, defaults);
+  function goalSettings() {
+    const lengths = lengthUnit(unit());
+    return html`<div class="settings">
+      ${setting({
+        label: 'Interpolation',
+        control: cells.select({
+          path: 'motion.interpolation',
+          label: 'interpolation',
+          options: [
+            ['bezier', 'double-quaternion Bézier'],
+            ['sclerp', 'screw motion (ScLERP)'],
+            ['straight', 'straight line and slerp'],
+          ],
+        }),
+      })}
+      ${setting({ label: 'Frames', control: cells.input({ path: 'motion.frames', label: 'number of frames' }) })}
+      ${setting({
+        label: 'Reference point',
+        title: 'The point, x y z in the fixed frame, about which the double quaternions interpolate',
+        note: `${lengths}; empty: the mean of the key frames`,
+        group: true,
+        control: pointCells(cells, { path: 'motion.reference', label: `point about which double quaternions interpolate, in ${lengths}`, fallback: () => meanPosition(store.doc) }),
+      })}
+      ${setting({
+        label: 'Radius R',
+        title: 'Of the double quaternions: large against the workspace',
+        note: `${lengths}; empty: chosen from the key frames`,
+        control: cells.input({ path: 'motion.radius', label: `radius of the double quaternions in ${lengths}`, optional: true }),
+      })}
+    </div>`;
+  }
+
   const comparison = createMetricComparison(store, compareMetrics);
 
   return {
-    /** Builds the tables anew: the document has another shape. */
-    rebuild() {
-      const lengths = lengthUnit(unit());
-      panel.replaceChildren(
-        element(
-          'div',
-          { class: 'title' },
-          element('h2', {}, 'Key frames'),
-          element('span', {}, plural(store.doc.motion.key_frames.length, 'pose')),
-        ),
-        keyTable(),
-        element(
-          'div',
-          { class: 'adders' },
-          ...[
-            ['+ at the shown pose', 'A key frame where the workpiece is now', () => addShown('pose')],
-            ['+ at the shown goal', 'A key frame where the goal is now', () => addShown('goal')],
-            ['+ like the last', 'A copy of the last key frame, to be changed', () => store.edit((doc) => edits.addKeyFrame(doc, lastKey()))],
-          ].map(([text, title, click]) => element('button', /** @type {any} */ ({ class: 'wide', title, click }), /** @type {string} */ (text))),
-        ),
-        element('div', { class: 'title' }, element('h2', {}, 'Goal motion')),
-        element(
-          'div',
-          { class: 'settings' },
-          setting({
-            label: 'Interpolation',
-            control: cells.select({
-              path: 'motion.interpolation',
-              label: 'interpolation',
-              options: [
-                ['bezier', 'double-quaternion Bézier'],
-                ['sclerp', 'screw motion (ScLERP)'],
-                ['straight', 'straight line and slerp'],
-              ],
-            }),
-          }),
-          setting({ label: 'Frames', control: cells.input({ path: 'motion.frames', label: 'number of frames' }) }),
-          setting({
-            label: 'Reference point',
-            title: 'The point, x y z in the fixed frame, about which the double quaternions interpolate',
-            note: `${lengths}; empty: the mean of the key frames`,
-            control: pointCells(cells, { path: 'motion.reference', label: `point about which double quaternions interpolate, in ${lengths}`, fallback: () => meanPosition(store.doc) }),
-          }),
-          setting({
-            label: 'Radius R',
-            title: 'Of the double quaternions: large against the workspace',
-            note: `${lengths}; empty: chosen from the key frames`,
-            control: cells.input({ path: 'motion.radius', label: `radius of the double quaternions in ${lengths}`, optional: true }),
-          }),
-        ),
-        element('div', { class: 'title' }, element('h2', {}, 'Planner')),
-        planner.build(),
-        comparison,
+    draw() {
+      renderRows(
+        html`<div class="title"><h2>Key frames</h2><span>${plural(store.doc.motion.key_frames.length, 'pose')}</span></div>
+          ${keyTable()}
+          <div class="adders">
+            <button class="wide" title="A key frame where the workpiece is now" @click=${() => addShown('pose')}>+ at the shown pose</button>
+            <button class="wide" title="A key frame where the goal is now" @click=${() => addShown('goal')}>+ at the shown goal</button>
+            <button class="wide" title="A copy of the last key frame, to be changed" @click=${() => store.edit((doc) => edits.addKeyFrame(doc, lastKey()))}>+ like the last</button>
+          </div>
+          <div class="title"><h2>Goal motion</h2></div>
+          ${goalSettings()}
+          <div class="title"><h2>Planner</h2></div>
+          ${plannerSettings(store, cells, defaults)}${comparison}`,
+        panel,
       );
-      planner.refresh();
     },
-    /** What is told beside the cells follows document and motion. */
-    showNow: planner.refresh,
   };
 
   /** @param {'pose' | 'goal'} which @param {number} [at] */

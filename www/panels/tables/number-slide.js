@@ -29,24 +29,23 @@ export function createNumberSlide(root, store, cells) {
   const handle = element('div', { class: 'slide', popover: 'manual', 'aria-hidden': 'true', title: 'Drag sideways to change the number (Page Up, Page Down); Shift: ten steps' });
   const spoken = element('p', { class: 'sr', role: 'status' });
   root.append(handle, spoken);
-  /** The path of the cell that has the slider; '' for none. */
-  let at = '';
+  /** The cell that has the slider. @type {HTMLInputElement | null} */
+  let at = null;
   /** @type {{path: string, value: unknown, from: number, step: number, x: number, mark: string} | null} */
   let drag = null;
   /** Counts drags and stays in cells: what belongs to one is undone in one step. */
   let marks = 0;
 
   const numberCell = (/** @type {EventTarget | null} */ target) => (target instanceof HTMLInputElement && target.matches(NUMBER_CELLS) ? target : null);
-  const cellAt = () => /** @type {HTMLInputElement | null} */ (at ? root.querySelector(`[data-path="${at}"]:is(input)`) : null);
+  const pathOf = (/** @type {HTMLInputElement | null} */ cell) => cell?.dataset.path ?? '';
 
   /** @param {string} path @param {unknown} value @param {string} mark */
   const write = (path, value, mark) => store.edit((doc) => cells.written(doc, path, value === undefined || value === null ? '' : String(value)), mark);
 
   /** Puts the slider to its cell; out of sight where the cell is. */
   function place() {
-    const field = cellAt();
-    const box = field?.getBoundingClientRect();
-    const seen = box && (drag || tree.elementFromPoint(box.left + box.width / 2, box.top + box.height / 3) === field);
+    const box = at?.isConnected ? at.getBoundingClientRect() : null;
+    const seen = box && (drag || tree.elementFromPoint(box.left + box.width / 2, box.top + box.height / 3) === at);
     if (!box || !seen) return handle.hidePopover();
     handle.showPopover();
     handle.style.left = `${box.left + (box.width - handle.offsetWidth) / 2}px`;
@@ -58,8 +57,7 @@ export function createNumberSlide(root, store, cells) {
   /** @param {HTMLInputElement | null} field */
   function show(field) {
     if (drag) return;
-    const path = field?.dataset.path ?? '';
-    at = path && cells.number(path) !== null ? path : '';
+    at = field && cells.number(pathOf(field)) !== null ? field : null;
     if (at) float.begin();
     else float.end();
     handle.style.width = matchMedia('(pointer: coarse)').matches || !field ? '' : `${field.offsetWidth}px`;
@@ -68,13 +66,14 @@ export function createNumberSlide(root, store, cells) {
 
   /** @param {PointerEvent} event */
   function begin(event) {
-    const from = cells.number(at);
+    const path = pathOf(at);
+    const from = path ? cells.number(path) : null;
     if (event.button !== 0 || from === null) return;
     // The cell keeps the focus, or the keyboard of a phone would come and go.
     event.preventDefault();
     handle.setPointerCapture(event.pointerId);
     handle.classList.add('dragged');
-    drag = { path: at, value: valueAt(store.doc, at), from, step: stepOf(store.doc, at, from), x: event.clientX, mark: `slide ${++marks}` };
+    drag = { path, value: valueAt(store.doc, path), from, step: stepOf(store.doc, path, from), x: event.clientX, mark: `slide ${++marks}` };
     addEventListener('keydown', escape, true);
   }
 
@@ -113,12 +112,12 @@ export function createNumberSlide(root, store, cells) {
     });
   }
   handle.addEventListener('pointerleave', (event) => {
-    if (event.relatedTarget !== cellAt()) show(numberCell(focusBeside(root)));
+    if (event.relatedTarget !== at) show(numberCell(focusBeside(root)));
   });
 
   root.addEventListener('keydown', (event) => {
     const way = { PageUp: 1, PageDown: -1 }[event.key];
-    const path = numberCell(event.target)?.dataset.path;
+    const path = pathOf(numberCell(event.target));
     const from = path ? cells.number(path) : null;
     if (!way || !path || from === null || event.altKey || event.ctrlKey || event.metaKey) return;
     event.preventDefault();

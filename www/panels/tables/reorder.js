@@ -4,10 +4,13 @@
  *
  * @typedef {import('../../core/store.js').Store} Store
  * @typedef {import('../../ui/menu.js').MenuItem} MenuItem
+ * @typedef {{path: string, more: () => Exclude<MenuItem, 'line'>[]}} Thing with what can be done with it beside moving it
  */
 import * as edits from '../../core/edits.js';
 import { valueAt } from '../../core/path.js';
-import { menuButton } from '../../ui/menu.js';
+import { focusBeside } from '../../ui/dom.js';
+import { attachMenu } from '../../ui/menu.js';
+import { attach, html } from '../../ui/render.js';
 
 /** A thing in a list that a person may arrange: the list's path and the thing's index. */
 const THING = /^(chains\[(\d+)\]\.joints|chains|motion\.key_frames)\[(\d+)\]$/;
@@ -15,8 +18,9 @@ const THING = /^(chains\[(\d+)\]\.joints|chains|motion\.key_frames)\[(\d+)\]$/;
 /**
  * @param {HTMLElement} root holds the tables
  * @param {Store} store
+ * @param {(target: Element) => void} bringOut from under the view, which stays on top of the tables on a phone
  */
-export function createArrange(root, store) {
+export function createArrange(root, store, bringOut) {
   /** @param {string} path of a thing @param {number} step @returns {boolean} whether there is room that way */
   function canMove(path, step) {
     const [, list, , index] = THING.exec(path) ?? [];
@@ -36,10 +40,12 @@ export function createArrange(root, store) {
       return edits.moveJoint(doc, Number(chain), from, to);
     });
     store.setView({ selected: `${list}[${to}]` });
+    // The focus goes with its thing, in the same cell or button.
+    const focused = focusBeside(root);
+    if (!focused || !root.contains(focused)) return;
+    focused.scrollIntoView({ block: 'nearest' });
+    bringOut(focused);
   }
-
-  /** Gives the focus back to a thing's menu, which its edit may have made anew. @param {string} path */
-  const focusMenu = (path) => /** @type {HTMLElement | null} */ (root.querySelector(`[data-menu="${path}"]`))?.focus();
 
   root.addEventListener('keydown', (event) => {
     const step = { ArrowUp: -1, ArrowDown: 1 }[event.key];
@@ -52,14 +58,7 @@ export function createArrange(root, store) {
     if (!path) return;
     event.preventDefault();
     event.stopPropagation();
-    if (!canMove(path, step)) return;
-    const [, list, , index] = /** @type {RegExpExecArray} */ (THING.exec(path));
-    const next = `${list}[${Number(index) + step}]`;
-    const own = field.dataset.path ?? field.dataset.menu ?? '';
     move(path, step);
-    // The hand stays at the same cell of the thing that moved.
-    const there = own.replace(path, next);
-    /** @type {HTMLElement | null} */ (root.querySelector(`[data-path="${there}"]:is(input, select), [data-menu="${there}"]`))?.focus();
   });
 
   /** @param {string} path @returns {MenuItem[]} */
@@ -68,12 +67,34 @@ export function createArrange(root, store) {
       label: step < 0 ? 'Move up' : 'Move down',
       key: step < 0 ? 'Alt+↑' : 'Alt+↓',
       disabled: canMove(path, step) ? '' : store.readonly ? 'This linkage is read only' : step < 0 ? 'It is the first' : 'It is the last',
-      act: () => {
-        const [, list, , index] = /** @type {RegExpExecArray} */ (THING.exec(path));
-        move(path, step);
-        focusMenu(`${list}[${Number(index) + step}]`);
-      },
+      act: () => move(path, step),
     }));
+
+  const menuOf = (/** @type {string} */ path) => /** @type {HTMLElement | null} */ (root.querySelector(`[data-menu="${path}"]`));
+
+  /** Gives a thing's button its menu. @param {HTMLButtonElement} button @returns {(now: Thing) => void} */
+  function behave(button) {
+    /** @type {Thing} */
+    let thing;
+    attachMenu(button, () => {
+      const { path, more } = thing;
+      return [
+        ...movers(path),
+        'line',
+        ...more().map(({ act, ...item }) => ({
+          ...item,
+          act: () => {
+            act();
+            // Of a thing that went, the focus goes to the one in its place, or to the one before it.
+            if (!button.isConnected) (menuOf(path) ?? menuOf(path.replace(/\d+(?=]$)/, (index) => String(Number(index) - 1))))?.focus();
+          },
+        })),
+      ];
+    });
+    return (now) => {
+      thing = now;
+    };
+  }
 
   return {
     /**
@@ -83,23 +104,7 @@ export function createArrange(root, store) {
      * @param {() => Exclude<MenuItem, 'line'>[]} more what else can be done
      */
     menu(path, name, more) {
-      const button = menuButton(`Actions of ${name}`, () => [
-        ...movers(path),
-        'line',
-        ...more().map(({ act, ...item }) => ({
-          ...item,
-          act: () => {
-            act();
-            if (!button.isConnected) focusMenu(path);
-          },
-        })),
-      ]);
-      button.classList.add('quiet');
-      button.dataset.menu = path;
-      button.setAttribute('aria-label', `Actions of ${name}`);
-      button.title = `Actions of ${name}`;
-      button.textContent = '⋯';
-      return button;
+      return html`<button class="menu-button quiet" data-menu=${path} title="Actions of ${name}" aria-label="Actions of ${name}" ${attach(behave, { path, more })}>⋯</button>`;
     },
   };
 }

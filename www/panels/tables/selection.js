@@ -86,7 +86,7 @@ export function createSelection(root, panels, { store, tabs, narrow }) {
     });
   }
   store.subscribe('view', show);
-  // Tables made anew have lost their marks.
+  // A thing may be in another row now, or in a new one.
   store.subscribe('document', show);
 
   return {

@@ -2,14 +2,15 @@
  * A setting with its name, what it means, and its control; and a point of three lengths as one control.
  */
 import * as edits from '../../core/edits.js';
-import { element } from '../../ui/dom.js';
+import { html, nothing } from '../../ui/render.js';
 
-/** @param {{label: string, title?: string, note?: string | HTMLElement, control: HTMLElement}} setting */
-export function setting({ label, title, note = '', control }) {
-  const small = typeof note === 'string' && note ? element('small', {}, note) : note;
-  // A group of cells has a name of its own; a label names one cell only.
-  const kind = control.matches('input, select') ? 'label' : 'div';
-  return element(kind, { class: 'field' }, element('span', { title }, label), control, small);
+/**
+ * @param {{label: string, title?: string, note?: string, control: unknown, group?: boolean, hidden?: boolean}} setting `group`: the
+ *   control is a group of cells, which has a name of its own; a label names one cell only
+ */
+export function setting({ label, title, note, control, group, hidden = false }) {
+  const parts = html`<span title=${title ?? nothing}>${label}</span>${control}${note ? html`<small>${note}</small>` : nothing}`;
+  return group ? html`<div class="field" ?hidden=${hidden}>${parts}</div>` : html`<label class="field" ?hidden=${hidden}>${parts}</label>`;
 }
 
 /**
@@ -26,5 +27,5 @@ export function pointCells(cells, { path, label, fallback }) {
       write: (doc, value) => edits.setCoordinate(doc, path, axis, value, fallback()),
     }),
   );
-  return element('div', { class: 'point', role: 'group', 'aria-label': label, 'data-path': path }, ...coordinates);
+  return html`<div class="point" role="group" aria-label=${label} data-path=${path}>${coordinates}</div>`;
 }

@@ -5,7 +5,6 @@
  * @typedef {import('../../core/types.js').Fault} Fault
  */
 import { valueAt } from '../../core/path.js';
-import { focusBeside } from '../../ui/dom.js';
 import { allFaults } from './all-faults.js';
 import { createArrange } from './reorder.js';
 import { createCells } from './cells.js';
@@ -24,18 +23,18 @@ import { createMotionTables } from './motion-tables.js';
  * @param {{markFault: (panel: HTMLElement | null) => void, findStart: () => void, goToKey: (key: number) => void,
  *   compareMetrics: Parameters<typeof import('./metric-comparison.js').createMetricComparison>[1],
  *   check: (doc: import('../../core/types.js').MechanismDocument) => Promise<Fault | null>,
- *   say: import('../../ui/notice.js').Say}} outside
+ *   bringOut: (target: Element) => void, say: import('../../ui/notice.js').Say}} outside
  *   `markFault` is told which panel holds the fault; `findStart` asks the planner for start values; `goToKey` takes
- *   the playhead to a key frame; `compareMetrics` asks the planner for both metrics' gaps, `check` for a document's fault
+ *   the playhead to a key frame; `compareMetrics` asks the planner for both metrics' gaps, `check` for a document's fault;
+ *   `bringOut` brings what has the focus out from under the view
  */
-export function createTables({ root, mechanism, motion }, store, defaults, { markFault, findStart, goToKey, compareMetrics, check, say }) {
-  const arrange = createArrange(root, store);
+export function createTables({ root, mechanism, motion }, store, defaults, { markFault, findStart, goToKey, compareMetrics, check, bringOut, say }) {
+  const arrange = createArrange(root, store, bringOut);
   const cells = createCells(store);
   const forms = createForms(root, store, say);
   const chains = createChainTables(mechanism, store, cells, defaults, arrange, findStart, forms, say);
   const keys = createMotionTables(motion, store, cells, defaults, arrange, { goTo: goToKey, compareMetrics }, forms);
   const note = createFaultNote(root);
-  let shape = '';
   /** @type {HTMLElement | null} */
   let culprit = null;
 
@@ -64,21 +63,9 @@ export function createTables({ root, mechanism, motion }, store, defaults, { mar
   }
 
   function show() {
-    const next = shapeOf(store.doc);
-    if (next === shape) {
-      cells.refresh();
-      keys.showNow();
-      return;
-    }
-    shape = next;
-    const inHand = () => /** @type {HTMLElement | null} */ (focusBeside(root))?.dataset.path;
-    const focused = inHand();
     cells.clear();
-    chains.rebuild();
-    keys.rebuild();
-    chains.showNow();
-    showFault();
-    if (focused && !inHand()) /** @type {HTMLElement | null} */ (root.querySelector(`[data-path="${focused}"]:is(input, select)`))?.focus();
+    chains.draw();
+    keys.draw();
   }
 
   gridBlock(root, store, cells, say);
@@ -86,26 +73,19 @@ export function createTables({ root, mechanism, motion }, store, defaults, { mar
   cellTools(root, store, cells, say);
   store.subscribe('document', show);
   store.subscribe('result', () => {
-    cells.refresh();
-    chains.showNow();
-    keys.showNow();
+    show();
     showFault();
   });
-  store.subscribe('view', () => chains.showNow());
+  store.subscribe('view', chains.follow);
   show();
 
   return {
     /** Goes to the cell at fault. @param {(panel: HTMLElement) => void} show brings its panel to the front */
     focusFault(show) {
-      if (!culprit) return;
+      if (!culprit?.isConnected) return;
       show(mechanism.contains(culprit) ? mechanism : motion);
       const cell = culprit.matches('input, select') ? culprit : culprit.querySelector('input');
       if (cell instanceof HTMLElement) cell.focus();
     },
   };
-}
-
-/** What the tables' elements depend on; all else is only shown in them. @param {import('../../core/types.js').MechanismDocument} doc */
-function shapeOf({ chains, motion, length_unit }) {
-  return JSON.stringify([chains.map((chain) => chain.joints.map((joint) => joint.type)), motion.key_frames.length, length_unit]);
 }

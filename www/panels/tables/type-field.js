@@ -4,70 +4,65 @@
 import { setChainType } from '../../core/edits.js';
 import { chainType } from '../../core/joint-types.js';
 import { readType } from '../../core/type-letters.js';
-import { element, setText } from '../../ui/dom.js';
+import { html, live, nothing } from '../../ui/render.js';
+
+/** @typedef {{text: string, of: string, fault: string}} Entry what is typed in place of the type `of`, and what is wrong with it */
 
 /**
- * @param {HTMLElement} panel holds the tables
  * @param {import('../../core/store.js').Store} store
  * @param {import('../../core/types.js').Defaults} defaults
- * @param {number} chain
- * @returns {{field: HTMLElement, note: HTMLElement}} `note` says what is wrong, or what Enter does; it stands below the field
+ * @param {() => void} draw shows what is typed
  */
-export function typeField(panel, store, defaults, chain) {
-  const type = () => chainType(store.doc.chains[chain] ?? { joints: [] });
-  const id = `type-note-${chain}`;
-  const note = element('p', { id, class: 'type-note', role: 'status', hidden: true });
-  const field = element('input', {
-    type: 'text',
-    class: 'cell text type',
-    size: 6,
-    'data-path': `chains[${chain}].type`,
-    'aria-label': `type of chain ${chain + 1}, its joints from base to workpiece`,
-    'aria-describedby': id,
-    autocomplete: 'off',
-    autocapitalize: 'characters',
-    spellcheck: 'false',
-    enterkeyhint: 'done',
-    title: 'Joints from base to workpiece, such as RPS; Enter applies',
-    readonly: store.readonly,
-  });
-  field.value = type();
+export function createTypeField(store, defaults, draw) {
+  /** By the chain's key. @type {Map<number, Entry>} */
+  const entries = new Map();
 
-  /** @param {string} text '' for nothing @param {boolean} [fault] */
-  function tell(text, fault = false) {
-    setText(note, text);
-    note.hidden = !text;
-    note.classList.toggle('fault', fault);
-    if (fault) field.setAttribute('aria-invalid', 'true');
-    else field.removeAttribute('aria-invalid');
-  }
+  /**
+   * @param {number} chain @param {number} key the chain's among the rendered ones
+   * @returns {{field: unknown, note: unknown}} `note` says what is wrong, or what Enter does; it stands below the field
+   */
+  return (chain, key) => {
+    const type = chainType(store.doc.chains[chain]);
+    // A type that was changed elsewhere, such as by undo, is shown.
+    if (entries.get(key)?.of !== type) entries.delete(key);
+    const typed = entries.get(key);
+    const wanted = typed?.text.trim().toUpperCase() ?? type;
+    const words = typed?.fault || (wanted === type ? '' : `Enter makes this chain ${wanted || '…'}; Escape keeps ${type}.`);
+    const id = `type-note-${chain}`;
 
-  function apply() {
-    const answer = readType(field.value);
-    if ('fault' in answer) return tell(answer.fault, true);
-    tell('');
-    field.value = answer.letters.join('');
-    store.edit((doc) => setChainType(doc, chain, answer.letters, defaults.joints));
-    // Another type makes the tables anew, and the focus stays with the field.
-    const now = /** @type {HTMLInputElement | null} */ (panel.querySelector(`[data-path="chains[${chain}].type"]`));
-    now?.focus();
-    now?.select();
-  }
-
-  field.addEventListener('focus', () => field.select());
-  field.addEventListener('input', () => {
-    const changed = field.value.trim().toUpperCase() !== type();
-    tell(changed ? `Enter makes this chain ${field.value.trim().toUpperCase() || '…'}; Escape keeps ${type()}.` : '');
-  });
-  field.addEventListener('keydown', (event) => {
-    if (event.key === 'Enter') {
-      event.preventDefault();
-      apply();
-    } else if (event.key === 'Escape') {
-      field.value = type();
-      tell('');
-      field.select();
+    /** @param {HTMLInputElement} field */
+    function apply(field) {
+      const answer = readType(field.value);
+      if ('fault' in answer) entries.set(key, { text: field.value, of: type, fault: answer.fault });
+      else {
+        entries.delete(key);
+        store.edit((doc) => setChainType(doc, chain, answer.letters, defaults.joints));
+      }
+      draw();
+      if (!('fault' in answer)) field.select();
     }
-  });
-  return { field, note };
+    const target = (/** @type {Event} */ event) => /** @type {HTMLInputElement} */ (event.target);
+    const write = (/** @type {Event} */ event) => {
+      entries.set(key, { text: target(event).value, of: type, fault: '' });
+      draw();
+    };
+    const press = (/** @type {KeyboardEvent} */ event) => {
+      if (event.key === 'Enter') {
+        event.preventDefault();
+        apply(target(event));
+      } else if (event.key === 'Escape') {
+        entries.delete(key);
+        draw();
+        target(event).select();
+      }
+    };
+    return {
+      field: html`<input type="text" class="cell text type" size="6" data-path="chains[${chain}].type"
+        aria-label="type of chain ${chain + 1}, its joints from base to workpiece" aria-describedby=${id} aria-invalid=${typed?.fault ? 'true' : nothing}
+        autocomplete="off" autocapitalize="characters" spellcheck="false" enterkeyhint="done" title="Joints from base to workpiece, such as RPS; Enter applies"
+        ?readonly=${store.readonly} .value=${live(typed?.text ?? type)}
+        @focus=${(/** @type {Event} */ event) => target(event).select()} @input=${write} @keydown=${press} />`,
+      note: html`<p id=${id} class=${typed?.fault ? 'type-note fault' : 'type-note'} role="status" ?hidden=${!words}>${words}</p>`,
+    };
+  };
 }

@@ -9,13 +9,12 @@ import { convertLengths, factorBetween } from '../../core/units.js';
 import { element, setText } from '../../ui/dom.js';
 
 /**
- * @param {HTMLElement} panel holds the tables
  * @param {import('../../core/store.js').Store} store
  * @param {import('../../ui/notice.js').Say} say
  * @param {HTMLInputElement} field in which the unit is typed; something has been typed by now
  * @param {HTMLElement} choice is filled here
  */
-export function createUnitChoice(panel, store, say, field, choice) {
+export function createUnitChoice(store, say, field, choice) {
   const unit = () => store.doc.length_unit ?? '';
   const wanted = () => field.value.trim();
   const sentence = element('p', { role: 'status' });
@@ -42,11 +41,11 @@ export function createUnitChoice(panel, store, say, field, choice) {
     setText(sentence, `Convert the numbers, or only rename the unit?${unknown}`);
   }
 
-  /** After the edit the tables are made anew, and the focus stays with the field. @param {(doc: MechanismDocument) => MechanismDocument} edit */
+  /** @param {(doc: MechanismDocument) => MechanismDocument} edit */
   function change(edit) {
     choice.hidden = true;
     store.edit(edit);
-    /** @type {HTMLElement | null} */ (panel.querySelector('[data-path="length_unit"]'))?.focus();
+    field.focus();
   }
 
   function converted() {

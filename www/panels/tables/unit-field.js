@@ -4,12 +4,11 @@
 import { element } from '../../ui/dom.js';
 
 /**
- * @param {HTMLElement} panel holds the tables
  * @param {import('../../core/store.js').Store} store
  * @param {import('../../ui/notice.js').Say} say
- * @returns {{field: HTMLElement, choice: HTMLElement}} `choice` is what is asked
+ * @returns {() => {field: HTMLElement, choice: HTMLElement}} follows the document; `choice` is what is asked
  */
-export function unitField(panel, store, say) {
+export function createUnitField(store, say) {
   const field = element('input', {
     type: 'text',
     class: 'cell text',
@@ -20,13 +19,12 @@ export function unitField(panel, store, say) {
     spellcheck: 'false',
     readonly: store.readonly,
   });
-  field.value = store.doc.length_unit ?? '';
   const choice = element('div', { class: 'unit-choice', role: 'group', 'aria-label': 'Another unit of length', hidden: true });
   field.addEventListener('focus', () => field.select());
   const first = async () => {
     field.removeEventListener('input', first);
     try {
-      (await import('./unit-choice.js')).createUnitChoice(panel, store, say, field, choice);
+      (await import('./unit-choice.js')).createUnitChoice(store, say, field, choice);
     } catch (error) {
       field.value = store.doc.length_unit ?? '';
       field.addEventListener('input', first);
@@ -34,5 +32,15 @@ export function unitField(panel, store, say) {
     }
   };
   field.addEventListener('input', first);
-  return { field, choice };
+  /** The document's unit that was shown last. @type {string | undefined} */
+  let unit;
+  return () => {
+    const now = store.doc.length_unit ?? '';
+    // What is being typed stays, unless the unit is another one now.
+    if (now !== unit) {
+      unit = field.value = now;
+      choice.hidden = true;
+    }
+    return { field, choice };
+  };
 }
