@@ -170,11 +170,6 @@ export function createStore(first) {
       show(work.doc);
     },
 
-    /** Undoes until that document is shown again. @param {MechanismDocument} former */
-    backTo(former) {
-      while (doc !== former && past.length) this.undo();
-    },
-
     /** The document is in its file now. @param {MechanismDocument} saved @param {Partial<Origin>} file */
     markSaved(saved, file) {
       Object.assign(originOf(saved), file, { saved });
