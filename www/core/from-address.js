@@ -32,8 +32,10 @@ export async function answerTo({ payload, sample, sets }, whole) {
   }
   try {
     if (sets.length) {
-      const { applyOverrides, parseOverrides } = await import('./overrides.js');
-      doc = await whole(JSON.stringify(applyOverrides(doc, parseOverrides(sets))));
+      const { withOverrides } = await import('./overrides.js');
+      const changed = await withOverrides(doc, sets, whole);
+      ({ doc } = changed);
+      problems.push(...changed.problems);
     }
   } catch (error) {
     problems.push(`The changes in the address (set=…) were left out. ${reason(error)}`);
