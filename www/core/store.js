@@ -10,6 +10,7 @@
  * @typedef {import('./types.js').Origin} Origin
  * @typedef {import('./types.js').Planning} Planning
  * @typedef {'document' | 'origin' | 'result' | 'view' | 'why' | 'planning'} Part
+ * @typedef {{doc: MechanismDocument, result: Result, view: View, why: Why | null, planning: Planning | null}} State
  * @typedef {{doc: MechanismDocument, past: MechanismDocument[], future: MechanismDocument[]}} History
  * @typedef {ReturnType<typeof createStore>} Store
  */
@@ -103,6 +104,23 @@ export function createStore(first) {
     subscribe(part, listener) {
       listeners[part].add(listener);
       return () => listeners[part].delete(listener);
+    },
+
+    /**
+     * Tells when one value of the state is another one (`Object.is`).
+     * @template T
+     * @param {(state: State) => T} choose
+     * @param {(value: T) => void} listener
+     * @returns {() => void} ends it
+     */
+    select(choose, listener) {
+      let last = choose(this);
+      const look = () => {
+        const next = choose(this);
+        if (!Object.is(next, last)) listener((last = next));
+      };
+      const ends = /** @type {Part[]} */ (Object.keys(listeners)).map((part) => this.subscribe(part, look));
+      return () => ends.forEach((end) => end());
     },
 
     /**

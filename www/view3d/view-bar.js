@@ -72,18 +72,17 @@ export function createViewBar({ find, store, scene, say }) {
   const bar = find('view-bar');
   bar.append(views, parts, projection, fit);
 
-  let projected = '';
-  const show = () => {
-    scene.choose(store.view);
-    if (store.view.projection === projected) return;
-    projected = store.view.projection;
+  const show = () => scene.choose(store.view);
+  const project = () => {
     const flat = store.view.projection === 'orthographic';
     scene.setParallel(flat);
     setText(projection, flat ? 'Orthographic' : 'Perspective');
     projection.title = flat ? 'Parallel lines stay parallel: change to perspective (P)' : 'Far things are smaller: change to orthographic (P)';
   };
   store.subscribe('view', show);
+  store.select(({ view }) => view.projection, project);
   show();
+  project();
 
   canvas.addEventListener('keydown', (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey || event.shiftKey || event.defaultPrevented) return;

@@ -52,7 +52,6 @@ function connect(app, scene) {
 
   /** @type {How} */
   let how = { mode: 'move', space: 'world', snap: false };
-  let selected = '';
   /** @type {Target | null} */
   let target = null;
   /** The posture that the hand waits for is to be told. */
@@ -116,20 +115,19 @@ function connect(app, scene) {
     kept = [{ x: x - FREE, y: y - FREE, width: 2 * FREE, height: 2 * FREE }];
   }
 
-  let { frame, posture } = store.view;
-  /** Another thing is selected, or the workpiece is elsewhere. */
-  function sync() {
-    const { view } = store;
-    const moved = target === workpiece && (view.posture !== posture || view.frame !== frame);
-    ({ frame, posture } = view);
-    if (view.selected !== selected) {
-      ({ selected } = view);
-      target = targetOf(selected);
-      if (!target) delete canvas.dataset.hand;
-      scene.changed();
-    } else if (!moved) return;
+  /** @param {string} selected */
+  function hold(selected) {
+    target = targetOf(selected);
+    if (!target) delete canvas.dataset.hand;
+    scene.changed();
     show();
-    if (moved && saying && !workpiece.busy()) {
+  }
+
+  /** The workpiece is elsewhere. */
+  function follow() {
+    if (target !== workpiece) return;
+    show();
+    if (saying && !workpiece.busy()) {
       saying = false;
       bar.say(`workpiece at ${workpiece.tell()}`);
     }
@@ -227,7 +225,7 @@ function connect(app, scene) {
         return gizmoDrag(target);
       }
       const place = scene.pick(event);
-      const held = place === selected ? target : targetOf(place);
+      const held = place === store.view.selected ? target : targetOf(place);
       return held && planeDrag(held, place, at);
     },
     click: (event) => take(scene.pick(event)),
@@ -303,7 +301,9 @@ function connect(app, scene) {
     labels.place(scene.camera, width, height);
     tellPlace(width, height);
   });
-  store.subscribe('view', sync);
+  store.select(({ view }) => view.selected, hold);
+  store.select(({ view }) => view.posture, follow);
+  store.select(({ view }) => view.frame, follow);
   store.subscribe('why', () => {
     if (free()) show();
   });
@@ -311,5 +311,5 @@ function connect(app, scene) {
     if (target && !target.pose()) store.setView({ selected: '' });
     if (target) show();
   });
-  sync();
+  hold(store.view.selected);
 }
