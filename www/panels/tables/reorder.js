@@ -7,6 +7,7 @@
  */
 import * as edits from '../../core/edits.js';
 import { valueAt } from '../../core/path.js';
+import { KEYS } from '../../ui/keys.js';
 import { menuButton } from '../../ui/menu.js';
 
 /** A thing in a list that a person may arrange: the list's path and the thing's index. */
@@ -66,7 +67,7 @@ export function createArrange(root, store) {
   const movers = (path) =>
     [-1, 1].map((step) => ({
       label: step < 0 ? 'Move up' : 'Move down',
-      key: step < 0 ? 'Alt+↑' : 'Alt+↓',
+      key: KEYS.reorder.keys[step < 0 ? 0 : 1],
       disabled: canMove(path, step) ? '' : store.readonly ? 'This linkage is read only' : step < 0 ? 'It is the first' : 'It is the last',
       act: () => {
         const [, list, , index] = /** @type {RegExpExecArray} */ (THING.exec(path));
