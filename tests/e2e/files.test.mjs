@@ -434,6 +434,11 @@ test('readable changes in the address are applied to a sample, and refused by pl
     await notice(page, words).waitFor();
     await nameIs(page, '3RPS');
   }
+  await page.goto(`${browser.address}?set=motion.frames:many;name:Mine;chains.7.name:x`);
+  await ready(page);
+  await nameIs(page, 'Mine');
+  await notice(page, /“motion\.frames:many”.*Accepted/).waitFor();
+  await notice(page, /“chains\.7\.name:x”.*Accepted/).waitFor();
   await page.goto(`${browser.address}?sample=nothing`);
   await ready(page);
   await notice(page, /no sample “nothing”/).waitFor();

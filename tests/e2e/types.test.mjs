@@ -47,8 +47,13 @@ test('a type takes a chain’s place or comes beside the others, and undo takes 
   await panel().getByRole('button', { name: 'SP', exact: true }).click();
   await page.getByRole('menuitem', { name: 'Add as a new chain' }).click();
   assert.deepEqual(await types(), ['RPS', 'RPS', 'RPS', 'SP']);
+  const offered = page.locator('#notices').getByRole('button', { name: 'Undo' });
+  await offered.waitFor();
   await page.keyboard.press('Control+z');
   assert.deepEqual(await types(), ['RPS', 'RPS', 'RPS']);
+  // It would take back an older step now.
+  assert.equal(await offered.count(), 0);
+  await page.locator('#notices').filter({ hasText: 'A chain SP is added.' }).waitFor();
 });
 
 test('finds a type, and says what types are where there is none', async () => {

@@ -68,7 +68,8 @@ test('another document is a step that undo takes back, with its own file', () =>
   store.edit(rename('zz'));
   assert.equal(store.origin.title, 'z.json');
   assert.ok(store.unsaved);
-  store.backTo(former);
+  store.undo();
+  store.undo();
   assert.equal(store.doc.name, 'b');
   assert.equal(store.origin.title, '');
   store.undo();
@@ -126,4 +127,30 @@ test('listeners hear of their part only, until they leave', () => {
     speed: 1, loop: 'once', side: '', charts: ['translation', 'rotation', 'joints', 'sigma'],
     projection: 'perspective', show: { goal: true, closest: true, gaps: true, names: true, axes: true, ground: true }, ghosts: 'none',
   });
+});
+
+test('a value of the state is told when it is another one, and no more once it is left', () => {
+  const store = createStore(named('a'));
+  const heard = [];
+  const leave = store.select(({ view, doc }) => `${doc.name} ${view.frame}`, (value) => heard.push(value));
+  assert.deepEqual(heard, [], 'what is so already is not told');
+  store.setView({ frame: 3 });
+  store.setView({ playing: true });
+  store.setResult({ trouble: 'none of its business' });
+  store.edit(rename('b'));
+  store.undo();
+  leave();
+  store.setView({ frame: 4 });
+  assert.deepEqual(heard, ['a 3', 'b 3', 'a 3']);
+});
+
+test('a listener that changes the value itself hears the last value once', () => {
+  const store = createStore(named('a'));
+  const heard = [];
+  store.select(({ view }) => view.frame, (frame) => {
+    heard.push(frame);
+    if (frame < 3) store.setView({ frame: frame + 1 });
+  });
+  store.setView({ frame: 1 });
+  assert.deepEqual(heard, [1, 2, 3]);
 });

@@ -5,6 +5,7 @@
  */
 import { setValue } from '../core/edits.js';
 import { byId, setText } from '../ui/dom.js';
+import { KEYS, keyTip, onKeys } from '../ui/keys.js';
 import { withPart } from '../ui/lazy.js';
 import { menuButton } from '../ui/menu.js';
 import { createTheme } from './theme.js';
@@ -38,8 +39,8 @@ export function createHeader(app, documents, keeper) {
   const file = menuButton('File', () => [
     { label: 'Examples', act: examples },
     { label: 'New…', hint: 'From a type and a few sizes', act: documents.fresh },
-    { label: 'Open…', hint: 'Ctrl+O, or drop a file onto the page', act: documents.pick },
-    { label: 'Save', hint: 'Ctrl+S', act: () => documents.save() },
+    { label: 'Open…', key: KEYS.open.keys[0], hint: 'Or drop a file onto the page', act: documents.pick },
+    { label: 'Save', key: KEYS.save.keys[0], act: () => documents.save() },
     { label: 'Save as…', act: () => documents.save(true) },
     'line',
     { label: 'Share', hint: 'A link that holds the whole document', act: documents.share },
@@ -52,13 +53,9 @@ export function createHeader(app, documents, keeper) {
   file.title = 'More: save as, earlier documents';
   byId('save').after(file);
 
-  document.addEventListener('keydown', (event) => {
-    if (!(event.ctrlKey || event.metaKey) || event.altKey || event.shiftKey) return;
-    const act = { s: () => documents.save(), o: documents.pick }[event.key.toLowerCase()];
-    if (!act) return;
-    event.preventDefault();
-    act();
-  });
+  onKeys(document, { save: () => documents.save(), open: documents.pick });
+  keyTip(byId('open'), 'Open a document, or drop it onto the page', 'open');
+  keyTip(byId('save'), 'Save the document', 'save');
 }
 
 /** The name in the header, and what opens below it: name and description to read and to edit. @param {App['store']} store */

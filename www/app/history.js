@@ -5,6 +5,7 @@
  */
 import { movedByHand, undoOne } from '../core/undo.js';
 import { byId } from '../ui/dom.js';
+import { keyTip } from '../ui/keys.js';
 
 /** @param {Store} store */
 export function createHistory(store) {
@@ -12,6 +13,8 @@ export function createHistory(store) {
   const undo = byId('undo');
   /** @type {HTMLButtonElement} */
   const redo = byId('redo');
+  keyTip(undo, 'Undo', 'undo');
+  keyTip(redo, 'Redo', 'redo');
   undo.addEventListener('click', () => undoOne(store));
   redo.addEventListener('click', () => store.redo());
 

@@ -4,6 +4,7 @@
  */
 import { angle, length } from '../core/format.js';
 import { setText } from '../ui/dom.js';
+import { onKeys } from '../ui/keys.js';
 import { html, nothing, render } from '../ui/render.js';
 import { allTimes, keyFrameFrames } from '../core/playhead.js';
 import { drawStrip } from './strip.js';
@@ -79,19 +80,13 @@ export function createTrack({ find, store }, goTo) {
   }
 
   scrub.addEventListener('input', () => goTo(Number(scrub.value)));
-  scrub.addEventListener('keydown', (event) => {
-    const { frame } = store.view;
-    const next = keyed(event, frame);
-    if (next === undefined) return;
-    event.preventDefault();
-    goTo(next);
+  onKeys(scrub, {
+    tenFrames: (_, at) => goTo(store.view.frame + (at ? -PAGE : PAGE)),
+    keyFrame(_, at) {
+      const { frame } = store.view;
+      goTo(at ? (keys.find((key) => key > frame) ?? last()) : (keys.filter((key) => key < frame).at(-1) ?? 0));
+    },
   });
-  /** @param {KeyboardEvent} event @param {number} frame */
-  function keyed(event, frame) {
-    if (event.ctrlKey && event.key === 'ArrowLeft') return keys.filter((key) => key < frame).at(-1) ?? 0;
-    if (event.ctrlKey && event.key === 'ArrowRight') return keys.find((key) => key > frame) ?? last();
-    return { PageUp: frame + PAGE, PageDown: frame - PAGE }[event.key];
-  }
 
   function showTicks() {
     const { doc } = store.result;

@@ -3,6 +3,7 @@
  */
 import { setText, targetOf } from '../ui/dom.js';
 import { isTimed } from '../core/playhead.js';
+import { keyTip, onKeys } from '../ui/keys.js';
 import { createFrameField } from './frame-field.js';
 import { createTrack } from './track.js';
 
@@ -45,18 +46,27 @@ export function createTransport(app) {
     player.playbackRate = Number(speed.value);
   });
 
-  const press = (/** @type {KeyboardEvent} */ event) => {
-    const target = targetOf(event);
-    if (event.ctrlKey || event.metaKey || event.altKey) return;
-    if (event.key === ' ' && !target?.closest(TAKES_KEYS)) {
-      event.preventDefault();
-      toggle();
-    }
-    // Only beside the animation: single letters everywhere would be in the way of people who speak to their browser.
-    const steps = { ',': -1, '.': 1 }[event.key];
-    if (steps && target?.closest('.transport, #charts') && !target.closest(TAKES_TEXT)) step(steps);
-  };
-  keys.addEventListener('keydown', /** @type {EventListener} */ (press), { signal });
+  onKeys(
+    keys,
+    {
+      play(event) {
+        if (targetOf(event)?.closest(TAKES_KEYS)) return false;
+        toggle();
+      },
+      // Only beside the animation: single letters everywhere would be in the way of people who speak to their browser.
+      step(event, at) {
+        const target = targetOf(event);
+        if (!target?.closest('.transport, #charts') || target.closest(TAKES_TEXT)) return false;
+        step(at ? 1 : -1);
+      },
+    },
+    { signal },
+  );
+  keyTip(find('to-start'), 'To the first frame', 'ends');
+  keyTip(find('step-back'), 'One frame back', 'step');
+  keyTip(play, 'Play or pause', 'play');
+  keyTip(find('step-forward'), 'One frame on', 'step', 1);
+  keyTip(find('to-end'), 'To the last frame', 'ends', 1);
 
   function show() {
     const { motion, doc } = store.result;

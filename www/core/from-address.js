@@ -41,18 +41,13 @@ export async function answerTo({ payload, sample, sets }, linkage) {
     } else if (shared) refuse(shared.message);
   }
   if (sets.length) {
-    const { applyOverrides, parseOverrides } = await loaded(linkage, 'What reads the changes in the address', () => import('./overrides.js'));
-    const leaveOut = (/** @type {string} */ why) => problems.push(`The changes in the address (set=…) were left out. ${why}`);
-    let text = '';
-    try {
-      text = JSON.stringify(applyOverrides(doc, parseOverrides(sets)));
-    } catch (error) {
-      leaveOut(reason(error));
+    const { withOverrides } = await loaded(linkage, 'What reads the changes in the address', () => import('./overrides.js'));
+    const changed = await withOverrides(doc, sets, whole);
+    if (changed.is === 'trouble') return changed;
+    if (changed.is === 'answer') {
+      ({ doc } = changed.value);
+      problems.push(...changed.value.problems);
     }
-    const changed = text ? await whole(text) : null;
-    if (changed?.is === 'trouble') return changed;
-    if (changed?.is === 'answer') doc = changed.value;
-    else if (changed) leaveOut(changed.message);
   }
   return { is: 'answer', value: { doc, title, problems } };
 }

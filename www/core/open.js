@@ -5,6 +5,7 @@
  */
 import { ask } from './ask.js';
 import { Refusal } from './refusal.js';
+import { sayUndo } from './undo.js';
 
 /** @param {import('./linkage.js').Parts} parts */
 export function createOpening({ store, planner, player, say }) {
@@ -18,7 +19,7 @@ export function createOpening({ store, planner, player, say }) {
     store.setView({ selected: '', hovered: '' });
     store.open(doc, { title, handle, saved: doc });
     const name = former.name || 'the linkage';
-    if (unsaved) say(`Opened ${doc.name || title || 'a linkage'} in place of ${name}, which has changes that are in no file.`, { label: 'Undo', act: () => store.backTo(former) });
+    if (unsaved) sayUndo({ store, say }, former, `Opened ${doc.name || title || 'a linkage'} in place of ${name}, which has changes that are in no file.`);
   }
 
   /**

@@ -10,6 +10,7 @@
  * @typedef {import('./types.js').Origin} Origin
  * @typedef {import('./types.js').Planning} Planning
  * @typedef {'document' | 'origin' | 'result' | 'view' | 'why' | 'planning'} Part
+ * @typedef {{doc: MechanismDocument, result: Result, view: View, why: Why | null, planning: Planning | null}} State
  * @typedef {{doc: MechanismDocument, past: MechanismDocument[], future: MechanismDocument[]}} History
  * @typedef {ReturnType<typeof createStore>} Store
  */
@@ -106,6 +107,23 @@ export function createStore(first) {
     },
 
     /**
+     * Tells when one value of the state is another one (`Object.is`).
+     * @template T
+     * @param {(state: State) => T} choose
+     * @param {(value: T) => void} listener
+     * @returns {() => void} ends it
+     */
+    select(choose, listener) {
+      let last = choose(this);
+      const look = () => {
+        const next = choose(this);
+        if (!Object.is(next, last)) listener((last = next));
+      };
+      const ends = /** @type {Part[]} */ (Object.keys(listeners)).map((part) => this.subscribe(part, look));
+      return () => ends.forEach((end) => end());
+    },
+
+    /**
      * @param {(doc: MechanismDocument) => MechanismDocument} change
      * @param {string} [merge] edits in a row with the same mark are undone together
      */
@@ -168,11 +186,6 @@ export function createStore(first) {
       mark = '';
       for (const one of [work.doc, ...past, ...future]) if (!origins.has(one)) origins.set(one, origin);
       show(work.doc);
-    },
-
-    /** Undoes until that document is shown again. @param {MechanismDocument} former */
-    backTo(former) {
-      while (doc !== former && past.length) this.undo();
     },
 
     /** The document is in its file now. @param {MechanismDocument} saved @param {Partial<Origin>} file */

@@ -10,9 +10,6 @@ import { describeScene } from '../core/status-words.js';
 export function createStage({ find, store, player, signal }) {
   /** What the view was last turned to: another document's motion is seen from the front. @type {unknown} */
   let origin = null;
-  /** The motion in the view. @type {unknown} */
-  let drawn = null;
-
   const note = find('view-note');
   const tell = (/** @type {string} */ text) => {
     note.hidden = text === '';
@@ -32,22 +29,17 @@ export function createStage({ find, store, player, signal }) {
 
   function show() {
     const { motion, doc } = store.result;
-    if (!motion || !doc || motion === drawn) return;
-    drawn = motion;
+    if (!motion || !doc) return;
     const afresh = store.originOf(doc) !== origin;
     origin = store.originOf(doc);
     find('fallback').hidden = true;
     scene?.show(store.result, afresh);
-    if (afresh && side) scene?.turnTo(side, false);
+    if (afresh && store.view.side) scene?.turnTo(store.view.side, false);
     setText(find('canvas-text'), describeScene(store));
   }
-  store.subscribe('result', show);
-  let { posture, side } = store.view;
-  store.subscribe('view', () => {
-    if (store.view.side !== side && store.view.side) scene?.turnTo(store.view.side);
-    if (store.view.posture !== posture) player.invalidate();
-    ({ posture, side } = store.view);
-  });
+  store.select(({ result }) => result.motion, show);
+  store.select(({ view }) => view.side, (side) => side && scene?.turnTo(side));
+  store.select(({ view }) => view.posture, () => player.invalidate());
   const describe = () => {
     if (!store.view.playing) setText(find('canvas-text'), describeScene(store));
     find('stage').setAttribute('aria-label', `${store.doc.name || 'Linkage'}, with its animation`);

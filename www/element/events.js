@@ -22,7 +22,6 @@ export function announce(element, { isEdit, isFirst, begin, fail }) {
   let edited = false;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let settling;
-  let { view, result } = store;
 
   store.subscribe('document', () => {
     if (!isEdit()) return;
@@ -30,37 +29,32 @@ export function announce(element, { isEdit, isFirst, begin, fail }) {
     tell('input');
   });
 
+  store.select(({ result }) => result.fault ?? result.trouble, (wrong) => {
+    const error = typeof wrong === 'object' ? { message: wrong.message, where: wrong.where, code: wrong.code } : wrong ? { message: wrong, where: '', code: 'failure' } : null;
+    fail(error);
+    if (error) tell('error', error);
+  });
+  store.select(({ result }) => result.motion, (motion) => {
+    if (!motion || !isFirst() || store.result.doc !== store.doc) return;
+    begin();
+    tell('ready');
+  });
   store.subscribe('result', () => {
-    const { motion, fault, trouble } = store.result;
-    const wrong = fault !== result.fault || trouble !== result.trouble;
-    const planned = motion !== null && motion !== result.motion;
-    ({ result } = store);
-    if (wrong) {
-      const error = fault ? { message: fault.message, where: fault.where, code: fault.code } : trouble ? { message: trouble, where: '', code: 'failure' } : null;
-      fail(error);
-      if (error) tell('error', error);
-    }
-    if (planned && isFirst() && store.result.doc === store.doc) {
-      begin();
-      tell('ready');
-    }
     clearTimeout(settling);
-    if (!edited || fault || store.result.doc !== store.doc) return;
+    if (!edited || store.result.fault || store.result.doc !== store.doc) return;
     settling = setTimeout(() => {
       edited = false;
       tell('change');
     }, SETTLED);
   });
 
+  store.select(({ view }) => view.frame, (frame) => tell('framechange', { frame, time: player.currentTime }));
+  store.select(({ view }) => view.playing, (playing) => tell(playing ? 'play' : 'pause'));
+  store.select(({ view }) => view.loop, (loop) => keep('loop', loop, WRITINGS.loop(loop)));
+  store.select(({ view }) => view.speed, (speed) => keep('speed', speed, WRITINGS.speed(speed)));
+  store.select(({ view }) => view.side, (side) => keep('view', side, WRITINGS.view(side)));
   store.subscribe('view', () => {
-    const before = view;
-    ({ view } = store);
-    const { frame, playing, loop, speed, side } = view;
-    if (frame !== before.frame) tell('framechange', { frame, time: player.currentTime });
-    if (playing !== before.playing) tell(playing ? 'play' : 'pause');
-    if (loop !== before.loop) keep('loop', loop, WRITINGS.loop(loop));
-    if (speed !== before.speed) keep('speed', speed, WRITINGS.speed(speed));
-    if (side !== before.side) keep('view', side, WRITINGS.view(side));
+    const { frame, playing } = store.view;
     // Only while it rests: an attribute that changes with every picture helps nobody.
     if (!playing && !isFirst()) keep('frame', frame, WRITINGS.frame(frame));
   });

@@ -49,8 +49,6 @@ export function createTree(place, { store, narrow }, enter) {
   const open = new Set();
   /** The item that Tab comes to. */
   let stop = '';
-  /** What is selected and pointed at as the tree shows it. */
-  let marked = { selected: '', hovered: '' };
   let items = itemsOf(store.doc);
 
   const seen = () => items.flatMap((item) => [item, ...(open.has(item.path) ? (item.children ?? []) : [])]);
@@ -71,8 +69,8 @@ export function createTree(place, { store, narrow }, enter) {
         role="treeitem"
         data-item=${path}
         tabindex=${path === stop ? 0 : -1}
-        class=${path === marked.hovered ? 'pointed' : nothing}
-        aria-selected=${path === marked.selected}
+        class=${path === store.view.hovered ? 'pointed' : nothing}
+        aria-selected=${path === store.view.selected}
         aria-level=${branch ? 2 : 1}
         aria-posinset=${index + 1}
         aria-setsize=${siblings.length}
@@ -156,17 +154,13 @@ export function createTree(place, { store, narrow }, enter) {
     event.stopPropagation();
   });
 
-  /** The item that is selected, here or elsewhere, is marked, and its branch is opened. */
-  function mark() {
-    const { selected, hovered } = store.view;
-    if (selected === marked.selected && hovered === marked.hovered) return;
-    const other = selected !== marked.selected;
-    marked = { selected, hovered };
+  /** The item that is selected, here or elsewhere, is marked, and its branch is opened. @param {string} selected */
+  function mark(selected) {
     const branch = branchOf(selected);
-    if (other && branch) open.add(branch.path);
-    if (other && (branch || items.some(({ path }) => path === selected))) stop = selected;
+    if (branch) open.add(branch.path);
+    if (branch || items.some(({ path }) => path === selected)) stop = selected;
     draw();
-    if (other) reveal(nodeOf(selected));
+    reveal(nodeOf(selected));
   }
 
   /** Scrolls the tree's own box only: the page stays where it is. @param {HTMLElement | null} item */
@@ -182,7 +176,7 @@ export function createTree(place, { store, narrow }, enter) {
     items = itemsOf(store.doc);
     draw();
   });
-  store.subscribe('view', mark);
-  draw();
-  mark();
+  store.select(({ view }) => view.selected, mark);
+  store.select(({ view }) => view.hovered, draw);
+  mark(store.view.selected);
 }

@@ -6,6 +6,7 @@ import '../style/colours.css';
 import '../style/view.css';
 import './player-page.css';
 import { byId, element, setText } from '../ui/dom.js';
+import { keyTip, onKeys } from '../ui/keys.js';
 import { angle, length } from '../core/format.js';
 import { Player } from '../core/player.js';
 import { createScene } from '../view3d/scene/scene.js';
@@ -27,7 +28,8 @@ const canvas = element('canvas', {
 const labels = element('div', { id: 'labels', 'aria-hidden': 'true' });
 const description = element('p', { id: 'canvas-text', class: 'sr' });
 const note = element('p', { class: 'banner', hidden: true }, 'This browser shows no 3D graphics (WebGL 2).');
-const fit = element('button', { id: 'fit', title: 'Show the whole linkage (Home)' }, 'Fit view');
+const fit = element('button', { id: 'fit' }, 'Fit view');
+keyTip(fit, 'Show the whole linkage', 'fit');
 const play = element('button', { id: 'play' }, 'Play');
 const scrub = element('input', { id: 'scrub', type: 'range', min: 0, max: motion.frames - 1, step: 1, value: 0, 'aria-label': 'Frame' });
 const number = element('output', { id: 'frame-number' });
@@ -74,12 +76,7 @@ scrub.addEventListener('input', () => {
   player.pause();
   player.frame = Number(scrub.value);
 });
-document.addEventListener('keydown', (event) => {
-  const target = /** @type {Element | null} */ (event.target);
-  if (event.key !== ' ' || target?.closest('button')) return;
-  event.preventDefault();
-  toggle();
-});
+onKeys(document, { play: ({ target }) => !(/** @type {Element | null} */ (target)?.closest('button')) && toggle() });
 
 store.subscribe('view', tell);
 store.setResult({ motion, doc: mechanism });

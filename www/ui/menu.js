@@ -6,6 +6,7 @@
  *   chosen now: it stays among the others, or nobody without a pointer would learn that
  */
 import { element, focusBeside } from './dom.js';
+import { spokenKey } from './keys.js';
 
 let made = 0;
 
@@ -43,7 +44,7 @@ export function attachMenu(button, items) {
           item.act();
         };
         const role = item.checked === undefined ? 'menuitem' : 'menuitemcheckbox';
-        const entry = element('button', { role, tabindex: -1, 'aria-disabled': item.disabled && 'true', click: act, 'aria-keyshortcuts': item.key }, item.label);
+        const entry = element('button', { role, tabindex: -1, 'aria-disabled': item.disabled && 'true', click: act, 'aria-keyshortcuts': item.key && spokenKey(item.key) }, item.label);
         if (item.checked !== undefined) entry.setAttribute('aria-checked', String(item.checked));
         if (item.key) entry.append(element('kbd', { 'aria-hidden': 'true' }, item.key));
         const line = item.disabled || item.hint;

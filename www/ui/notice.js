@@ -8,13 +8,17 @@ const STAY = 5000;
 const STAY_WITH_ACTION = 12000;
 
 /**
- * @typedef {{label?: string, act?: () => void, stays?: boolean}} NoticeAction `stays`: until it is closed or clicked
+ * @typedef {object} NoticeAction
+ * @property {string} [label] the button's
+ * @property {() => void} [act]
+ * @property {(end: () => void) => void} [until] is given what takes the button away, for when it would do something else
+ * @property {boolean} [stays] until it is closed or clicked
  * @typedef {(text: string, action?: NoticeAction) => void} Say
  */
 
 /** @param {HTMLElement} place a live region @returns {Say} */
 export function createNotices(place) {
-  return (text, { label, act, stays } = {}) => {
+  return (text, { label, act, until, stays } = {}) => {
     const notice = element('p', {}, element('span', {}, text));
     const remove = () => notice.remove();
     if (label) {
@@ -22,7 +26,9 @@ export function createNotices(place) {
         remove();
         act?.();
       };
-      notice.append(element('button', { class: 'link', click }, label));
+      const button = element('button', { class: 'link', click }, label);
+      notice.append(button);
+      until?.(() => button.remove());
     }
     // The newest replaces what stands there, but for what must be read: a pile would cover the view.
     for (const other of [...place.children]) if (!other.matches('.stays') || other.textContent?.startsWith(text)) other.remove();

@@ -27,7 +27,5 @@ export function createByHand(app) {
     const place = target instanceof HTMLElement ? target.dataset.place : '';
     if (place?.startsWith('motion.key_frames')) app.store.setView({ selected: place });
   });
-  app.store.subscribe('view', () => {
-    if (app.store.view.selected) load();
-  });
+  app.store.select(({ view }) => view.selected, (selected) => selected && load());
 }

@@ -3,6 +3,7 @@
  * pointed at elsewhere is told here. With the keyboard, [ and ] go through the things and Enter selects.
  */
 import { element, setText } from '../ui/dom.js';
+import { onKeys } from '../ui/keys.js';
 import { isDriven } from '../core/shown.js';
 import { nameOf, thingsOf } from '../core/things.js';
 
@@ -103,16 +104,15 @@ export function createPointing({ find, store, player, scene }) {
     setText(live, `${nameOf(things[next], store)}, ${next + 1} of ${things.length}. Enter selects it.`);
   }
 
-  canvas.addEventListener('keydown', (event) => {
-    if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;
-    if (event.key === ']' || event.key === '.') goOn(1);
-    else if (event.key === '[' || event.key === ',') goOn(-1);
-    else if (event.key === 'Enter' && store.view.hovered) select(store.view.hovered);
-    else if (event.key === 'Escape' && (store.view.selected || store.view.hovered)) {
+  onKeys(canvas, {
+    thingAfter: () => goOn(1),
+    thingBefore: () => goOn(-1),
+    choose: () => store.view.hovered !== '' && select(store.view.hovered),
+    chooseNone() {
+      if (!store.view.selected && !store.view.hovered) return false;
       store.setView({ hovered: '' });
       select('');
-    } else return;
-    event.preventDefault();
+    },
   });
   canvas.addEventListener('blur', () => {
     if (!pointer) store.setView({ hovered: '' });

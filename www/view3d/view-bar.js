@@ -5,6 +5,7 @@
  */
 import { element, setText } from '../ui/dom.js';
 import { ghostFrames, ghostStep } from './scene/ghosts.js';
+import { KEYS, keyTip, onKeys, spokenKey, withKey } from '../ui/keys.js';
 import { menuButton } from '../ui/menu.js';
 
 /** Each view's key is its number in this list. @type {[StandardView, string][]} */
@@ -47,9 +48,9 @@ export function createViewBar({ find, store, scene, say }) {
   };
 
   const views = menuButton('Views', () => [
-    ...VIEWS.map(([view, name], index) => ({ label: name, key: String(index + 1), act: () => turnTo(view, name) })),
+    ...VIEWS.map(([view, name], index) => ({ label: name, key: KEYS.side.keys[index], act: () => turnTo(view, name) })),
     'line',
-    { label: 'Fit selection', key: 'F', act: fitChosen },
+    { label: 'Fit selection', key: KEYS.fitChosen.keys[0], act: fitChosen },
   ]);
   const parts = menuButton('Show', () => {
     const { show, ghosts, frame } = store.view;
@@ -67,33 +68,29 @@ export function createViewBar({ find, store, scene, say }) {
       { label: 'Ghost at this frame', checked: here, act: choose(others.length ? others : 'none') },
     ];
   });
-  const projection = element('button', { click: toggle, 'aria-keyshortcuts': 'P' });
-  const fit = element('button', { id: 'fit', title: 'Show the whole linkage (Home)', 'aria-keyshortcuts': 'Home', click: () => scene.fit() }, 'Fit view');
+  const projection = element('button', { click: toggle, 'aria-keyshortcuts': spokenKey(KEYS.projection.keys[0]) });
+  const fit = element('button', { id: 'fit', click: () => scene.fit() }, 'Fit view');
+  keyTip(fit, 'Show the whole linkage', 'fit');
   const bar = find('view-bar');
   bar.append(views, parts, projection, fit);
 
-  let projected = '';
-  const show = () => {
-    scene.choose(store.view);
-    if (store.view.projection === projected) return;
-    projected = store.view.projection;
+  const show = () => scene.choose(store.view);
+  const project = () => {
     const flat = store.view.projection === 'orthographic';
     scene.setParallel(flat);
     setText(projection, flat ? 'Orthographic' : 'Perspective');
-    projection.title = flat ? 'Parallel lines stay parallel: change to perspective (P)' : 'Far things are smaller: change to orthographic (P)';
+    projection.title = withKey(flat ? 'Parallel lines stay parallel: change to perspective' : 'Far things are smaller: change to orthographic', 'projection');
   };
   store.subscribe('view', show);
+  store.select(({ view }) => view.projection, project);
   show();
+  project();
 
-  canvas.addEventListener('keydown', (event) => {
-    if (event.ctrlKey || event.metaKey || event.altKey || event.shiftKey || event.defaultPrevented) return;
-    const view = VIEWS[Number(event.key) - 1];
-    if (view) turnTo(...view);
-    else if (event.key === 'p') toggle();
-    else if (event.key === 'f') fitChosen();
-    else if (event.key === 'Home') scene.fit();
-    else return;
-    event.preventDefault();
+  onKeys(canvas, {
+    side: (_, at) => turnTo(...VIEWS[at]),
+    projection: toggle,
+    fitChosen,
+    fit: () => scene.fit(),
   });
   return { bar };
 }

@@ -3,6 +3,7 @@
  */
 import { byId, targetOf } from '../../ui/dom.js';
 import { withPart } from '../../ui/lazy.js';
+import { onKeys } from '../../ui/keys.js';
 import { menuButton } from '../../ui/menu.js';
 import { askedLesson, lessons, openLesson } from './lessons.js';
 import { startTour, wasSeen } from './tour.js';
@@ -32,11 +33,11 @@ export function createHelp(app) {
       { label: 'Reference', hint: 'Documents and programs', act: page('./reference.html') },
     ]),
   );
-  document.addEventListener('keydown', (event) => {
-    const typing = targetOf(event)?.closest('input:not([type=range]), select, textarea');
-    if (event.key !== '?' || event.ctrlKey || event.metaKey || typing || document.querySelector('dialog[open]')) return;
-    event.preventDefault();
-    showKeys();
+  onKeys(document, {
+    keys(event) {
+      if (targetOf(event)?.closest('input:not([type=range]), select, textarea') || document.querySelector('dialog[open]')) return false;
+      showKeys();
+    },
   });
 
   // The lesson of the address, or the first minute of a first visit.

@@ -2,24 +2,23 @@
  * Two things to look up: the keys, and what each number of the page means with its equation.
  */
 import { element } from '../../ui/dom.js';
-import { KEYS } from '../keys.js';
+import { KEYS, PLACES } from '../../ui/keys.js';
 import { openDialog } from '../../ui/dialog.js';
 import numbers from './numbers.html?raw';
 import '../../style/reference.css';
 
 export function showKeys() {
-  const places = [...new Set(KEYS.map(({ where }) => where))];
   openDialog(
     'Keys',
-    ...places.map((place) =>
+    ...Object.entries(PLACES).map(([place, title]) =>
       element(
         'table',
         { class: 'keys-table' },
-        element('caption', {}, place),
+        element('caption', {}, title),
         element(
           'tbody',
           {},
-          ...KEYS.filter(({ where }) => where === place).map(({ keys, does }) =>
+          ...Object.values(KEYS).filter(({ where }) => where === place).map(({ keys, does }) =>
             element('tr', {}, element('th', { scope: 'row' }, ...keys.flatMap((key, i) => [...(i ? [' '] : []), element('kbd', {}, key)])), element('td', {}, does)),
           ),
         ),

@@ -146,13 +146,8 @@ export function createCharts({ root, store, player, signal }, panel) {
   }
   new ResizeObserver(fit).observe(panel);
 
-  let { charts } = store.view;
-  store.subscribe('view', () => {
-    if (store.view.charts !== charts) {
-      ({ charts } = store.view);
-      refresh();
-    } else read();
-  });
+  store.select(({ view }) => view.charts, refresh);
+  store.subscribe('view', read);
   store.subscribe('result', refresh);
   refresh();
 }

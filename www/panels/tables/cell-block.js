@@ -7,6 +7,7 @@ import { addKeyFrame, entry, setTimes } from '../../core/edits.js';
 import { element, focusBeside, setText } from '../../ui/dom.js';
 import { plural } from '../../core/format.js';
 import { valueAt } from '../../core/path.js';
+import { sayUndo } from '../../core/undo.js';
 import { gridAt } from './grid.js';
 import { placed } from './paste.js';
 
@@ -94,9 +95,10 @@ export function gridBlock(root, store, cells, say) {
     // In rows that are not there yet, cells have the names of those above them.
     const place = (/** @type {import('./paste.js').Pasted} */ { row, column }) =>
       at.rows[row]?.[column].dataset.path ?? (own[column].dataset.path ?? '').replace(/\[\d+\]/, `[${row}]`);
+    const { doc: former } = store;
     store.edit((doc) => written(withMoreKeys(doc, plan.more), plan.cells.map((cell) => [place(cell), cell.text])));
     const added = plan.more ? ` ${plural(plan.more, 'key frame')} added.` : '';
-    say(`${size(plan.rows, plan.width)} pasted.${added}${plan.head ? ' The row of heads was skipped.' : ''}`, { label: 'Undo', act: () => store.undo() });
+    sayUndo({ store, say }, former, `${size(plan.rows, plan.width)} pasted.${added}${plan.head ? ' The row of heads was skipped.' : ''}`);
   });
 
   root.addEventListener('copy', (event) => {

@@ -9,6 +9,7 @@
 import * as edits from '../../core/edits.js';
 import { valueAt } from '../../core/path.js';
 import { focusBeside } from '../../ui/dom.js';
+import { KEYS } from '../../ui/keys.js';
 import { attachMenu } from '../../ui/menu.js';
 import { attach, html } from '../../ui/render.js';
 
@@ -65,7 +66,7 @@ export function createArrange(root, store, bringOut) {
   const movers = (path) =>
     [-1, 1].map((step) => ({
       label: step < 0 ? 'Move up' : 'Move down',
-      key: step < 0 ? 'Alt+↑' : 'Alt+↓',
+      key: KEYS.reorder.keys[step < 0 ? 0 : 1],
       disabled: canMove(path, step) ? '' : store.readonly ? 'This linkage is read only' : step < 0 ? 'It is the first' : 'It is the last',
       act: () => move(path, step),
     }));

@@ -18,7 +18,6 @@ const thingOf = (path) => THING.exec(path)?.[0] ?? '';
 export function createSelection(root, panels, { store, tabs, narrow }) {
   /** What was selected by the tables themselves: it is in sight already. */
   let own = '';
-  let brought = '';
 
   const thingAt = (/** @type {EventTarget | null} */ target) =>
     thingOf(/** @type {HTMLElement | null} */ (/** @type {Element} */ (target).closest('[data-path]'))?.dataset.path ?? '');
@@ -60,12 +59,8 @@ export function createSelection(root, panels, { store, tabs, narrow }) {
 
   function show() {
     const { selected, hovered } = store.view;
-    const part = find(selected);
-    mark('chosen', part);
+    mark('chosen', find(selected));
     mark('pointed', hovered === selected ? null : find(hovered));
-    if (selected === brought) return;
-    brought = selected;
-    if (part && thingOf(selected) !== own) bring(part);
   }
 
   const take = (/** @type {Event} */ { target }) => {
@@ -85,7 +80,12 @@ export function createSelection(root, panels, { store, tabs, narrow }) {
       if (pointerType === 'mouse') store.setView({ hovered: '' });
     });
   }
-  store.subscribe('view', show);
+  store.select(({ view }) => view.hovered, show);
+  store.select(({ view }) => view.selected, (selected) => {
+    show();
+    const part = find(selected);
+    if (part && thingOf(selected) !== own) bring(part);
+  });
   // A thing may be in another row now, or in a new one.
   store.subscribe('document', show);
 

@@ -10,6 +10,7 @@ import { capital, chainName } from '../../core/chain-name.js';
 import { addChain, setJoints } from '../../core/edits.js';
 import { plural } from '../../core/format.js';
 import { JOINT_TYPES } from '../../core/joint-types.js';
+import { sayUndo } from '../../core/undo.js';
 import { assemblyName, grouped, linkageOfAssembly, typeSentence } from './type-words.js';
 import { notLoaded } from '../../ui/lazy.js';
 import { menuButton } from '../../ui/menu.js';
@@ -22,7 +23,7 @@ const MOST = 5;
 
 /** @param {import('../../element/workbench.js').App} app @param {HTMLElement} panel @returns {Promise<void>} */
 export async function createTypes(app, panel) {
-  const { store, planner, say } = app;
+  const { store, planner } = app;
   wear(app.root, look);
   const listed = await ask(() => Promise.all([planner.enumeration(), planner.defaults()]), 'list the types');
   if (listed.is !== 'answer') return notLoaded(panel, 'The types', listed.message, () => createTypes(app, panel));
@@ -33,8 +34,9 @@ export async function createTypes(app, panel) {
 
   /** @param {string} what @param {(doc: import('../../core/types.js').MechanismDocument) => import('../../core/types.js').MechanismDocument} change */
   function make(what, change) {
+    const { doc } = store;
     store.edit(change);
-    say(what, { label: 'Undo', act: () => store.undo() });
+    sayUndo(app, doc, what);
   }
 
   /** Where the form for a new linkage stands while it is filled in. */

@@ -8,6 +8,7 @@
  */
 import { Quaternion, Vector3 } from 'three';
 import { element, setText } from '../../ui/dom.js';
+import { onKeys } from '../../ui/keys.js';
 import { lengthUnit, short } from '../../core/format.js';
 import { createLabels } from '../scene/labels.js';
 import { nameOf } from '../../core/things.js';
@@ -24,8 +25,8 @@ import { workpieceTarget } from './workpiece.js';
 import { wear } from '../../ui/style-sheets.js';
 import look from '../../style/drag.css?inline';
 
-/** Axis and direction of each nudging key. @type {Record<string, [0 | 1 | 2, 1 | -1]>} */
-const NUDGES = { ArrowRight: [0, 1], ArrowLeft: [0, -1], ArrowUp: [1, 1], ArrowDown: [1, -1], PageUp: [2, 1], PageDown: [2, -1] };
+/** Axis and direction of each nudging key. @type {[0 | 1 | 2, 1 | -1][]} */
+const NUDGES = [[0, 1], [0, -1], [1, 1], [1, -1], [2, 1], [2, -1]];
 
 /** Half the square around the thing in hand that no name covers, in pixels: names take clicks. */
 const FREE = 7;
@@ -52,7 +53,6 @@ function connect(app, scene) {
 
   /** @type {How} */
   let how = { mode: 'move', space: 'world', snap: false };
-  let selected = '';
   /** @type {Target | null} */
   let target = null;
   /** The posture that the hand waits for is to be told. */
@@ -116,20 +116,19 @@ function connect(app, scene) {
     kept = [{ x: x - FREE, y: y - FREE, width: 2 * FREE, height: 2 * FREE }];
   }
 
-  let { frame, posture } = store.view;
-  /** Another thing is selected, or the workpiece is elsewhere. */
-  function sync() {
-    const { view } = store;
-    const moved = target === workpiece && (view.posture !== posture || view.frame !== frame);
-    ({ frame, posture } = view);
-    if (view.selected !== selected) {
-      ({ selected } = view);
-      target = targetOf(selected);
-      if (!target) delete canvas.dataset.hand;
-      scene.changed();
-    } else if (!moved) return;
+  /** @param {string} selected */
+  function hold(selected) {
+    target = targetOf(selected);
+    if (!target) delete canvas.dataset.hand;
+    scene.changed();
     show();
-    if (moved && saying && !workpiece.busy()) {
+  }
+
+  /** The workpiece is elsewhere. */
+  function follow() {
+    if (target !== workpiece) return;
+    show();
+    if (saying && !workpiece.busy()) {
       saying = false;
       bar.say(`workpiece at ${workpiece.tell()}`);
     }
@@ -227,7 +226,7 @@ function connect(app, scene) {
         return gizmoDrag(target);
       }
       const place = scene.pick(event);
-      const held = place === selected ? target : targetOf(place);
+      const held = place === store.view.selected ? target : targetOf(place);
       return held && planeDrag(held, place, at);
     },
     click: (event) => take(scene.pick(event)),
@@ -254,26 +253,24 @@ function connect(app, scene) {
     done(held);
   }
 
-  /** @param {KeyboardEvent} event @returns {boolean} whether the key was meant for what is in hand */
-  function press({ key }) {
-    if (key === 'Escape' && drags.cancel()) return true;
+  /** Only while something is in hand, and then for nobody else. @param {(held: Target, at: number) => void} act @returns {import('../../ui/keys.js').Handler} */
+  const inHand = (act) => (event, at) => {
     if (!target) return false;
-    if (key === 'Escape') store.setView({ selected: '' });
-    else if (key in NUDGES) nudge(target, ...NUDGES[key]);
-    else if ('gtGT'.includes(key)) choose({ mode: 'move' });
-    else if ('rR'.includes(key)) choose({ mode: 'turn' });
-    else if ('dD'.includes(key) && target === workpiece) choose({ mode: 'freedoms' });
-    else if ('dD'.includes(key)) bar.say('Only the workpiece has freedoms to move along: a key frame moves freely.');
-    else if ('xwXW'.includes(key)) choose({ space: how.space === 'world' ? 'local' : 'world' });
-    else return false;
-    return true;
-  }
-  canvas.addEventListener(
-    'keydown',
-    (event) => {
-      if (event.ctrlKey || event.metaKey || event.altKey || (event.shiftKey && event.key in NUDGES) || !press(event)) return;
-      event.preventDefault();
-      event.stopImmediatePropagation();
+    event.stopImmediatePropagation();
+    act(target, at);
+  };
+  onKeys(
+    canvas,
+    {
+      letGo(event, at) {
+        if (!drags.cancel()) return inHand(() => store.setView({ selected: '' }))(event, at);
+        event.stopImmediatePropagation();
+      },
+      nudge: inHand((held, at) => nudge(held, ...NUDGES[at])),
+      move: inHand(() => choose({ mode: 'move' })),
+      turn: inHand(() => choose({ mode: 'turn' })),
+      freedoms: inHand((held) => (held === workpiece ? choose({ mode: 'freedoms' }) : bar.say('Only the workpiece has freedoms to move along: a key frame moves freely.'))),
+      axes: inHand(() => choose({ space: how.space === 'world' ? 'local' : 'world' })),
     },
     { capture: true },
   );
@@ -303,7 +300,9 @@ function connect(app, scene) {
     labels.place(scene.camera, width, height);
     tellPlace(width, height);
   });
-  store.subscribe('view', sync);
+  store.select(({ view }) => view.selected, hold);
+  store.select(({ view }) => view.posture, follow);
+  store.select(({ view }) => view.frame, follow);
   store.subscribe('why', () => {
     if (free()) show();
   });
@@ -311,5 +310,5 @@ function connect(app, scene) {
     if (target && !target.pose()) store.setView({ selected: '' });
     if (target) show();
   });
-  sync();
+  hold(store.view.selected);
 }

@@ -14,13 +14,14 @@
  * @property {string} place where it is, in words
  */
 import { element } from '../../ui/dom.js';
+import { withKey } from '../../ui/keys.js';
 import { html, nothing, render } from '../../ui/render.js';
 
 /** @type {[Mode, string, string][]} */
 const MODES = [
-  ['move', 'Move', 'Move along axes (G)'],
-  ['turn', 'Turn', 'Turn about axes (R)'],
-  ['freedoms', 'Freedoms', 'Move along the freedoms that exist here (D)'],
+  ['move', 'Move', withKey('Move along axes', 'move')],
+  ['turn', 'Turn', withKey('Turn about axes', 'turn')],
+  ['freedoms', 'Freedoms', withKey('Move along the freedoms that exist here', 'freedoms')],
 ];
 
 /** Which way along a freedom a key goes. @type {Record<string, 1 | -1>} */
@@ -92,7 +93,7 @@ export function createDragBar(place, choose, nudge) {
           )}
           ${byFreedoms
             ? nothing
-            : html`<button data-stop="space" tabindex=${tab('space')} title="Axes of the world or its own (X)" @click=${() => choose({ space: world ? 'local' : 'world' })}>${world ? 'World axes' : 'Own axes'}</button>
+            : html`<button data-stop="space" tabindex=${tab('space')} title=${withKey('Axes of the world or its own', 'axes')} @click=${() => choose({ space: world ? 'local' : 'world' })}>${world ? 'World axes' : 'Own axes'}</button>
                 <button
                   data-stop="snap" tabindex=${tab('snap')} title="In steps of ${steps} (or hold Shift while dragging)" aria-pressed=${how.snap}
                   @click=${() => choose({ snap: !how.snap })}>Snap ${steps}</button>`}

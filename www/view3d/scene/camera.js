@@ -10,11 +10,14 @@
 import { MathUtils, OrthographicCamera, PerspectiveCamera, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { STANDARD_VIEWS } from '../../core/standard-views.js';
+import { onKeys } from '../../ui/keys.js';
 import { hasLeft, showsWell } from './refit.js';
 
 /** Degrees of one arrow key's turn, share of the view of its shift, share of one key's zoom. */
 const TURN = 6;
 const SHIFT = 0.05;
+/** Where each arrow key goes, in the order of the list of keys. */
+const ARROWS = [[-1, 0], [1, 0], [0, 1], [0, -1]];
 const ZOOM = 0.9;
 
 /** Milliseconds of a move to another view. */
@@ -132,19 +135,22 @@ export function createCamera(canvas, changed, turned) {
     go({ ...from, ...around(home.centre, home.radius) }, smooth);
   }
 
-  canvas.addEventListener('keydown', (event) => {
-    if (event.ctrlKey || event.metaKey || event.altKey) return;
-    const turn = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
-    const now = look();
-    const by = TURN * MathUtils.DEG2RAD;
-    if (turn && event.shiftKey) go({ target: shift(turn[0] * SHIFT, turn[1] * SHIFT) }, false);
-    else if (turn) go({ around: now.around + turn[0] * by, down: MathUtils.clamp(now.down - turn[1] * by, 0, Math.PI) }, false);
-    else if (event.key === '+' || event.key === '=') go({ reach: now.reach * ZOOM }, false);
-    else if (event.key === '-') go({ reach: now.reach / ZOOM }, false);
-    else return;
-    untouched = untouched && !event.shiftKey && Boolean(turn);
+  /** By the keyboard. @param {Partial<Look>} to @param {boolean} [fits] whether what fitted goes on to fit */
+  function by(to, fits = false) {
+    go(to, false);
+    untouched &&= fits;
     turned();
-    event.preventDefault();
+  }
+  onKeys(canvas, {
+    turnView(_, at) {
+      const [x, y] = ARROWS[at];
+      const { around: angle, down } = look();
+      const step = TURN * MathUtils.DEG2RAD;
+      by({ around: angle + x * step, down: MathUtils.clamp(down - y * step, 0, Math.PI) }, true);
+    },
+    shiftView: (_, at) => by({ target: shift(ARROWS[at][0] * SHIFT, ARROWS[at][1] * SHIFT) }),
+    zoomIn: () => by({ reach: look().reach * ZOOM }),
+    zoomOut: () => by({ reach: look().reach / ZOOM }),
   });
 
   return {
