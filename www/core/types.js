@@ -3,6 +3,7 @@
  *
  * @typedef {import('../pkg/synthetica.js').Motion} Motion
  * @typedef {import('../pkg/synthetica.js').Progress} Progress
+ * @typedef {import('../pkg/synthetica.js').MakeRequest} MakeRequest
  * @typedef {import('../pkg/synthetica.js').Report} Report
  * @typedef {import('../pkg/synthetica.js').Fault} Fault
  * @typedef {import('../pkg/synthetica.js').Posture} Posture

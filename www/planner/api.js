@@ -281,7 +281,7 @@ export async function assemble(type) {
 
 /**
  * A document with a linkage of a type in given sizes: equal legs between two circles, closed at its start.
- * @param {import('../pkg/synthetica.js').MakeRequest} request @returns {Promise<MechanismDocument>}
+ * @param {import('../core/types.js').MakeRequest} request @returns {Promise<MechanismDocument>}
  */
 export async function make(request) {
   return JSON.parse(await ask('make', JSON.stringify(request)));
