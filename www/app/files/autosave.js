@@ -45,6 +45,6 @@ export function createAutosave({ store, say }, keeper) {
   addEventListener('storage', (event) => {
     if (warned || !keeper.isOthers(event)) return;
     warned = true;
-    say('Synthetica is being used in another tab too. Each tab keeps its own document; after a reload you see the one edited last, and find the other under File, Earlier documents.', { stays: true });
+    say('Synthetica is being used in another tab too. Each tab keeps its own document; after a reload you see the one edited last, and find the other in the File menu (▾ beside Save), Earlier documents.', { stays: true });
   });
 }

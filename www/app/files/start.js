@@ -59,7 +59,7 @@ export function start(linkage, keeper) {
     const explicit = asked.payload !== null || asked.sample !== null || asked.sets.length > 0;
     const shown = !explicit && work !== null && (await showKept(work));
     if (broken) {
-      say('What this browser kept of your last document cannot be read. It is under File, Earlier documents.', {
+      say('What this browser kept of your last document cannot be read. It is in the File menu (▾ beside Save), Earlier documents.', {
         label: 'Download it',
         act: () => saveFile('kept-document.txt', new Blob([broken], { type: 'text/plain' })),
         stays: true,
@@ -70,7 +70,7 @@ export function start(linkage, keeper) {
       const { doc, title, problems } = value;
       if (work && !explicit) {
         keeper.setAside();
-        say('Your last document has a fault, and no motion without it is known. It is under File, Earlier documents.', { label: 'Open it', act: () => takeUp(work), stays: true });
+        say('Your last document has a fault, and no motion without it is known. It is in the File menu (▾ beside Save), Earlier documents.', { label: 'Open it', act: () => takeUp(work), stays: true });
       }
       store.restore({ doc, past: [], future: [] }, { title, handle: null, saved: doc });
       for (const problem of problems) say(problem, { stays: true });
