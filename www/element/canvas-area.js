@@ -2,6 +2,7 @@
  * The 3D view in the page: opens it where there is WebGL, keeps it in step with the store, says it in words.
  */
 import { setText } from '../ui/dom.js';
+import { inWords } from '../ui/keys.js';
 import { createScene } from '../view3d/scene/scene.js';
 import { shown } from '../core/shown.js';
 import { describeScene } from '../core/status-words.js';
@@ -17,6 +18,7 @@ export function createStage({ find, store, player, signal }) {
   };
   /** @type {HTMLCanvasElement} */
   const canvas = find('canvas');
+  canvas.setAttribute('aria-label', `3D view of the linkage. ${inWords('turnView', 'shiftView', 'zoomIn', 'zoomOut', 'fit', 'side', 'thingBefore', 'thingAfter', 'choose')}`);
   canvas.addEventListener('webglcontextlost', () => {
     if (!scene?.givenBack) tell('The 3D view was interrupted by the browser. Tables and numbers go on.');
   });

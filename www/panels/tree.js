@@ -5,6 +5,7 @@
  * @typedef {{path: string, name: string, more?: string, children?: Item[]}} Item
  */
 import { element, focusBeside } from '../ui/dom.js';
+import { onKeys } from '../ui/keys.js';
 import { chainName } from '../core/chain-name.js';
 import { html, nothing, render, repeat } from '../ui/render.js';
 import { JOINT_TYPES, chainType } from '../core/joint-types.js';
@@ -128,25 +129,41 @@ export function createTree(place, { store, narrow }, enter) {
     if (pointerType === 'mouse') store.setView({ hovered: path === 'motion' ? '' : path });
   });
   tree.addEventListener('pointerleave', () => store.setView({ hovered: '' }));
+  /** On an item, and then for nobody else. @param {(path: string, arrow: number) => void} act @returns {import('../ui/keys.js').Handler} */
+  const onItem = (act) => (event, at) => {
+    const path = pathOf(event.target);
+    if (path === undefined) return false;
+    event.stopPropagation();
+    act(path, at);
+  };
+  onKeys(tree, {
+    object: onItem((path, arrow) => {
+      const all = seen();
+      const at = all.findIndex((item) => item.path === path);
+      const closed = all[at].children && !open.has(path);
+      const acts = [
+        () => (open.has(path) ? expand(path, false) : go(branchOf(path))),
+        () => (closed ? expand(path, true) : open.has(path) && go(all[at + 1])),
+        () => go(all[at - 1]),
+        () => go(all[at + 1]),
+      ];
+      acts[arrow]();
+    }),
+    chooseObject: onItem(select),
+    enterObject: onItem((path) => {
+      select(path);
+      enter(path);
+    }),
+  });
+  // Keys that every tree has.
   tree.addEventListener('keydown', (event) => {
     const path = pathOf(event.target);
     if (path === undefined || event.ctrlKey || event.metaKey || event.altKey) return;
     const all = seen();
     const at = all.findIndex((item) => item.path === path);
-    const closed = all[at].children && !open.has(path);
-    if (event.key === 'ArrowDown') go(all[at + 1]);
-    else if (event.key === 'ArrowUp') go(all[at - 1]);
-    else if (event.key === 'Home') go(all[0]);
+    if (event.key === 'Home') go(all[0]);
     else if (event.key === 'End') go(all[all.length - 1]);
-    else if (event.key === 'ArrowRight' && closed) expand(path, true);
-    else if (event.key === 'ArrowRight' && open.has(path)) go(all[at + 1]);
-    else if (event.key === 'ArrowLeft' && open.has(path)) expand(path, false);
-    else if (event.key === 'ArrowLeft') go(branchOf(path));
-    else if (event.key === ' ') select(path);
-    else if (event.key === 'Enter') {
-      select(path);
-      enter(path);
-    } else if (/^\p{L}$/u.test(event.key)) {
+    else if (/^\p{L}$/u.test(event.key)) {
       const from = [...all.slice(at + 1), ...all.slice(0, at + 1)];
       go(from.find(({ name }) => name.toLowerCase().startsWith(event.key.toLowerCase())));
     } else return;

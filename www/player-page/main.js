@@ -6,7 +6,7 @@ import '../style/colours.css';
 import '../style/view.css';
 import './player-page.css';
 import { byId, element, setText } from '../ui/dom.js';
-import { keyTip, onKeys } from '../ui/keys.js';
+import { inWords, keyTip, onKeys } from '../ui/keys.js';
 import { angle, length } from '../core/format.js';
 import { Player } from '../core/player.js';
 import { createScene } from '../view3d/scene/scene.js';
@@ -22,7 +22,7 @@ const canvas = element('canvas', {
   id: 'canvas',
   tabindex: 0,
   role: 'application',
-  'aria-label': '3D view of the linkage. Arrow keys turn it, Shift with arrow keys shifts it, plus and minus zoom, Home fits it.',
+  'aria-label': `3D view of the linkage. ${inWords('turnView', 'shiftView', 'zoomIn', 'zoomOut', 'fit')}`,
   'aria-describedby': 'canvas-text',
 });
 const labels = element('div', { id: 'labels', 'aria-hidden': 'true' });

@@ -5,7 +5,7 @@
  * @property {keyof typeof PLACES} where
  * @property {string[]} keys as they are written: `Ctrl+Z`; Command is as good as Ctrl
  * @property {string} does
- * @property {string} [by] the widget that handles it by itself, or `browser`; else a handler is given by `onKeys`
+ * @property {true} [native] the browser does it, or makes an event of it such as `paste`; else a handler names the entry
  *
  * @typedef {(event: KeyboardEvent, at: number) => unknown} Handler `at`: which of the entry's keys; false: the key was not meant
  */
@@ -49,22 +49,29 @@ export const KEYS = {
   freedoms: { where: 'hand', keys: ['D'], does: 'move along the freedoms that exist here, the workpiece only' },
   axes: { where: 'hand', keys: ['X', 'W'], does: 'axes of the world or its own' },
   nudge: { where: 'hand', keys: ['→', '←', '↑', '↓', ...PAGES], does: 'one step along or about x, y, z' },
-  round: { where: 'hand', keys: ['Shift'], does: 'hold it while dragging: round steps', by: 'view3d/hand/pointer-drags.js' },
+  round: { where: 'hand', keys: ['Shift'], does: 'hold it while dragging: round steps' },
   letGo: { where: 'hand', keys: ['Escape'], does: 'take the drag back; let go of what is in hand' },
-  oneFrame: { where: 'scrub', keys: ['←', '→'], does: 'one frame back or on', by: 'browser' },
+  oneFrame: { where: 'scrub', keys: ['←', '→'], does: 'one frame back or on', native: true },
   tenFrames: { where: 'scrub', keys: PAGES, does: 'ten frames on or back' },
-  ends: { where: 'scrub', keys: ['Home', 'End'], does: 'first or last frame', by: 'browser' },
+  ends: { where: 'scrub', keys: ['Home', 'End'], does: 'first or last frame', native: true },
   keyFrame: { where: 'scrub', keys: ['Ctrl+←', 'Ctrl+→'], does: 'key frame before or after' },
   step: { where: 'bar', keys: [',', '.'], does: 'one frame back or on' },
-  cell: { where: 'tables', keys: ['↑', '↓', 'Enter'], does: 'cell above or below', by: 'panels/tables/grid-keys.js' },
-  block: { where: 'tables', keys: ['Shift+arrows'], does: 'choose a block of cells; Ctrl+C copies it, Delete clears it', by: 'panels/tables/cell-block.js' },
-  paste: { where: 'tables', keys: ['Ctrl+V'], does: 'fill cells with a block from a spreadsheet; key frames are added as needed', by: 'browser' },
-  number: { where: 'tables', keys: PAGES, does: 'change the number by a step; with Shift by ten', by: 'panels/tables/number-slide.js' },
-  reorder: { where: 'tables', keys: ['Alt+↑', 'Alt+↓'], does: 'move this joint, chain or key frame up or down', by: 'panels/tables/reorder.js' },
-  nextCell: { where: 'tables', keys: ['Tab'], does: 'next cell', by: 'browser' },
-  oldValue: { where: 'tables', keys: ['Escape'], does: 'give the cell its old value', by: 'panels/tables/cells.js' },
-  object: { where: 'tree', keys: ARROWS, does: 'go through the objects, open and close branches', by: 'panels/tree.js' },
-  chooseObject: { where: 'tree', keys: ['Space', 'Enter'], does: 'select; Enter goes to its table', by: 'panels/tree.js' },
+  cell: { where: 'tables', keys: ['↑', '↓'], does: 'cell above or below' },
+  cellAside: { where: 'tables', keys: ['←', '→'], does: 'at the end of its text: cell to the left or right' },
+  nextCell: { where: 'tables', keys: ['Tab'], does: 'next cell', native: true },
+  keepValue: { where: 'tables', keys: ['Enter', 'Shift+Enter'], does: 'keep what is typed; cell below or above' },
+  oldValue: { where: 'tables', keys: ['Escape'], does: 'give the cell its old value; choose no block of cells' },
+  number: { where: 'tables', keys: PAGES, does: 'change the number by a step' },
+  numberTen: { where: 'tables', keys: PAGES.map((key) => `Shift+${key}`), does: 'change the number by ten steps' },
+  slideTen: { where: 'tables', keys: ['Shift'], does: 'hold it while dragging the slider of a number: ten steps' },
+  block: { where: 'tables', keys: ARROWS.map((key) => `Shift+${key}`), does: 'choose a block of cells' },
+  clearBlock: { where: 'tables', keys: ['Delete', 'Backspace'], does: 'clear the block' },
+  copy: { where: 'tables', keys: ['Ctrl+C'], does: 'copy the block', native: true },
+  paste: { where: 'tables', keys: ['Ctrl+V'], does: 'fill cells with a block from a spreadsheet; key frames are added as needed', native: true },
+  reorder: { where: 'tables', keys: ['Alt+↑', 'Alt+↓'], does: 'move this joint, chain or key frame up or down' },
+  object: { where: 'tree', keys: ARROWS, does: 'go through the objects, open and close branches' },
+  chooseObject: { where: 'tree', keys: ['Space'], does: 'select' },
+  enterObject: { where: 'tree', keys: ['Enter'], does: 'select, and go to its table' },
 };
 
 /** @typedef {keyof typeof KEYS} KeyId */
@@ -80,12 +87,11 @@ export function written({ key, ctrlKey, metaKey, altKey, shiftKey }) {
 }
 
 /**
- * @param {EventTarget} target
+ * A listener to `keydown`.
  * @param {Partial<Record<KeyId, Handler>>} handlers of keys, which hold in different places or are different
- * @param {AddEventListenerOptions} [options]
  */
-export function onKeys(target, handlers, options) {
-  const listen = (/** @type {KeyboardEvent} */ event) => {
+export function keyListener(handlers) {
+  return (/** @type {KeyboardEvent} */ event) => {
     if (event.defaultPrevented) return;
     const key = written(event);
     for (const [id, act] of /** @type {[KeyId, Handler][]} */ (Object.entries(handlers))) {
@@ -94,8 +100,13 @@ export function onKeys(target, handlers, options) {
       return event.preventDefault();
     }
   };
-  target.addEventListener('keydown', /** @type {EventListener} */ (listen), options);
 }
+
+/** @param {EventTarget} target @param {Parameters<typeof keyListener>[0]} handlers @param {AddEventListenerOptions} [options] */
+export const onKeys = (target, handlers, options) => target.addEventListener('keydown', /** @type {EventListener} */ (keyListener(handlers)), options);
+
+/** Whether a key that is held while one drags is down. @param {MouseEvent} event @param {KeyId} id */
+export const isHeld = (event, id) => event.getModifierState(KEYS[id].keys[0]);
 
 /** As a tooltip: what is done, and its key. @param {string} words @param {KeyId} id @param {number} [at] which of its keys */
 export const withKey = (words, id, at = 0) => `${words} (${KEYS[id].keys[at]})`;
@@ -112,3 +123,15 @@ export function keyTip(button, words, id, at = 0) {
   button.title = withKey(words, id, at);
   button.setAttribute('aria-keyshortcuts', spokenKey(KEYS[id].keys[at]));
 }
+
+/** @type {Record<string, string>} */
+const SIGNS = { '+': 'plus', '−': 'minus', '[': 'left bracket', ']': 'right bracket' };
+
+/** For a label: what keys do, as a screen reader says it. @param {KeyId[]} ids */
+export const inWords = (...ids) =>
+  ids.map((id) => {
+    const { keys, does } = KEYS[id];
+    const [first] = keys;
+    const many = first.endsWith('←') ? first.replace('←', 'arrow keys') : `${first} to ${keys[keys.length - 1]}`;
+    return `${keys.length > 2 ? many : (SIGNS[first] ?? first)}: ${does}.`;
+  }).join(' ');

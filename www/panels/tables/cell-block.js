@@ -5,6 +5,7 @@
 import { blockText, parseBlock } from './block-text.js';
 import { addKeyFrame, entry, setTimes } from '../../core/edits.js';
 import { element, focusBeside, setText } from '../../ui/dom.js';
+import { onKeys } from '../../ui/keys.js';
 import { plural } from '../../core/format.js';
 import { valueAt } from '../../core/path.js';
 import { sayUndo } from '../../core/undo.js';
@@ -12,6 +13,9 @@ import { gridAt } from './grid.js';
 import { placed } from './paste.js';
 
 /** @typedef {import('../../core/types.js').MechanismDocument} MechanismDocument */
+
+/** Where each arrow key goes, rows down and cells to the right, in the order of the list of keys. */
+const ARROWS = [[0, -1], [0, 1], [-1, 0], [1, 0]];
 
 const KEY_FRAMES = 'motion.key_frames';
 const TIME = /^motion\.key_frames\[(\d+)\]\.time$/;
@@ -108,28 +112,35 @@ export function gridBlock(root, store, cells, say) {
     event.preventDefault();
   });
 
-  root.addEventListener('keydown', (event) => {
-    const field = cellOf(event.target);
-    if (!field || event.altKey || event.ctrlKey || event.metaKey) return;
-    const step = { ArrowUp: [-1, 0], ArrowDown: [1, 0], ArrowLeft: [0, -1], ArrowRight: [0, 1] }[event.key];
-    // Within a text that is being changed, Shift with left and right chooses letters.
-    const whole = field.selectionStart === 0 && field.selectionEnd === field.value.length;
-    if (step && event.shiftKey && (block || whole || step[0])) {
+  /** Only with a block, and then for nobody else. @param {() => void} act @returns {import('../../ui/keys.js').Handler} */
+  const withBlock = (act) => (event) => {
+    if (!block) return false;
+    event.stopImmediatePropagation();
+    act();
+  };
+  onKeys(root, {
+    block(event, arrow) {
+      const field = cellOf(event.target);
+      if (!field) return false;
+      const [down, right] = ARROWS[arrow];
+      // Within a text that is being changed, Shift with left and right chooses letters.
+      const whole = field.selectionStart === 0 && field.selectionEnd === field.value.length;
+      if (!block && !whole && right) return false;
+      event.stopImmediatePropagation();
       const at = gridAt(block?.to ?? field);
-      const to = at?.rows[at.row + step[0]]?.[at.column + step[1]];
+      const to = at?.rows[at.row + down]?.[at.column + right];
       if (to) choose(block?.from ?? field, to);
-    } else if (block && (event.key === 'Delete' || event.key === 'Backspace')) {
+    },
+    clearBlock: withBlock(() => {
       const texts = chosen().flat().map((cell) => /** @type {[string, string]} */ ([cell.dataset.path ?? '', '']));
       store.edit((doc) => written(doc, texts));
       choose(null);
-    } else if (block && event.key === 'Escape') {
-      choose(null);
-    } else {
-      if (block && event.key !== 'Shift') choose(null);
-      return;
-    }
-    event.preventDefault();
-    event.stopImmediatePropagation();
+    }),
+    oldValue: withBlock(() => choose(null)),
+  }, { capture: true });
+  // Whatever else is typed goes into one cell.
+  root.addEventListener('keydown', ({ key, altKey, ctrlKey, metaKey }) => {
+    if (block && key !== 'Shift' && !altKey && !ctrlKey && !metaKey) choose(null);
   }, true);
 
   root.addEventListener('pointerdown', (event) => {

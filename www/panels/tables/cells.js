@@ -18,6 +18,7 @@ import { entry, setValue } from '../../core/edits.js';
 import { short } from '../../core/format.js';
 import { valueAt } from '../../core/path.js';
 import { focusBeside } from '../../ui/dom.js';
+import { onKeys } from '../../ui/keys.js';
 import { attach, html, live, nothing } from '../../ui/render.js';
 
 /** What a text in a cell means. @param {CellSpec} spec @param {string} text */
@@ -106,20 +107,23 @@ export function createCells(store) {
       touched = false;
       show();
     });
-    field.addEventListener('keydown', (event) => {
-      if (event.key === 'Enter') {
+    onKeys(field, {
+      keepValue(event) {
         commit(true);
         // What is no number is to be mended first: stay.
         if (!spec.text && typeof typed() === 'string') event.stopPropagation();
-      }
-      if (event.key !== 'Escape') return;
-      // A cell that was already at fault when it was entered goes back to its last good value.
-      const faulty = field.getAttribute('aria-invalid') === 'true' && value() === before;
-      const good = faulty ? valueAt(store.result.doc, spec.path) : before;
-      touched = false;
-      store.edit((doc) => written(spec, doc, good ?? undefined), visit);
-      show();
-      field.select();
+        return false;
+      },
+      oldValue() {
+        // A cell that was already at fault when it was entered goes back to its last good value.
+        const faulty = field.getAttribute('aria-invalid') === 'true' && value() === before;
+        const good = faulty ? valueAt(store.result.doc, spec.path) : before;
+        touched = false;
+        store.edit((doc) => written(spec, doc, good ?? undefined), visit);
+        show();
+        field.select();
+        return false;
+      },
     });
     return (next) => {
       spec = next;

@@ -6,6 +6,7 @@ import look from '../../style/slide.css?inline';
 import { stepOf, stepped } from '../../core/number-steps.js';
 import { valueAt } from '../../core/path.js';
 import { element, focusBeside, setText } from '../../ui/dom.js';
+import { KEYS, isHeld, onKeys, spokenKey } from '../../ui/keys.js';
 import { wear } from '../../ui/style-sheets.js';
 import { NUMBER_CELLS } from './cell-tools.js';
 import { floating } from './floating.js';
@@ -14,6 +15,7 @@ import { floating } from './floating.js';
 const PIXELS = 4;
 /** Steps at once with Shift. */
 const MANY = 10;
+const TIP = `Drag sideways to change the number (${KEYS.number.keys.join(', ')}); ${KEYS.slideTen.keys[0]}: ten steps`;
 const EVENTS = /** @type {const} */ (['pointermove', 'pointerup', 'pointercancel']);
 
 /**
@@ -26,12 +28,12 @@ export function createNumberSlide(root, store, cells) {
   const tree = /** @type {Document | ShadowRoot} */ (root.getRootNode());
   wear(tree, look);
   // What it does, the keys do too; a screen reader has the cell itself.
-  const handle = element('div', { class: 'slide', popover: 'manual', 'aria-hidden': 'true', title: 'Drag sideways to change the number (Page Up, Page Down); Shift: ten steps' });
+  const handle = element('div', { class: 'slide', popover: 'manual', 'aria-hidden': 'true', title: TIP });
   const spoken = element('p', { class: 'sr', role: 'status' });
   root.append(handle, spoken);
   /** The cell that has the slider. @type {HTMLInputElement | null} */
   let at = null;
-  /** @type {{path: string, value: unknown, from: number, step: number, x: number, mark: string} | null} */
+  /** @type {{path: string, value: unknown, from: number, step: number, x: number, mark: string, over: AbortController} | null} */
   let drag = null;
   /** Counts drags and stays in cells: what belongs to one is undone in one step. */
   let marks = 0;
@@ -73,14 +75,14 @@ export function createNumberSlide(root, store, cells) {
     event.preventDefault();
     handle.setPointerCapture(event.pointerId);
     handle.classList.add('dragged');
-    drag = { path, value: valueAt(store.doc, path), from, step: stepOf(store.doc, path, from), x: event.clientX, mark: `slide ${++marks}` };
-    addEventListener('keydown', escape, true);
+    drag = { path, value: valueAt(store.doc, path), from, step: stepOf(store.doc, path, from), x: event.clientX, mark: `slide ${++marks}`, over: new AbortController() };
+    onKeys(window, { oldValue: escape }, { capture: true, signal: drag.over.signal });
   }
 
   /** @param {PointerEvent} event */
   function move(event) {
     if (!drag) return;
-    const count = Math.round((event.clientX - drag.x) / PIXELS) * (event.shiftKey ? MANY : 1);
+    const count = Math.round((event.clientX - drag.x) / PIXELS) * (isHeld(event, 'slideTen') ? MANY : 1);
     write(drag.path, stepped(drag.from, drag.step, count), drag.mark);
     place();
   }
@@ -88,18 +90,16 @@ export function createNumberSlide(root, store, cells) {
   /** @param {boolean} back whether the number becomes what it was */
   function end(back) {
     if (!drag) return;
-    const { path, value, mark } = drag;
+    const { path, value, mark, over } = drag;
     drag = null;
     handle.classList.remove('dragged');
-    removeEventListener('keydown', escape, true);
+    over.abort();
     if (back) write(path, value, mark);
     place();
   }
 
   /** @param {KeyboardEvent} event */
   function escape(event) {
-    if (event.key !== 'Escape') return;
-    event.preventDefault();
     event.stopPropagation();
     end(true);
   }
@@ -115,22 +115,25 @@ export function createNumberSlide(root, store, cells) {
     if (event.relatedTarget !== at) show(numberCell(focusBeside(root)));
   });
 
-  root.addEventListener('keydown', (event) => {
-    const way = { PageUp: 1, PageDown: -1 }[event.key];
-    const path = pathOf(numberCell(event.target));
+  /** @param {KeyboardEvent} event @param {number} count of steps */
+  function step({ target }, count) {
+    const path = pathOf(numberCell(target));
     const from = path ? cells.number(path) : null;
-    if (!way || !path || from === null || event.altKey || event.ctrlKey || event.metaKey) return;
-    event.preventDefault();
-    const value = stepped(from, stepOf(store.doc, path, from), way * (event.shiftKey ? MANY : 1));
+    if (from === null) return false;
+    const value = stepped(from, stepOf(store.doc, path, from), count);
     write(path, value, `keys ${path} ${marks}`);
     setText(spoken, String(value));
+  }
+  onKeys(root, {
+    number: (event, at) => step(event, at ? -1 : 1),
+    numberTen: (event, at) => step(event, at ? -MANY : MANY),
   });
 
   /** @param {HTMLInputElement | null} field */
   function enter(field) {
     marks++;
     setText(spoken, '');
-    field?.setAttribute('aria-keyshortcuts', 'PageUp PageDown');
+    field?.setAttribute('aria-keyshortcuts', KEYS.number.keys.map(spokenKey).join(' '));
     show(field);
   }
   root.addEventListener('focusin', ({ target }) => enter(numberCell(target)));

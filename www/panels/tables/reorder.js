@@ -9,7 +9,7 @@
 import * as edits from '../../core/edits.js';
 import { valueAt } from '../../core/path.js';
 import { focusBeside } from '../../ui/dom.js';
-import { KEYS } from '../../ui/keys.js';
+import { KEYS, onKeys } from '../../ui/keys.js';
 import { attachMenu } from '../../ui/menu.js';
 import { attach, html } from '../../ui/render.js';
 
@@ -48,18 +48,17 @@ export function createArrange(root, store, bringOut) {
     bringOut(focused);
   }
 
-  root.addEventListener('keydown', (event) => {
-    const step = { ArrowUp: -1, ArrowDown: 1 }[event.key];
-    if (!step || !event.altKey || event.ctrlKey || event.metaKey) return;
-    const field = /** @type {HTMLElement} */ (event.target);
-    /** @type {HTMLElement | null} */
-    let thing = field.closest('[data-path]');
-    while (thing && !THING.test(thing.dataset.path ?? '')) thing = thing.parentElement?.closest('[data-path]') ?? null;
-    const path = thing?.dataset.path;
-    if (!path) return;
-    event.preventDefault();
-    event.stopPropagation();
-    move(path, step);
+  onKeys(root, {
+    reorder(event, at) {
+      const field = /** @type {HTMLElement} */ (event.target);
+      /** @type {HTMLElement | null} */
+      let thing = field.closest('[data-path]');
+      while (thing && !THING.test(thing.dataset.path ?? '')) thing = thing.parentElement?.closest('[data-path]') ?? null;
+      const path = thing?.dataset.path;
+      if (!path) return false;
+      event.stopPropagation();
+      move(path, at ? 1 : -1);
+    },
   });
 
   /** @param {string} path @returns {MenuItem[]} */

@@ -7,6 +7,7 @@
 import look from '../../style/turn-drawing.css?inline';
 import { turnOf } from '../../core/orientation.js';
 import { element } from '../../ui/dom.js';
+import { onKeys } from '../../ui/keys.js';
 import { wear } from '../../ui/style-sheets.js';
 import { TURN_CELLS } from './cell-tools.js';
 import { floating } from './floating.js';
@@ -135,8 +136,11 @@ export function createTurnDrawing(root) {
   }
   root.addEventListener('focusin', ({ target }) => show(target));
   root.addEventListener('focusout', hide);
-  root.addEventListener('keydown', (event) => {
-    if (event.key === 'Escape') hide();
+  onKeys(root, {
+    oldValue() {
+      hide();
+      return false;
+    },
   });
   return (cell) => {
     if (cell.matches(':focus')) show(cell);

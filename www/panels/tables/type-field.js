@@ -4,6 +4,7 @@
 import { setChainType } from '../../core/edits.js';
 import { chainType } from '../../core/joint-types.js';
 import { readType } from '../../core/type-letters.js';
+import { keyListener } from '../../ui/keys.js';
 import { html, live, nothing } from '../../ui/render.js';
 
 /** @typedef {{text: string, of: string, fault: string}} Entry what is typed in place of the type `of`, and what is wrong with it */
@@ -46,16 +47,15 @@ export function createTypeField(store, defaults, draw) {
       entries.set(key, { text: target(event).value, of: type, fault: '' });
       draw();
     };
-    const press = (/** @type {KeyboardEvent} */ event) => {
-      if (event.key === 'Enter') {
-        event.preventDefault();
-        apply(target(event));
-      } else if (event.key === 'Escape') {
+    const press = keyListener({
+      keepValue: (event) => apply(target(event)),
+      oldValue(event) {
         entries.delete(key);
         draw();
         target(event).select();
-      }
-    };
+        return false;
+      },
+    });
     return {
       field: html`<input type="text" class="cell text type" size="6" data-path="chains[${chain}].type"
         aria-label="type of chain ${chain + 1}, its joints from base to workpiece" aria-describedby=${id} aria-invalid=${typed?.fault ? 'true' : nothing}

@@ -7,6 +7,7 @@ import { entry, setValue } from '../../core/edits.js';
 import { length } from '../../core/format.js';
 import { convertLengths, factorBetween } from '../../core/units.js';
 import { element, setText } from '../../ui/dom.js';
+import { onKeys } from '../../ui/keys.js';
 
 /**
  * @param {import('../../core/store.js').Store} store
@@ -76,14 +77,17 @@ export function createUnitChoice(store, say, field, choice) {
 
   field.addEventListener('input', ask);
   for (const part of [field, choice]) {
-    part.addEventListener('keydown', (event) => {
-      if (choice.hidden) return;
-      if (event.key === 'Escape') kept();
-      if (event.key !== 'Enter' || event.target instanceof HTMLButtonElement) return;
-      event.preventDefault();
-      // Enter in the field goes to the question, Enter at the factor answers it.
-      if (event.target === factor) converted();
-      else (factor.value ? convert : factor).focus();
+    onKeys(part, {
+      oldValue() {
+        if (!choice.hidden) kept();
+        return false;
+      },
+      keepValue({ target }) {
+        if (choice.hidden || target instanceof HTMLButtonElement) return false;
+        // Enter in the field goes to the question, Enter at the factor answers it.
+        if (target === factor) converted();
+        else (factor.value ? convert : factor).focus();
+      },
     });
   }
   ask();

@@ -5,6 +5,7 @@
  * @typedef {{x: number, y: number}} Pointer from −1 to 1 across the canvas, y up
  * @typedef {{move: (at: Pointer, snap: boolean) => void, end: () => void, cancel: () => void}} Drag
  */
+import { isHeld } from '../../ui/keys.js';
 
 /** How far a pointer may tremble and still be a click, in pixels: a finger is less steady. */
 const TREMBLE = { mouse: 3, touch: 10 };
@@ -62,7 +63,7 @@ export function createPointerDrags(canvas, { hover, grab, click }) {
     if (event.pointerId !== held.id) return;
     const far = Math.hypot(event.clientX - held.from[0], event.clientY - held.from[1]);
     held.moved ||= far > (event.pointerType === 'touch' ? TREMBLE.touch : TREMBLE.mouse);
-    if (held.moved) held.drag.move(place(event), event.shiftKey);
+    if (held.moved) held.drag.move(place(event), isHeld(event, 'round'));
   });
   first('pointerup', (/** @type {PointerEvent} */ event) => {
     if (!held) return;
