@@ -1,7 +1,7 @@
 // Blocks of cells, as spreadsheets write them.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { setTimes } from '../../www/core/edits.js';
+import { setTimes } from '../../www/core/key-frame-edits.js';
 import { allFaults } from '../../www/panels/tables/all-faults.js';
 import { blockText, parseBlock } from '../../www/panels/tables/block-text.js';
 import { numberHint } from '../../www/panels/tables/number-hint.js';

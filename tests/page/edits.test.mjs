@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import * as edits from '../../www/core/edits.js';
+import * as keyFrames from '../../www/core/key-frame-edits.js';
 
 const revolute = () => ({ type: 'R', rows: [{ alpha: 0, a: 1, theta: 0, d: 0 }] });
 const mechanism = () => ({
@@ -78,10 +79,10 @@ test('joints, chains and key frames are put in another order', () => {
   assert.equal('start' in edits.moveJoint(mechanism(), 0, 0, 1).chains[0], false, 'start values belonged to the old order');
   assert.deepEqual(unharmed((d) => edits.moveChain(d, 0, 1)).chains.map((chain) => chain.name), ['chain 2', 'chain 1']);
   const keys = (d) => d.motion.key_frames.map(({ name, time }) => [name, time]);
-  assert.deepEqual(keys(unharmed((d) => edits.moveKeyFrame(d, 1, 0))), [['b', undefined], ['a', undefined]]);
-  const timed = edits.setTime(mechanism(), 1, 4);
-  assert.deepEqual(keys(edits.moveKeyFrame(timed, 1, 0)), [['b', 0], ['a', 4]], 'the times stay where they are');
-  assert.deepEqual(keys(edits.addKeyFrame(timed, {}, 1)), [['a', 0], ['key 3', 2], ['b', 4]]);
+  assert.deepEqual(keys(unharmed((d) => keyFrames.moveKeyFrame(d, 1, 0))), [['b', undefined], ['a', undefined]]);
+  const timed = keyFrames.setTime(mechanism(), 1, 4);
+  assert.deepEqual(keys(keyFrames.moveKeyFrame(timed, 1, 0)), [['b', 0], ['a', 4]], 'the times stay where they are');
+  assert.deepEqual(keys(keyFrames.addKeyFrame(timed, {}, 1)), [['a', 0], ['key 3', 2], ['b', 4]]);
 });
 
 test('one start value brings the others in use with it', () => {
@@ -103,21 +104,21 @@ test('a limit is set and opened again', () => {
 
 test('key frames are added, duplicated and removed', () => {
   const names = (d) => d.motion.key_frames.map((key) => key.name);
-  assert.deepEqual(names(unharmed((d) => edits.addKeyFrame(d, { x: 2 }))), ['a', 'b', 'key 3']);
-  assert.deepEqual(names(unharmed((d) => edits.duplicateKeyFrame(d, 0))), ['a', 'key 3', 'b']);
-  assert.deepEqual(names(unharmed((d) => edits.removeKeyFrame(d, 0))), ['b']);
+  assert.deepEqual(names(unharmed((d) => keyFrames.addKeyFrame(d, { x: 2 }))), ['a', 'b', 'key 3']);
+  assert.deepEqual(names(unharmed((d) => keyFrames.duplicateKeyFrame(d, 0))), ['a', 'key 3', 'b']);
+  assert.deepEqual(names(unharmed((d) => keyFrames.removeKeyFrame(d, 0))), ['b']);
 });
 
 test('all key frames have a time or none', () => {
   const times = (d) => d.motion.key_frames.map((key) => key.time);
-  const timed = unharmed((d) => edits.setTime(d, 1, 4));
+  const timed = unharmed((d) => keyFrames.setTime(d, 1, 4));
   assert.deepEqual(times(timed), [0, 4]);
-  assert.deepEqual(times(edits.setTime(mechanism(), 0, 4)), [4, 5]);
-  assert.deepEqual(times(edits.setTime(mechanism(), 0, 'abc')), ['abc', 1]);
-  assert.deepEqual(times(edits.duplicateKeyFrame(timed, 0)), [0, 2, 4]);
-  assert.deepEqual(times(edits.addKeyFrame(timed, {})), [0, 4, 5]);
-  assert.deepEqual(times(edits.setTime(timed, 0, undefined)), [undefined, undefined]);
-  assert.deepEqual(times(edits.addKeyFrame(mechanism(), {})), [undefined, undefined, undefined]);
+  assert.deepEqual(times(keyFrames.setTime(mechanism(), 0, 4)), [4, 5]);
+  assert.deepEqual(times(keyFrames.setTime(mechanism(), 0, 'abc')), ['abc', 1]);
+  assert.deepEqual(times(keyFrames.duplicateKeyFrame(timed, 0)), [0, 2, 4]);
+  assert.deepEqual(times(keyFrames.addKeyFrame(timed, {})), [0, 4, 5]);
+  assert.deepEqual(times(keyFrames.setTime(timed, 0, undefined)), [undefined, undefined]);
+  assert.deepEqual(times(keyFrames.addKeyFrame(mechanism(), {})), [undefined, undefined, undefined]);
 });
 
 test('a point is given whole or not at all', () => {

@@ -11,7 +11,7 @@
  *   goes through the point
  */
 import { Matrix4, Quaternion, Vector3 } from 'three';
-import { freshName } from './edits.js';
+import { freshName } from './lists.js';
 import { chainVariables, JOINT_TYPES } from './joint-types.js';
 import { frameMatrix, frameOf } from './poses.js';
 

@@ -3,7 +3,8 @@
  * chooses one, to be copied in whole numbers or cleared. Each is one step of undo.
  */
 import { blockText, parseBlock } from './block-text.js';
-import { addKeyFrame, entry, setTimes } from '../../core/edits.js';
+import { entry } from '../../core/edits.js';
+import { addKeyFrame, setTimes } from '../../core/key-frame-edits.js';
 import { element, focusBeside, setText } from '../../ui/dom.js';
 import { onKeys } from '../../ui/keys.js';
 import { plural } from '../../core/format.js';

@@ -5,6 +5,7 @@
  * @typedef {import('../../core/types.js').Defaults} Defaults
  */
 import * as edits from '../../core/edits.js';
+import { addKeyFrame, duplicateKeyFrame, removeKeyFrame, setTime } from '../../core/key-frame-edits.js';
 import { lengthUnit, plural } from '../../core/format.js';
 import { html, renderRows, repeat } from '../../ui/render.js';
 import { shownFrame } from '../../core/shown-frame.js';
@@ -41,14 +42,14 @@ export function createMotionTables(panel, store, cells, defaults, arrange, { goT
         column: 'time',
         label: `${label}, time in seconds`,
         optional: true,
-        write: (doc, value) => edits.setTime(doc, index, value),
+        write: (doc, value) => setTime(doc, index, value),
       });
       const menu = arrange.menu(path, label, () => [
-        { label: 'Duplicate', act: () => store.edit((doc) => edits.duplicateKeyFrame(doc, index)) },
+        { label: 'Duplicate', act: () => store.edit((doc) => duplicateKeyFrame(doc, index)) },
         { label: 'Insert the shown pose after it', act: () => addShown('pose', index + 1) },
         { label: 'Take the shown pose', act: () => takeShown(index) },
         { label: 'Turn as quaternion, matrix…', act: () => forms.turn(path, label) },
-        { label: 'Remove', disabled: keys.length <= 2 ? 'A motion has at least two key frames' : '', act: () => store.edit((doc) => edits.removeKeyFrame(doc, index)) },
+        { label: 'Remove', disabled: keys.length <= 2 ? 'A motion has at least two key frames' : '', act: () => store.edit((doc) => removeKeyFrame(doc, index)) },
       ]);
       return {
         key: places[index],
@@ -111,7 +112,7 @@ export function createMotionTables(panel, store, cells, defaults, arrange, { goT
           <div class="adders">
             <button class="wide" title="A key frame where the workpiece is now" @click=${() => addShown('pose')}>+ at the shown pose</button>
             <button class="wide" title="A key frame where the goal is now" @click=${() => addShown('goal')}>+ at the shown goal</button>
-            <button class="wide" title="A copy of the last key frame, to be changed" @click=${() => store.edit((doc) => edits.addKeyFrame(doc, lastKey()))}>+ like the last</button>
+            <button class="wide" title="A copy of the last key frame, to be changed" @click=${() => store.edit((doc) => addKeyFrame(doc, lastKey()))}>+ like the last</button>
           </div>
           <div class="title"><h2>Goal motion</h2></div>
           ${goalSettings()}
@@ -125,7 +126,7 @@ export function createMotionTables(panel, store, cells, defaults, arrange, { goT
   /** @param {'pose' | 'goal'} which @param {number} [at] */
   function addShown(which, at) {
     const fresh = shownFrame(store, which);
-    if (fresh) store.edit((doc) => edits.addKeyFrame(doc, fresh, at));
+    if (fresh) store.edit((doc) => addKeyFrame(doc, fresh, at));
   }
 
   /** @param {number} key */

@@ -7,6 +7,7 @@
  * @typedef {{path: string, more: () => Exclude<MenuItem, 'line'>[]}} Thing with what can be done with it beside moving it
  */
 import * as edits from '../../core/edits.js';
+import { moveKeyFrame } from '../../core/key-frame-edits.js';
 import { valueAt } from '../../core/path.js';
 import { focusBeside } from '../../ui/dom.js';
 import { KEYS, onKeys } from '../../ui/keys.js';
@@ -37,7 +38,7 @@ export function createArrange(root, store, bringOut) {
     const to = from + step;
     store.edit((doc) => {
       if (list === 'chains') return edits.moveChain(doc, from, to);
-      if (list === 'motion.key_frames') return edits.moveKeyFrame(doc, from, to);
+      if (list === 'motion.key_frames') return moveKeyFrame(doc, from, to);
       return edits.moveJoint(doc, Number(chain), from, to);
     });
     store.setView({ selected: `${list}[${to}]` });

@@ -10,7 +10,8 @@
  * @property {() => string} tell where it is, in words
  */
 import { Quaternion, Vector3 } from 'three';
-import { setKeyFramePose, setValue } from '../../core/edits.js';
+import { setValue } from '../../core/edits.js';
+import { setKeyFramePose } from '../../core/key-frame-edits.js';
 import { angle, short } from '../../core/format.js';
 import { frameMatrix, frameOf } from '../../core/poses.js';
 import { ANGLE_DIGITS, lengthDigits, rounded } from './steps.js';

@@ -1,7 +1,8 @@
 /**
  * What can be made of a posture that the linkage was moved to by hand: a key frame or the start.
  */
-import { addKeyFrame, takeStarts } from '../../core/edits.js';
+import { takeStarts } from '../../core/edits.js';
+import { addKeyFrame } from '../../core/key-frame-edits.js';
 import { element } from '../../ui/dom.js';
 import { degrees } from '../../core/format.js';
 import { plain, shownFrame } from '../../core/shown-frame.js';

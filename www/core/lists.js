@@ -1,0 +1,24 @@
+/**
+ * Changed copies of lists, and a name that no item of a list has yet.
+ */
+
+/** @template T @param {T[]} list @param {number} index @param {T[]} items */
+export const insert = (list, index, ...items) => [...list.slice(0, index), ...items, ...list.slice(index)];
+
+/** @template T @param {T[]} list @param {number} from @param {number} to */
+export const moved = (list, from, to) => insert(without(list, from), to, list[from]);
+
+/** @template T @param {T[]} list @param {number} index */
+export const without = (list, index) => list.filter((_, i) => i !== index);
+
+/**
+ * A new name of the form "chain 4" that no item has yet.
+ * @param {string} word
+ * @param {{name?: string}[]} items
+ */
+export function freshName(word, items) {
+  const taken = new Set(items.map((item) => item.name));
+  let number = items.length + 1;
+  while (taken.has(`${word} ${number}`)) number++;
+  return `${word} ${number}`;
+}
