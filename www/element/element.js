@@ -8,25 +8,19 @@
  * @typedef {{message: string, where: string, code: string}} LinkageError `where` is the place in the document, such as
  *   `chains[1].joints[0]`; empty where the document is not at fault
  */
-import { ask, LATE, untilAnswered } from '../core/ask.js';
 import { textOf } from '../core/document-text.js';
 import { isEmpty } from '../core/linkage.js';
 import { wear } from '../ui/style-sheets.js';
 import { reason } from '../core/open.js';
 import { Refusal } from '../core/refusal.js';
-import { findSample, sampleText } from '../core/samples.js';
 import markup from './canvas-area.html?raw';
 import look from '../style/linkage.css?inline';
 import { whileSeen } from '../ui/lazy.js';
 import { createWorkbench } from './workbench.js';
 import { announce } from './events.js';
 import { MEANINGS } from './attributes.js';
+import { createOpening } from './opening.js';
 import { LinkageWords } from './media-properties.js';
-
-/** How long an element may be without a document before it says so, in milliseconds: a script may be about to give it one. */
-const PATIENCE = 1000;
-
-const NOTHING_GIVEN = 'No linkage is given. Accepted: a document by src, by a script of type application/json inside, or by the property document; or a sample by type.';
 
 /** What a page may have set before the element was defined. */
 const PROPERTIES = ['document', 'src', 'type', 'controls', 'autoplay', 'loop', 'frame', 'speed', 'view', 'theme', 'readonly', 'panels', 'currentTime'];
@@ -40,14 +34,7 @@ export class SyntheticaLinkage extends LinkageWords {
   /** What is seen. @type {ReturnType<typeof withResolvers>} */
   #bench = withResolvers();
   #benchBegun = false;
-  /** Counts loads: an answer to an older one is late. */
-  #loads = 0;
-  /** Goes on with a load that was interrupted because the element was taken out. @type {((back: null) => void) | null} */
-  #goOn = null;
-  /** A document is being opened that is no edit. */
-  #opening = false;
-  /** The next motion is the first of its document. */
-  #fresh = true;
+  #opening = createOpening(this, (error) => this.#complain(error));
   /** @type {LinkageError | null} */
   #error = null;
   /** Attributes that cannot be used, each with the reason. @type {Map<string, LinkageError>} */
@@ -57,8 +44,8 @@ export class SyntheticaLinkage extends LinkageWords {
     super();
     this.linkage.player.seen = false;
     announce(this, {
-      isEdit: () => !this.#opening,
-      isFirst: () => this.#fresh,
+      isEdit: () => !this.#opening.opens,
+      isFirst: () => this.#opening.isFresh,
       begin: () => this.#begin(),
       fail: (error) => {
         this.#error = error;
@@ -77,9 +64,9 @@ export class SyntheticaLinkage extends LinkageWords {
     if (!this.#life) {
       this.#build();
       this.linkage.comeBack();
-      this.#goOn?.(null);
+      this.#opening.comeBack();
     }
-    if (isEmpty(this.linkage.store) && !this.#loads) this.#load();
+    this.#opening.loadFirst();
   }
 
   disconnectedCallback() {
@@ -107,7 +94,7 @@ export class SyntheticaLinkage extends LinkageWords {
     } catch (error) {
       return this.#refuse(name, error);
     }
-    if ((name === 'src' || name === 'type') && text !== null && this.isConnected) this.#load();
+    if ((name === 'src' || name === 'type') && text !== null && this.isConnected) this.#opening.load();
     if (['panels', 'readonly', 'keys'].includes(name) && this.#life) this.#rebuild();
   }
 
@@ -125,13 +112,7 @@ export class SyntheticaLinkage extends LinkageWords {
 
   /** @param {MechanismDocument | string | null} next */
   set document(next) {
-    const load = ++this.#loads;
-    if (next === null) return;
-    if (typeof next !== 'string' && (typeof next !== 'object' || Array.isArray(next))) {
-      this.#complain(new Refusal(`The property document is ${Array.isArray(next) ? 'a list' : typeof next}. Accepted: a document as an object or its text.`));
-      return;
-    }
-    this.#open(typeof next === 'string' ? next : JSON.stringify(next), '', load);
+    this.#opening.give(next);
   }
 
   /** The planned motion, as columns; null before there is one. @returns {Motion | null} */
@@ -160,60 +141,6 @@ export class SyntheticaLinkage extends LinkageWords {
     this.#show();
     const { imageOf } = await import('../export/image.js');
     return imageOf(await this.workbench, wish);
-  }
-
-  // --- opening ---
-
-  /** What the attributes or the content ask for. */
-  async #load() {
-    const load = ++this.#loads;
-    try {
-      const found = await this.#find(load);
-      if (found) await this.#open(found.text, found.title, load);
-      else if (document.readyState === 'loading') document.addEventListener('DOMContentLoaded', () => load === this.#loads && this.#load(), { once: true });
-      else setTimeout(() => load === this.#loads && isEmpty(this.linkage.store) && this.#complain(new Refusal(NOTHING_GIVEN)), PATIENCE);
-    } catch (error) {
-      if (load === this.#loads) this.#complain(error);
-    }
-  }
-
-  /** @param {number} load @returns {Promise<{text: string, title: string} | null>} */
-  async #find(load) {
-    const { src, type } = this;
-    if (src) return { text: await fetched(src, this.baseURI), title: src.replace(/^.*\//, '') };
-    const inside = this.querySelector(':scope > script[type="application/json"]');
-    if (inside) return { text: inside.textContent ?? '', title: '' };
-    if (!type) return null;
-    const sample = findSample(type);
-    if (sample) return { text: await sampleText(sample), title: sample.file };
-    const made = await this.#answer(load, () => ask(() => this.linkage.planner.assemble(type), 'make a linkage of this type'));
-    if (made.is === 'fault') throw new Refusal(made.message);
-    return made.is === 'answer' ? { text: made.value, title: '' } : null;
-  }
-
-  /**
-   * Asked again after trouble, and when the element is put back that was taken out meanwhile, while nothing else is to be shown.
-   * @template {{is: string}} O @param {number} load @param {() => Promise<O>} question
-   */
-  async #answer(load, question) {
-    for (;;) {
-      const outcome = await untilAnswered(this.linkage.store, async () => (load === this.#loads ? question() : LATE));
-      if (outcome.is !== 'late' || load !== this.#loads) return outcome;
-      if (!this.isConnected) await new Promise((resolve) => (this.#goOn = resolve));
-    }
-  }
-
-  /** @param {string} text @param {string} title @param {number} load */
-  async #open(text, title, load) {
-    const { store, whole } = this.linkage;
-    const read = await this.#answer(load, () => whole(text));
-    if (load !== this.#loads) return;
-    if (read.is === 'fault') store.setResult({ fault: read.fault, trouble: '' });
-    if (read.is !== 'answer') return;
-    const doc = read.value;
-    this.#fresh = this.#opening = true;
-    store.restore({ doc, past: [], future: [] }, { title, handle: null, saved: doc });
-    this.#opening = false;
   }
 
   /** The document that the motion belongs to. */
@@ -252,7 +179,7 @@ export class SyntheticaLinkage extends LinkageWords {
 
   /** The first motion of a document. */
   #begin() {
-    this.#fresh = false;
+    this.#opening.isFresh = false;
     this.attributeChangedCallback('frame', null, this.getAttribute('frame'));
     if (this.autoplay && !matchMedia('(prefers-reduced-motion: reduce)').matches) this.play();
   }
@@ -320,16 +247,4 @@ function withResolvers() {
   // Who does not ask for it need not hear that it failed.
   all.promise.catch(() => {});
   return all;
-}
-
-/** @param {string} src @param {string} base @returns {Promise<string>} */
-async function fetched(src, base) {
-  const accepted = 'Accepted: the address of a document, which is JSON text.';
-  const refuse = (/** @type {Error} */ { message }) => {
-    throw new Refusal(`“${src}” could not be loaded (${message}). ${accepted}`);
-  };
-  if (!URL.canParse(src, base)) throw new Refusal(`“${src}” is no address. ${accepted}`);
-  const answer = await fetch(new URL(src, base)).catch(refuse);
-  if (!answer.ok) throw new Refusal(`“${src}” could not be loaded (${answer.status} ${answer.statusText}). ${accepted}`);
-  return answer.text().catch(refuse);
 }

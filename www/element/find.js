@@ -1,0 +1,35 @@
+/**
+ * Finds the document that an element's attributes or its content ask for.
+ */
+import { Refusal } from '../core/refusal.js';
+import { findSample, sampleText } from '../core/samples.js';
+
+/**
+ * @param {HTMLElement & {src: string, type: string}} element
+ * @param {(type: string) => Promise<import('../core/ask.js').Outcome<string>>} assemble asks the planner for a linkage of a type
+ * @returns {Promise<{text: string, title: string} | null>} null where nothing is asked for, or the answer is late
+ */
+export async function findDocument(element, assemble) {
+  const { src, type } = element;
+  if (src) return { text: await fetched(src, element.baseURI), title: src.replace(/^.*\//, '') };
+  const inside = element.querySelector(':scope > script[type="application/json"]');
+  if (inside) return { text: inside.textContent ?? '', title: '' };
+  if (!type) return null;
+  const sample = findSample(type);
+  if (sample) return { text: await sampleText(sample), title: sample.file };
+  const made = await assemble(type);
+  if (made.is === 'fault') throw new Refusal(made.message);
+  return made.is === 'answer' ? { text: made.value, title: '' } : null;
+}
+
+/** @param {string} src @param {string} base @returns {Promise<string>} */
+async function fetched(src, base) {
+  const accepted = 'Accepted: the address of a document, which is JSON text.';
+  const refuse = (/** @type {Error} */ { message }) => {
+    throw new Refusal(`“${src}” could not be loaded (${message}). ${accepted}`);
+  };
+  if (!URL.canParse(src, base)) throw new Refusal(`“${src}” is no address. ${accepted}`);
+  const answer = await fetch(new URL(src, base)).catch(refuse);
+  if (!answer.ok) throw new Refusal(`“${src}” could not be loaded (${answer.status} ${answer.statusText}). ${accepted}`);
+  return answer.text().catch(refuse);
+}
