@@ -4,9 +4,8 @@
  *
  * @typedef {import('./toolbar.js').How} How
  * @typedef {import('./key-frame.js').Target} Target
- * @typedef {import('./pointer-drags.js').Pointer} Pointer
  */
-import { Quaternion, Vector3 } from 'three';
+import { Vector3 } from 'three';
 import { element, setText } from '../../ui/dom.js';
 import { onKeys } from '../../ui/keys.js';
 import { lengthUnit, short } from '../../core/format.js';
@@ -17,6 +16,7 @@ import { postureActions } from './posture-actions.js';
 import { createFreedoms } from './freedoms.js';
 import { createGizmo } from './gizmo.js';
 import { keyFrameTarget } from './key-frame.js';
+import { createMoves } from './moves.js';
 import { createPointerDrags } from './pointer-drags.js';
 import { ANGLE_STEP, lengthStep } from './steps.js';
 import { howWords } from './how-words.js';
@@ -140,59 +140,6 @@ function connect(app, scene) {
     saying = true;
   }
 
-  /** A drag of the gizmo. @param {Target} held @returns {import('./pointer-drags.js').Drag} */
-  function gizmoDrag(held) {
-    let begun = false;
-    return {
-      move(at, snap) {
-        if (!begun) held.begin('drag');
-        begun = true;
-        gizmo.move(at, snap !== how.snap ? steps() : null);
-        held.to(gizmo.pose(), how.mode === 'turn');
-      },
-      end() {
-        gizmo.release();
-        done(held);
-      },
-      cancel() {
-        gizmo.release();
-        if (begun) held.cancel();
-        show();
-      },
-    };
-  }
-
-  /**
-   * A drag of a thing itself, in the plane of the view.
-   * @param {Target} held @param {string} place @param {Pointer} from @returns {import('./pointer-drags.js').Drag}
-   */
-  function planeDrag(held, place, from) {
-    const pose = Array.from(held.pose() ?? []);
-    const origin = new Vector3().fromArray(pose);
-    const depth = origin.clone().project(scene.camera).z;
-    const start = new Vector3(from.x, from.y, depth).unproject(scene.camera);
-    let begun = false;
-    return {
-      move(at, snap) {
-        if (!begun) {
-          begun = true;
-          held.begin('drag');
-        }
-        const to = new Vector3(at.x, at.y, depth).unproject(scene.camera).sub(start).add(origin);
-        if (snap !== how.snap) to.divideScalar(steps().length).round().multiplyScalar(steps().length);
-        held.to([...to.toArray(), ...pose.slice(3)], false);
-      },
-      end() {
-        store.setView({ selected: place });
-        done(held);
-      },
-      cancel() {
-        if (begun) held.cancel();
-        show();
-      },
-    };
-  }
-
   /** Selects what can be moved. @param {string} place */
   function take(place) {
     if (!targetOf(place)) return;
@@ -209,6 +156,7 @@ function connect(app, scene) {
     if (!saying) bar.say(`${held.name} at ${held.tell()}`);
   }
 
+  const moves = createMoves(scene, gizmo, { how: () => how, steps, show, done, select: (place) => store.setView({ selected: place }) });
   const drags = createPointerDrags(canvas, {
     hover(at) {
       const freedom = free() ? freedoms.handles.pick(at) : -1;
@@ -223,11 +171,11 @@ function connect(app, scene) {
       }
       if (target && gizmo.hover(at)) {
         gizmo.grab(at);
-        return gizmoDrag(target);
+        return moves.gizmoDrag(target);
       }
       const place = scene.pick(event);
       const held = place === store.view.selected ? target : targetOf(place);
-      return held && planeDrag(held, place, at);
+      return held && moves.planeDrag(held, place, at);
     },
     click: (event) => take(scene.pick(event)),
   });
@@ -236,22 +184,6 @@ function connect(app, scene) {
     if (tag instanceof HTMLElement) take(tag.dataset.place ?? '');
   });
   scene.claimants.add((event) => drags.busy || gizmo.hover(drags.place(event)) || (free() && freedoms.handles.pick(drags.place(event)) >= 0));
-
-  /** One step along or about an axis. @param {Target} held @param {0 | 1 | 2} axis @param {1 | -1} sign */
-  function nudge(held, axis, sign) {
-    const pose = held.pose();
-    if (!pose) return;
-    const turn = new Quaternion(pose[3], pose[4], pose[5], pose[6]);
-    const at = new Vector3(pose[0], pose[1], pose[2]);
-    const along = new Vector3().setComponent(axis, 1);
-    if (how.space === 'local') along.applyQuaternion(turn);
-    const { length, angle } = steps();
-    if (how.mode === 'turn') turn.premultiply(new Quaternion().setFromAxisAngle(along, (sign * angle * Math.PI) / 180));
-    else at.addScaledVector(along, sign * length);
-    held.begin('nudge');
-    held.to([...at.toArray(), ...turn.toArray()], how.mode === 'turn');
-    done(held);
-  }
 
   /** Only while something is in hand, and then for nobody else. @param {(held: Target, at: number) => void} act @returns {import('../../ui/keys.js').Handler} */
   const inHand = (act) => (event, at) => {
@@ -266,7 +198,7 @@ function connect(app, scene) {
         if (!drags.cancel()) return inHand(() => store.setView({ selected: '' }))(event, at);
         event.stopImmediatePropagation();
       },
-      nudge: inHand((held, at) => nudge(held, ...NUDGES[at])),
+      nudge: inHand((held, at) => moves.nudge(held, ...NUDGES[at])),
       move: inHand(() => choose({ mode: 'move' })),
       turn: inHand(() => choose({ mode: 'turn' })),
       freedoms: inHand((held) => (held === workpiece ? choose({ mode: 'freedoms' }) : bar.say('Only the workpiece has freedoms to move along: a key frame moves freely.'))),

@@ -4,16 +4,15 @@
  * @typedef {import('../../core/types.js').Motion} Motion
  * @typedef {import('../../core/types.js').Result} Result
  */
-import { Scene, Sphere, Vector3, WebGLRenderer } from 'three';
+import { Scene, Sphere, WebGLRenderer } from 'three';
 import { createCamera } from './camera.js';
 import { gapSteps } from './gap-lines.js';
 import { ghostFrames } from './ghosts.js';
 import { createGround } from './ground.js';
-import { createHighlight } from './highlight.js';
-import { createLabels } from './labels.js';
 import { createLease } from './lease.js';
 import { createLight } from './light.js';
 import { Linkage } from './linkage.js';
+import { createMarks } from './marks.js';
 import { createMaterials } from './materials.js';
 import { createMeasure } from './measure.js';
 import { MotionPaths } from './motion-paths.js';
@@ -36,7 +35,6 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
   renderer.shadowMap.enabled = true;
   const root = new Scene();
   const view = createCamera(canvas, changed, turned);
-  const labels = createLabels(layer);
   const materials = createMaterials();
   const light = createLight(isSoftware(context), changed);
   const ground = createGround();
@@ -45,14 +43,14 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
   const { size, take } = createMeasure();
   const pointing = watchPointers(() => built && view.refit(), signal);
   const things = [linkage.group, paths.group];
-  const highlight = createHighlight(things);
+  const marks = createMarks(canvas, things, layer);
   const pick = createPicker(things, canvas, () => view.camera);
   root.add(...light.objects, ground.group, linkage.group, paths.group);
 
   function paint() {
     const palette = readPalette(canvas);
     materials.paint(palette);
-    highlight.paint(palette.accent);
+    marks.paint(palette.accent);
     light.sky.groundColor.copy(palette.ground);
     ground.material.color.copy(palette.grid);
     changed();
@@ -71,7 +69,7 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
     renderer.setPixelRatio(Math.min(2, devicePixelRatio));
     renderer.setSize(width, height, false);
     view.setAspect(width / height);
-    highlight.resize(width, height);
+    marks.resize(width, height);
     // At once: a canvas of another size is empty.
     if (last) draw(last);
     changed();
@@ -79,20 +77,9 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
   new ResizeObserver(resize).observe(canvas);
   resize();
 
-  /** What is chosen and what is pointed at, with the names that stand beside them; none for an empty text. */
-  const marks = [
-    { place: '', text: '', at: new Vector3() },
-    { place: '', text: '', at: new Vector3() },
-  ];
-  const [chosen, pointed] = marks;
-
   const names = () => [...paths.labels, ...linkage.bases.map((at, index) => ({ at, text: String(index + 1), place: `chains[${index}].base` }))];
 
-  function setLabels() {
-    const standing = options.show.names ? names() : [];
-    const named = marks.filter(({ place, text }, index) => text && !(index && place === chosen.place) && highlight.anchorOf(place, marks[index].at));
-    labels.set([...standing.filter(({ place }) => !named.some((mark) => mark.place === place)), ...named], chosen.place, pointed.place);
-  }
+  const name = () => marks.name(options.show.names ? names() : []);
 
   /** @type {Pick<import('../../core/types.js').View, 'show' | 'ghosts'> & {driven: boolean}} */
   let options = { show: { goal: true, closest: true, gaps: true, names: true, ground: true, axes: true }, ghosts: 'none', driven: false };
@@ -115,12 +102,12 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
     last = what;
     view.step();
     pose(what);
-    for (const { place, text, at } of marks) if (text) highlight.anchorOf(place, at);
+    marks.follow();
     for (const tell of drawn) tell(width, height);
     light.beforeDraw();
     renderer.render(root, view.camera);
     poster.drop();
-    labels.place(view.camera, width, height, [...covering].flatMap((boxes) => boxes()));
+    marks.labels.place(view.camera, width, height, [...covering].flatMap((boxes) => boxes()));
     canvas.dataset.draws = String(++draws);
   }
 
@@ -178,12 +165,12 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
       ground.group.visible = show.ground;
       const { motion, doc } = shown;
       if (motion && doc) paths.showGhosts(motion, ghostFrames(ghosts, motion, doc), linkage.body);
-      setLabels();
+      name();
       changed();
     },
     /** Brings a thing into the middle. @param {string} place @returns {boolean} false if there is no such thing */
     fitTo(place) {
-      const box = highlight.boxOf(place);
+      const box = marks.boxOf(place);
       if (box.isEmpty()) return false;
       const { center, radius } = box.getBoundingSphere(new Sphere());
       view.fitTo(center, Math.max(1.3 * radius, 0.1 * size.radius));
@@ -218,14 +205,8 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
      * @param {{place: string, text: string}} point
      */
     highlight(select, point) {
-      const same = chosen.place === select.place && chosen.text === select.text && pointed.place === point.place && pointed.text === point.text;
-      if (same || !built) return;
-      Object.assign(chosen, select);
-      Object.assign(pointed, point);
-      highlight.set(select.place, point.place);
-      canvas.dataset.selected = select.place;
-      canvas.dataset.hovered = point.place;
-      setLabels();
+      if (!built || !marks.set(select, point)) return;
+      name();
       changed();
     },
 
@@ -242,8 +223,8 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
       ground.lay(size.centre, size.radius, size.ground);
       linkage.update(motion, doc, size.link, size.ground);
       paths.update(motion, doc, size, linkage.body, ghostFrames(options.ghosts, motion, doc));
-      highlight.set(chosen.place, pointed.place);
-      setLabels();
+      marks.outline();
+      name();
       if (afresh) view.begin();
       else if (!pointing()) view.refit();
       changed();
