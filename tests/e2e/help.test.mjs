@@ -66,6 +66,8 @@ test('the first minute can be skipped, and the page is usable beside it', async 
 
 test('? lists the keys, from the menu too; Escape gives the focus back', async () => {
   const { page, problems } = await browser.openPage();
+  // The view tells its keys as the list does.
+  assert.match((await page.locator('#canvas').getAttribute('aria-label')) ?? '', /^3D view of the linkage\. arrow keys: turn the view\. .* 1 to 7: view from the front, .* Enter: select what is pointed at\.$/);
   await page.locator('#scrub').focus();
   await page.keyboard.press('?');
   const dialog = page.getByRole('dialog', { name: 'Keys' });

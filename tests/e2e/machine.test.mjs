@@ -101,6 +101,11 @@ test('a number is dragged beside its cell, the motion follows; one step of undo,
   await page.mouse.move(x, y);
   await page.mouse.down();
   await page.mouse.move(x + 41, y);
+  await page.keyboard.down('Shift');
+  await page.mouse.move(x + 4, y);
+  await page.mouse.move(x + 5, y);
+  await page.keyboard.up('Shift');
+  assert.equal((await doc()).chains[0].base.x, before.chains[0].base.x + 0.1, 'with Shift ten steps at once');
   await page.keyboard.press('Escape');
   await page.mouse.up();
   assert.deepEqual(await doc(), before);
