@@ -135,9 +135,13 @@ test('gives the motion as a table and the view as a picture', async () => {
     const element = document.querySelector('synthetica-linkage');
     const [csv, png, svg] = await Promise.all([element.toCSV(), element.toImage({ width: 320, height: 200, scale: 1 }), element.toImage({ type: 'svg' })]);
     const bitmap = await createImageBitmap(png);
+    const pen = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d');
+    pen.drawImage(bitmap, 0, 0);
+    window.colours = new Set(new Uint32Array(pen.getImageData(0, 0, bitmap.width, bitmap.height).data.buffer)).size;
     return { lines: csv.trim().split('\n').length, type: png.type, size: [bitmap.width, bitmap.height], svg: (await svg.text()).slice(0, 4) };
   });
   assert.deepEqual(made, { lines: 130, type: 'image/png', size: [320, 200], svg: '<svg' });
+  assert.ok((await page.evaluate(() => window.colours)) > 200, 'a linkage is in it');
 });
 
 test('ten on a page share one worker and one planner, and all move', async () => {

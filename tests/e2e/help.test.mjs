@@ -191,7 +191,9 @@ test('the lessons’ claims hold: counts, ranks, gaps', async () => {
   await page.goto(`${browser.address}?lesson=mobility`);
   await reads(page, 'count', '^−2$');
   await reads(page, 'rank', '^1$');
+  await reads(page, 'name', '^Four-bar$');
   await button('Open the 3RPS').click();
+  await reads(page, 'name', '^3RPS$');
   await reads(page, 'count', '^3$');
   await reads(page, 'rank', '^3$');
   await button('α = 1°').click();
@@ -236,6 +238,11 @@ test('the lessons’ claims hold: counts, ranks, gaps', async () => {
   await page.goto(`${browser.address}?lesson=why`);
   await reads(page, 'worst', 'and');
   const three = await worst();
+  // The info panel says the same.
+  const largest = (await page.locator('.lesson [data-value=worst]').first().textContent()).split(' and ');
+  for (const gap of largest) assert.ok((await text(page, 'motion-summary')).includes(`${gap}, frame`), gap);
+  await button('Go to the largest shift').click();
+  await reads(page, 'shift', `^${largest[0]}$`);
   const two = await after('Remove chain 3');
   await reads(page, 'rank', '^4$');
   assert.ok(two.shift + two.turn / 57 < three.shift + three.turn / 57, 'a freedom more, a smaller gap');

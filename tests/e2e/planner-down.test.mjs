@@ -63,10 +63,19 @@ test('a planner that does not come is told, nothing kept is moved, and trying ag
   await page.getByRole('button', { name: 'Try again' }).click();
   await banner.waitFor();
   assert.equal(await kept(page), work);
+  // Nothing can be clicked that would not answer.
+  const takesFocus = () =>
+    page.evaluate(() => {
+      const examples = document.getElementById('examples');
+      examples.focus();
+      return document.activeElement === examples;
+    });
+  assert.equal(await takesFocus(), false);
   await page.unroute(WASM);
   await page.getByRole('button', { name: 'Try again' }).click();
   await nameIs(page, 'Kept');
   await motion(page);
+  assert.equal(await takesFocus(), true);
   await page.locator('#trouble').waitFor({ state: 'hidden' });
   assert.equal(await page.locator('#notices p').count(), 0);
   assert.equal(await page.evaluate(() => localStorage.getItem('synthetica.earlier.1')), null);

@@ -140,6 +140,22 @@ test('what is computed at the time may take as long as it takes; between the por
   assert.deepEqual([await plan, await trace], [2, 3]);
 });
 
+test('without locks a plan that is asked to stop tells it too', async () => {
+  const planner = await made();
+  const stop = new AbortController();
+  const plan = planner.plan('a', { stop: stop.signal });
+  for (const kind of ['heard', 'begun', 'progress']) says(workers[0], kind, { progress: { done: 1, frames: 9 } });
+  pass(600_000);
+  assert.equal(workers.length, 1, 'a silent plan alone tells nothing');
+  stop.abort();
+  pass(9900);
+  assert.equal(workers.length, 1);
+  pass(100);
+  assert.deepEqual(calls(workers[1]), [['plan', 'a']]);
+  says(workers[1], 'value', { value: 1 });
+  assert.equal(await plan, 1);
+});
+
 test('after the page was asleep the worker has its time again', async () => {
   const planner = await made();
   const plan = planner.plan('a');

@@ -34,5 +34,7 @@ createDrop(documents, linkage.open);
 createExport(app);
 createHelp(app);
 createAutosave(linkage, keeper);
+// Until here nothing in it would have answered.
+/** @type {HTMLElement} */ (byId('menus').parentElement).inert = false;
 if (!matchMedia('(prefers-reduced-motion: reduce)').matches) linkage.player.play();
 workOffline();

@@ -23,7 +23,10 @@ export function createWatch(ended) {
   let byLock = false;
   /** Whether the worker has said anything: before, its code may take as long to load as it takes. */
   let speaks = false;
-  /** The last that was said of each question that has no answer yet. @type {Map<number, '' | 'heard' | 'begun' | 'progress'>} */
+  /**
+   * The last that was said of each question that has no answer yet; `stop` where a plan in portions was asked to stop.
+   * @type {Map<number, '' | 'heard' | 'begun' | 'progress' | 'stop'>}
+   */
   const said = new Map();
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let timer;
@@ -43,8 +46,8 @@ export function createWatch(ended) {
     clearTimeout(timer);
     const all = [...said.values()];
     // What has begun and is not made in portions may take as long as it takes.
-    if (over.signal.aborted || byLock || !speaks || !all.includes('') || all.includes('begun')) return;
-    const silence = all.includes('progress') ? SILENCE_IN_PORTIONS : SILENCE;
+    if (over.signal.aborted || byLock || !speaks || all.includes('begun') || !(all.includes('') || all.includes('stop'))) return;
+    const silence = all.includes('progress') || all.includes('stop') ? SILENCE_IN_PORTIONS : SILENCE;
     const due = performance.now() + silence;
     timer = setTimeout(() => (performance.now() > due + LATE ? listen() : endedByItself()), silence);
   }
@@ -54,6 +57,8 @@ export function createWatch(ended) {
     posted(message) {
       // What is taken back is answered at once too.
       if (message.kind === 'ask' || (message.kind === 'cancel' && said.get(message.id) === 'heard')) said.set(message.id, '');
+      // A person who asks for what there is so far would else wait for ever.
+      if (message.kind === 'stop' && said.get(message.id) === 'progress') said.set(message.id, 'stop');
       listen();
     },
     /** @param {Answer} answer from the worker */

@@ -13,7 +13,7 @@ import { angle, length } from '../../core/format.js';
 import { parsePath, valueAt } from '../../core/path.js';
 import { sampleOf, sampleText } from '../../core/samples.js';
 import { convertLengths } from '../../core/units.js';
-import { statusName, statusWords, worstFrame } from '../../core/status-words.js';
+import { largestGaps, statusName, statusWords } from '../../core/status-words.js';
 import { preparePrint } from './lesson-print.js';
 
 /** What stands for a number while the motion of the shown document is not planned. */
@@ -67,7 +67,7 @@ export function showLesson(app, lesson) {
     play: () => player.play(),
     worst: () => {
       player.pause();
-      if (store.result.motion) player.frame = worstFrame(store.result.motion.metric);
+      if (store.result.motion) player.frame = largestGaps(store.result.motion).shift.frame;
     },
     panel: ({ panel: id }) => {
       const target = find(id ?? '');
@@ -126,9 +126,9 @@ export function showLesson(app, lesson) {
    */
   function valuesOf(motion, doc) {
     const { frame } = store.view;
-    const worst = worstFrame(motion.metric);
-    const gap = (/** @type {number} */ at) => `${length(motion.translation_gap[at], doc.length_unit)} and ${angle(motion.rotation_gap[at])}`;
+    const { shift, turn } = largestGaps(motion);
     return {
+      name: doc.name ?? 'This linkage',
       count: String(motion.report.mobility_count).replace('-', '−'),
       rank: String(motion.report.mobility_rank),
       warnings: motion.report.warnings.find(({ code }) => code === 'start-open')?.message ?? '',
@@ -136,7 +136,7 @@ export function showLesson(app, lesson) {
       shift: length(motion.translation_gap[frame], doc.length_unit),
       turn: angle(motion.rotation_gap[frame]),
       status: statusWords(statusName(motion, frame)).word.toLowerCase(),
-      worst: gap(worst),
+      worst: `${length(shift.value, doc.length_unit)} and ${angle(turn.value)}`,
     };
   }
   const leave = [store.subscribe('document', show), store.subscribe('result', show), store.subscribe('view', show), preparePrint(app, body, address.href)];
