@@ -66,6 +66,15 @@ export function freshName(word, items) {
   return `${word} ${number}`;
 }
 
+/** Characters of a name that leave room for a number: Rust accepts 100. */
+const NUMBERED = 90;
+
+/**
+ * The name of a chain's copy: of "RPS 1" it is "RPS 2".
+ * @param {string | undefined} name @param {Chain[]} chains
+ */
+export const copyName = (name, chains) => freshName(name?.replace(/\s*\d+$/, '').slice(0, NUMBERED) || 'chain', chains);
+
 /**
  * Replaces a chain's joints. Its start values belonged to the old joints, so they go: the planner finds new ones.
  * @param {MechanismDocument} doc
@@ -128,7 +137,7 @@ export const addChain = (doc, fresh) => ({
 /** @param {MechanismDocument} doc @param {number} chain */
 export const duplicateChain = (doc, chain) => ({
   ...doc,
-  chains: insert(doc.chains, chain + 1, { ...doc.chains[chain], name: freshName('chain', doc.chains) }),
+  chains: insert(doc.chains, chain + 1, { ...doc.chains[chain], name: copyName(doc.chains[chain].name, doc.chains) }),
 });
 
 /** @param {MechanismDocument} doc @param {number} from @param {number} to */
