@@ -162,6 +162,37 @@ fn a_3prs_has_the_numbers_that_were_typed() {
     assert_eq!(written(document.motion.key_frames[0].z), "850");
 }
 
+/// The same machine in a smaller unit has the same legs, however large its numbers are.
+#[test]
+fn links_do_not_depend_on_the_unit() {
+    for name in ["3-PRS", "3-RRS", "RPS + 2TS", "3-PRR"] {
+        let links = |scale: f64| -> Vec<f64> {
+            let made = make(&request(
+                name,
+                350.0 * scale,
+                150.0 * scale,
+                400.0 * scale,
+                "",
+            ));
+            let document = made.unwrap_or_else(|fault| panic!("{name}: {fault}"));
+            let joints = document.chains.iter().flat_map(|chain| &chain.joints);
+            joints
+                .flat_map(|joint| &joint.rows)
+                .flat_map(|row| [row.a / scale, row.d / scale])
+                .collect()
+        };
+        let once = links(1.0);
+        for scale in [1e-5, 1e3, 1e6] {
+            for (other, link) in links(scale).iter().zip(&once) {
+                assert!(
+                    (other - link).abs() < 1e-5,
+                    "{name} {scale}-fold: {other}, not {link}"
+                );
+            }
+        }
+    }
+}
+
 /// Every chain of Table 2 in each number that leaves a freedom.
 #[test]
 fn every_chain_in_each_number() {

@@ -66,9 +66,8 @@ pub(crate) fn fitted(kinds: &[JointKind], leg: &Leg, place: &Place) -> Fit {
             }
         }
     }
-    let base = foot.translation.vector;
-    let (_, end) = plain.ends(false);
-    let (natural, wanted) = (end - base, place.end - base);
+    let (_, natural) = plain.ends(false);
+    let wanted = place.end - foot.translation.vector;
     if natural.norm() <= SMALL {
         return plain.scaled(place.length, 0.0);
     }
@@ -139,9 +138,12 @@ impl Fit {
         .expect("freedoms of a chain")
     }
 
-    /// From where the leg's length counts, and where it ends.
+    /// From where the leg's length counts, and where it ends, both measured from the base: beside a base circle that is far
+    /// larger than the leg their difference would lose its last digits.
     fn ends(&self, carried: bool) -> (Vector3<f64>, Vector3<f64>) {
-        let frames = self.chain().frames(&self.values);
+        let mut upon = self.clone();
+        upon.base.translation = Translation3::identity();
+        let frames = upon.chain().frames(&self.values);
         let from = if carried { frames[1].0 } else { frames[0].0 };
         (
             from.translation.vector,

@@ -77,6 +77,15 @@ test('a number is dragged beside its cell, the motion follows; one step of undo,
   await scrubTo(page, 60);
   const path = 'chains[0].base.x';
   const before = await doc();
+  // The slider is loaded when a cell is entered: a key at once is not lost.
+  await cell(page, path).evaluate((field) => {
+    field.focus();
+    for (const key of ['PageUp', 'PageUp']) field.dispatchEvent(new KeyboardEvent('keydown', { key, bubbles: true, cancelable: true }));
+  });
+  await page.waitForFunction((at) => page$(`[data-path="${at}"]`).value === '-0.48', path);
+  await undo();
+  assert.deepEqual(await doc(), before);
+  await page.getByRole('tab', { name: 'Mechanism' }).focus();
   const old = await text(page, 'metric');
   const slide = page.locator('.slide');
   await cell(page, path).hover();

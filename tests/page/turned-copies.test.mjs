@@ -44,6 +44,16 @@ for (const [name, chain] of [['3rps.json', 0], ['2tpr.json', 1], ['scara.json', 
   }
 }
 
+test('copies are named after their chain', () => {
+  const doc = oneLeg('3rps.json');
+  const names = (name) => turnedCopies({ ...doc, chains: [{ ...doc.chains[0], name }] }, 0, { count: 3, axis: 'z', point: [0, 0, 0] }, doc.chains[0].start).chains.map((chain) => chain.name);
+  assert.deepEqual(names('RPS 1'), ['RPS 1', 'RPS 2', 'RPS 3']);
+  assert.deepEqual(names('left leg'), ['left leg', 'left leg 2', 'left leg 3']);
+  assert.deepEqual(names('7'), ['7', 'chain 2', 'chain 3']);
+  assert.ok(names('x'.repeat(100)).every((name) => name.length <= 100));
+  assert.deepEqual(names(undefined), [undefined, 'chain 2', 'chain 3']);
+});
+
 test('a 3RPS made of one leg plans: its loops are closed in every frame, and it has the 3RPS’s freedoms', () => {
   const leg = oneLeg('3rps.json');
   const { start } = leg.chains[0];

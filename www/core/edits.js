@@ -6,7 +6,7 @@
  * @typedef {import('./types.js').Joint} Joint
  * @typedef {import('./types.js').Chain} Chain
  */
-import { freshName, insert, moved, without } from './lists.js';
+import { copyName, freshName, insert, moved, without } from './lists.js';
 import { valueAt, withValueAt } from './path.js';
 
 const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
@@ -107,7 +107,7 @@ export const addChain = (doc, fresh) => ({
 /** @param {MechanismDocument} doc @param {number} chain */
 export const duplicateChain = (doc, chain) => ({
   ...doc,
-  chains: insert(doc.chains, chain + 1, { ...doc.chains[chain], name: freshName('chain', doc.chains) }),
+  chains: insert(doc.chains, chain + 1, { ...doc.chains[chain], name: copyName(doc.chains[chain].name, doc.chains) }),
 });
 
 /** @param {MechanismDocument} doc @param {number} from @param {number} to */

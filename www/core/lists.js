@@ -22,3 +22,12 @@ export function freshName(word, items) {
   while (taken.has(`${word} ${number}`)) number++;
   return `${word} ${number}`;
 }
+
+/** Characters of a name that leave room for a number: Rust accepts 100. */
+const NUMBERED = 90;
+
+/**
+ * The name of a chain's copy: of "RPS 1" it is "RPS 2".
+ * @param {string | undefined} name @param {{name?: string}[]} chains
+ */
+export const copyName = (name, chains) => freshName(name?.replace(/\s*\d+$/, '').slice(0, NUMBERED) || 'chain', chains);

@@ -11,7 +11,7 @@
  *   goes through the point
  */
 import { Matrix4, Quaternion, Vector3 } from 'three';
-import { freshName } from './lists.js';
+import { copyName } from './lists.js';
 import { chainVariables, JOINT_TYPES } from './joint-types.js';
 import { frameMatrix, frameOf } from './poses.js';
 
@@ -87,7 +87,7 @@ export function turnedCopies(doc, chain, { count, axis, point }, start) {
     const gripper = turn.clone().multiply(inner).invert().multiply(workpiece);
     const copy = {
       ...old,
-      name: freshName('chain', chains),
+      name: copyName(old.name, chains),
       base: rounded(turn.multiply(base), old.base, size),
       gripper: rounded(gripper, old.gripper, size),
       start,

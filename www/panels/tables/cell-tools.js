@@ -18,18 +18,28 @@ export function cellTools(root, store, cells, say) {
    * @param {string} what
    * @param {(target: Element) => boolean | undefined} isWanted
    * @param {() => Promise<(cell: Element) => void>} load begins it, and gives what shows it at a cell
+   * @param {string[]} [keys] it answers to these: pressed while it is loaded, they are pressed once more then
    */
-  function atFirst(what, isWanted, load) {
+  function atFirst(what, isWanted, load, keys = []) {
     /** @param {Event} event */
     const come = async (event) => {
       // Of an event in a shadow tree the target is known only while it is dispatched.
       const target = /** @type {Element} */ (event.target);
       if (!isWanted(target)) return;
       leave();
+      /** @type {KeyboardEvent[]} */
+      const pressed = [];
+      const hold = (/** @type {KeyboardEvent} */ event) => {
+        if (event.target !== target || !keys.includes(event.key)) return;
+        event.preventDefault();
+        pressed.push(event);
+      };
+      root.addEventListener('keydown', hold);
       try {
-        const show = await load();
+        const show = await load().finally(() => root.removeEventListener('keydown', hold));
         // In the meantime one may be elsewhere.
         if (target.matches(':hover, :focus')) show(target);
+        if (target.matches(':focus')) for (const event of pressed) target.dispatchEvent(new KeyboardEvent('keydown', event));
       } catch (error) {
         say(`${what} could not be loaded (${error instanceof Error ? error.message : error}). The next cell that is entered tries again.`);
         root.addEventListener('focusin', come);
@@ -40,7 +50,7 @@ export function cellTools(root, store, cells, say) {
   }
 
   if (!store.readonly) {
-    atFirst('The slider of numbers', (target) => target.matches(NUMBER_CELLS), async () => (await import('./number-slide.js')).createNumberSlide(root, store, cells));
+    atFirst('The slider of numbers', (target) => target.matches(NUMBER_CELLS), async () => (await import('./number-slide.js')).createNumberSlide(root, store, cells), ['PageUp', 'PageDown']);
   }
   atFirst('The drawing of turns', (target) => target.matches(TURN_CELLS), async () => (await import('./turn-drawing.js')).createTurnDrawing(root));
 }
