@@ -5,7 +5,7 @@ use crate::model::mechanism::Mechanism;
 use crate::motion::goal::Goal;
 use crate::motion::trajectory::Trajectory;
 use crate::plan::given::close_start;
-use crate::plan::record::{begin, measure_singular, record};
+use crate::plan::record::{Singularity, begin, record};
 use crate::plan::settings::{Method, Settings};
 use crate::solve::drive::{self, Obstacle};
 use crate::solve::solver::{End, Solved, Solver};
@@ -95,6 +95,6 @@ fn move_from(
     let goal = Goal { time: 0.0, pose };
     let start = t.start.clone();
     record(&mut t, &mut solver, &goal, &start, &joints, &solved);
-    measure_singular(&mut t, &mut solver);
+    Singularity::default().finish(&mut t, &mut solver);
     Configuration { frame: t, obstacle }
 }

@@ -9,7 +9,7 @@ use crate::motion::trajectory::{Trajectory, Warning};
 use crate::plan::elsewhere::{self, Runaway};
 use crate::plan::given;
 use crate::plan::leaps::{self, Leap};
-use crate::plan::record::{begin, measure_singular, record};
+use crate::plan::record::{Singularity, begin, record};
 use crate::plan::settings::{Method, Settings, extent};
 use crate::solve::gradient;
 use crate::solve::solver::{End, Solved, Solver};
@@ -74,6 +74,7 @@ pub struct Planning {
     searches: usize,
     /// The gradient method at a frame that takes long.
     descent: Option<gradient::Running>,
+    singularity: Singularity,
 }
 
 impl Planning {
@@ -123,6 +124,7 @@ impl Planning {
             search_from: 0,
             searches: 0,
             descent: None,
+            singularity: Singularity::default(),
         }
     }
 
@@ -142,22 +144,23 @@ impl Planning {
         self.t.frames()
     }
 
-    /// Plans one more frame, or a portion of one by the gradient method; false when there is none left. The last frames
-    /// may be taken back and planned again where a leap shows, so that [`Planning::done`] falls.
+    /// Plans one more frame, or a portion of one by the gradient method, or computes what is left of the report; false
+    /// when there is nothing left. The last frames may be taken back and planned again where a leap shows, so that
+    /// [`Planning::done`] falls.
     pub fn advance(&mut self) -> bool {
         let frame = self.done();
-        if frame == self.frames() {
-            return self.check_leaps() && self.done() < self.frames();
+        if frame < self.frames() {
+            if self.settings.method == Method::Gradient && self.closed && self.descend(frame) {
+                return true;
+            }
+            predict(&self.t.joints, frame, &self.joints, &mut self.predicted);
+            let before = self.joints.clone();
+            let solved = self.solve(frame);
+            self.keep(frame, &before, &solved);
+            self.check_leaps();
         }
-        if self.settings.method == Method::Gradient && self.closed && self.descend(frame) {
-            return true;
-        }
-        predict(&self.t.joints, frame, &self.joints, &mut self.predicted);
-        let before = self.joints.clone();
-        let solved = self.solve(frame);
-        self.keep(frame, &before, &solved);
-        self.check_leaps();
-        self.done() < self.frames()
+        let left = self.singularity.advance(&mut self.t, &mut self.solver);
+        self.done() < self.frames() || left
     }
 
     /// The frames planned so far as a motion with its report.
@@ -332,7 +335,7 @@ impl Planning {
     }
 
     fn report(mut self) -> Trajectory {
-        measure_singular(&mut self.t, &mut self.solver);
+        std::mem::take(&mut self.singularity).finish(&mut self.t, &mut self.solver);
         let misfit = self.t.misfit.iter().copied().fold(0.0, f64::max);
         if misfit > CLOSED {
             let step = self.t.frames().div_ceil(LOOKED_AT);

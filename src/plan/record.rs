@@ -117,29 +117,61 @@ fn gaps(scaled: &Scaled, near: &Pose, goal: &Pose) -> (f64, f64) {
     (translation * scaled.unit(), rotation)
 }
 
-/// The smallest singular value of every frame, not counting those that are 0 because of constraints that are surplus in
-/// all frames; and warnings of the runs of frames that are nearly singular.
-pub fn measure_singular(t: &mut Trajectory, solver: &mut Solver) {
-    let (scaled, closer, _) = solver.parts();
-    // In a singular start there are more surplus constraints.
-    let mut surplus = closer.mobility(scaled, &scaled.entered(&t.start)).1;
-    for frame in 0..t.frames() {
-        if surplus > 0 {
-            surplus = surplus.min(
-                closer
-                    .mobility(scaled, &scaled.entered(t.joints_at(frame)))
-                    .1,
-            );
+/// The smallest singular values of a motion's frames, computed along with the plan, so that its end takes no longer than
+/// any frame. Those that are 0 because of constraints that are surplus in all frames do not count.
+#[derive(Clone, Debug, Default)]
+pub struct Singularity {
+    /// Constraints that are surplus at the start and in all frames up to each, the start's first.
+    surplus: Vec<usize>,
+    /// As many were left out of the values that the motion has now.
+    left_out: usize,
+    values: SingularValues,
+    theta: Vec<f64>,
+}
+
+impl Singularity {
+    /// Computes the next value; true where there are more to compute. A frame with fewer surplus constraints than those
+    /// before it makes their values wrong: they are computed again.
+    pub fn advance(&mut self, t: &mut Trajectory, solver: &mut Solver) -> bool {
+        let (scaled, closer, _) = solver.parts();
+        // Frames may have been taken back.
+        self.surplus.truncate(t.frames() + 1);
+        while self.surplus.len() <= t.frames() {
+            let joints = match self.surplus.len() {
+                0 => &t.start,
+                frame => t.joints_at(frame - 1),
+            };
+            // In a singular start there are more of them.
+            let most = self.surplus.last().copied().unwrap_or(usize::MAX);
+            self.surplus.push(match most {
+                0 => 0,
+                _ => closer.mobility(scaled, &scaled.entered(joints)).1.min(most),
+            });
         }
+        let surplus = self.surplus[t.frames()];
+        if surplus != self.left_out {
+            self.left_out = surplus;
+            t.sigma_min.clear();
+        }
+        let frame = t.sigma_min.len();
+        if frame < t.frames() {
+            self.theta.resize(t.variables, 0.0);
+            scaled.enter(t.joints_at(frame), &mut self.theta);
+            let value =
+                closer.smallest_singular_value(scaled, &self.theta, surplus, &mut self.values);
+            t.sigma_min.push(value);
+        }
+        t.sigma_min.len() < t.frames()
     }
-    let mut values = SingularValues::default();
-    t.sigma_min.clear();
-    let mut theta = vec![0.0; t.variables];
-    for frame in 0..t.frames() {
-        scaled.enter(t.joints_at(frame), &mut theta);
-        t.sigma_min
-            .push(closer.smallest_singular_value(scaled, &theta, surplus, &mut values));
+
+    /// Computes all that are left, and warns of the runs of frames that are nearly singular.
+    pub fn finish(mut self, t: &mut Trajectory, solver: &mut Solver) {
+        while self.advance(t, solver) {}
+        warn_of_singular(t);
     }
+}
+
+fn warn_of_singular(t: &mut Trajectory) {
     // At a position whose loops are open it says nothing.
     let is_near = |frame: &usize| {
         t.sigma_min[*frame] < NEAR_SINGULAR && t.status[*frame] != Status::ClosureLost
@@ -199,6 +231,37 @@ mod tests {
         assert_eq!(status(&minimum, 0.0, 9e-5, 1e-4), Status::Closest);
         assert_eq!(status(&minimum, 0.0, 1.1e-4, 1e-4), Status::ClosureLost);
         assert_eq!(status(&minimum, 0.0, f64::NAN, 1e-4), Status::ClosureLost);
+    }
+
+    /// Values computed along with the plan are those that are computed at its end, also where the surplus constraints get
+    /// fewer on the way, and the last step is no longer than another.
+    #[test]
+    fn singular_values_come_along() {
+        let text = include_str!("../../www/mechanisms/four-bar.json");
+        let document = crate::document::text::parse(text);
+        let problem = crate::document::problem::Problem::new(&document.expect("a sample"));
+        let problem = problem.expect("a problem");
+        let mut planning = problem.planning(&problem.find_start());
+        let mut steps = 1;
+        while planning.advance() {
+            steps += 1;
+        }
+        assert_eq!(steps, planning.frames());
+        let mut t = planning.so_far();
+        let along = std::mem::take(&mut t.sigma_min);
+        let mut solver = problem.settings.solver(&problem.mechanism, 1.0);
+        // Computed where more constraints were surplus, as in a singular start.
+        t.sigma_min = vec![0.5; 3];
+        let mut more = Singularity {
+            surplus: vec![usize::MAX; 4],
+            left_out: usize::MAX,
+            ..Singularity::default()
+        };
+        while more.advance(&mut t, &mut solver) {}
+        assert_eq!(t.sigma_min, along);
+        t.truncate(20);
+        while more.advance(&mut t, &mut solver) {}
+        assert_eq!(t.sigma_min, along[..20]);
     }
 
     /// The loops are looked at once more before a frame is published, whatever the solver says of it.
