@@ -1,6 +1,7 @@
 /**
  * What comes to a cell when one points at it or enters it: the slider of a number, the drawing of a turn. Loaded then.
  */
+import { onKeys } from '../../ui/keys.js';
 
 /** The numbers of the tables. */
 export const NUMBER_CELLS = 'input.cell:not(.text)[data-path]';
@@ -18,7 +19,7 @@ export function cellTools(root, store, cells, say) {
    * @param {string} what
    * @param {(target: Element) => boolean | undefined} isWanted
    * @param {() => Promise<(cell: Element) => void>} load begins it, and gives what shows it at a cell
-   * @param {string[]} [keys] it answers to these: pressed while it is loaded, they are pressed once more then
+   * @param {import('../../ui/keys.js').KeyId[]} [keys] it answers to these: pressed while it is loaded, they are pressed once more then
    */
   function atFirst(what, isWanted, load, keys = []) {
     /** @param {Event} event */
@@ -29,14 +30,11 @@ export function cellTools(root, store, cells, say) {
       leave();
       /** @type {KeyboardEvent[]} */
       const pressed = [];
-      const hold = (/** @type {KeyboardEvent} */ event) => {
-        if (event.target !== target || !keys.includes(event.key)) return;
-        event.preventDefault();
-        pressed.push(event);
-      };
-      root.addEventListener('keydown', hold);
+      const hold = (/** @type {KeyboardEvent} */ event) => event.target === target && pressed.push(event);
+      const loading = new AbortController();
+      onKeys(root, Object.fromEntries(keys.map((key) => [key, hold])), loading);
       try {
-        const show = await load().finally(() => root.removeEventListener('keydown', hold));
+        const show = await load().finally(() => loading.abort());
         // In the meantime one may be elsewhere.
         if (target.matches(':hover, :focus')) show(target);
         if (target.matches(':focus')) for (const event of pressed) target.dispatchEvent(new KeyboardEvent('keydown', event));
@@ -50,7 +48,7 @@ export function cellTools(root, store, cells, say) {
   }
 
   if (!store.readonly) {
-    atFirst('The slider of numbers', (target) => target.matches(NUMBER_CELLS), async () => (await import('./number-slide.js')).createNumberSlide(root, store, cells), ['PageUp', 'PageDown']);
+    atFirst('The slider of numbers', (target) => target.matches(NUMBER_CELLS), async () => (await import('./number-slide.js')).createNumberSlide(root, store, cells), ['number', 'numberTen']);
   }
   atFirst('The drawing of turns', (target) => target.matches(TURN_CELLS), async () => (await import('./turn-drawing.js')).createTurnDrawing(root));
 }
