@@ -20,7 +20,7 @@ use crate::types::sizes::{NotMade, Reach, Sizes};
 use serde::Deserialize;
 
 /// What a linkage is made from; lengths in the unit that is named. Without any size it has those of
-/// [`example`](crate::document::example_document::example).
+/// [`example`].
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Request {
