@@ -49,6 +49,7 @@ test('where a policy allows scripts and wasm, and nothing else, the page plans b
   const { page, frames, problems } = await visit('<script src="/inline.js"></script>', { 'content-security-policy': "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'" });
   assert.equal(frames, 129);
   assert.equal(page.workers().length, 0);
-  assert.equal(problems.length, 1, problems.join('\n'));
-  assert.match(problems[0], /worker/i);
+  // One worker that does not start may have failed with the network; after two none is tried any more.
+  assert.ok(problems.length > 0 && problems.length <= 2, problems.join('\n'));
+  for (const problem of problems) assert.match(problem, /worker/i);
 });
