@@ -1,4 +1,4 @@
-// What every build of www/ has in common: which browsers it is for, and texts without what only their writers need.
+// What every build of www/ has in common: its target browsers, and markup and shaders without the parts that a page never uses.
 import { readFileSync, readdirSync, realpathSync } from 'node:fs';
 import { basename, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -29,7 +29,7 @@ const tightMarkup = () => ({
 });
 
 /**
- * What no material and no light of www/scene has, as the 3D library's shaders ask for it: textures of any kind, fog, skins,
+ * What no material and no light of www/view3d has, as the 3D library's shaders ask for it: textures of any kind, fog, skins,
  * morphs, batches, coats and the like. tests/e2e/shaders.test.mjs sees that no shader is compiled with any of them.
  */
 export const NEVER_DEFINED = [

@@ -274,8 +274,8 @@ impl Planning {
     }
 
     /// Checks the intervals whose neighbours are known. Where short steps through an interval lead to another branch than
-    /// the planned one, its end is replaced and the frames after it are taken back; true if so.
-    fn check_leaps(&mut self) -> bool {
+    /// the planned one, its end is replaced and the frames after it are taken back.
+    fn check_leaps(&mut self) {
         let known = if self.done() == self.frames() {
             self.done()
         } else {
@@ -329,9 +329,8 @@ impl Planning {
             self.t.truncate(first + 1);
             self.joints = way.joints;
             self.keep(first + 1, &before, &way.solved);
-            return true;
+            return;
         }
-        false
     }
 
     fn report(mut self) -> Trajectory {

@@ -24,7 +24,7 @@ const short = JSON.stringify(sample);
 const long = JSON.stringify({ ...sample, motion: { ...sample.motion, frames: 2000 }, planner: { method: 'gradient' } });
 
 /** What is said of a question before its answer. */
-const UNDERWAY = ['heard', 'begun', 'progress'];
+const UNDERWAY = ['received', 'begun', 'progress'];
 
 /** Answers with all that they say, and a promise of the last answer to a question. */
 function made() {

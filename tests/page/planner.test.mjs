@@ -1,5 +1,6 @@
 // The promises in front of the worker, with a worker that answers on command.
 import assert from 'node:assert/strict';
+import { getEventListeners } from 'node:events';
 import { afterEach, beforeEach, mock, test } from 'node:test';
 import { Queue } from '../../www/planner/queue.js';
 import { DocumentFault, Planner, PlannerFailure, PlannerNotLoaded, Superseded } from '../../www/planner/planner.js';
@@ -392,4 +393,14 @@ test('a question that cannot be copied is refused, and the next is answered', as
   const next = planner.plan('c');
   answer(workers[0], { kind: 'value', value: 3 });
   assert.equal(await next, 3);
+});
+
+test('an answered question leaves no listener on its signals', async () => {
+  const [signal, stop] = [new AbortController().signal, new AbortController().signal];
+  const queue = new Queue();
+  const answered = queue.ask({ asker: {}, latest: false, call: 'plan', args: [], text: 'a', signal, stop });
+  assert.deepEqual([signal, stop].map((one) => getEventListeners(one, 'abort').length), [1, 1]);
+  answer(workers[0], { kind: 'value', value: 1 });
+  await answered;
+  assert.deepEqual([signal, stop].map((one) => getEventListeners(one, 'abort').length), [0, 0]);
 });

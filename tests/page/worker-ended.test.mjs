@@ -62,7 +62,7 @@ const calls = (worker) => worker.requests.map(({ call, text }) => [call, text]);
 async function made(queue = new Queue()) {
   const planner = new Planner(queue);
   const first = planner.normalise('a');
-  for (const kind of ['heard', 'begun']) says(workers[0], kind);
+  for (const kind of ['received', 'begun']) says(workers[0], kind);
   says(workers[0], 'value', { value: 'a' });
   await first;
   return planner;
@@ -112,7 +112,7 @@ test('without locks a question that is not heard within 1.5 s tells it', async (
   assert.deepEqual([workers[0].ended, calls(workers[1])], [true, [['plan', 'a']]]);
   // The new one may take as long to load as it takes, before it says something and after.
   pass(600_000);
-  says(workers[1], 'heard');
+  says(workers[1], 'received');
   pass(600_000);
   assert.equal(workers.length, 2);
   says(workers[1], 'value', { value: 1 });
@@ -129,7 +129,7 @@ test('what is computed at the time may take as long as it takes; between the por
   assert.equal(workers.length, 1);
   says(workers[0], 'value', { value: 1 }, question);
   assert.equal(await explained, 1);
-  for (const kind of ['heard', 'begun', 'progress']) says(workers[0], kind, { progress: { done: 1, frames: 9 } });
+  for (const kind of ['received', 'begun', 'progress']) says(workers[0], kind, { progress: { done: 1, frames: 9 } });
   const trace = planner.trace('a', 0, new Float64Array());
   pass(9000);
   assert.equal(workers.length, 1);
@@ -144,7 +144,7 @@ test('without locks a plan that is asked to stop tells it too', async () => {
   const planner = await made();
   const stop = new AbortController();
   const plan = planner.plan('a', { stop: stop.signal });
-  for (const kind of ['heard', 'begun', 'progress']) says(workers[0], kind, { progress: { done: 1, frames: 9 } });
+  for (const kind of ['received', 'begun', 'progress']) says(workers[0], kind, { progress: { done: 1, frames: 9 } });
   pass(600_000);
   assert.equal(workers.length, 1, 'a silent plan alone tells nothing');
   stop.abort();
@@ -162,7 +162,7 @@ test('after the page was asleep the worker has its time again', async () => {
   now += 3_600_000;
   pass(1500);
   assert.equal(workers.length, 1);
-  says(workers[0], 'heard');
+  says(workers[0], 'received');
   pass(60_000);
   says(workers[0], 'value', { value: 1 });
   assert.deepEqual([await plan, workers.length], [1, 1]);

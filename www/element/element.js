@@ -169,7 +169,7 @@ export class SyntheticaLinkage extends LinkageWords {
     const refused = { message: reason(error), where: '', code: 'attribute' };
     this.#refused.set(name, refused);
     this.dispatchEvent(new CustomEvent('error', { detail: refused }));
-    this.workbench.then(({ say }) => say(refused.message, { stays: true }));
+    this.workbench.then(({ say }) => say(refused.message, { stays: true }), () => {});
   }
 
   /** @param {unknown} error */
@@ -244,7 +244,7 @@ function withResolvers() {
   /** @type {{promise: Promise<AppWithPanels>, resolve: (app: AppWithPanels) => void, reject: (error: unknown) => void}} */
   const all = /** @type {any} */ ({});
   all.promise = new Promise((resolve, reject) => Object.assign(all, { resolve, reject }));
-  // Who does not ask for it need not hear that it failed.
+  // Avoids an unhandled rejection where nobody awaits it.
   all.promise.catch(() => {});
   return all;
 }

@@ -126,7 +126,7 @@ export function createTree(place, { store, narrow }, enter) {
   });
   tree.addEventListener('pointerover', ({ target, pointerType }) => {
     const path = pathOf(target);
-    if (pointerType === 'mouse') store.setView({ hovered: path === 'motion' ? '' : path });
+    if (pointerType === 'mouse') store.setView({ hovered: path === undefined || path === 'motion' ? '' : path });
   });
   tree.addEventListener('pointerleave', () => store.setView({ hovered: '' }));
   /** On an item, and then for nobody else. @param {(path: string, arrow: number) => void} act @returns {import('../ui/keys.js').Handler} */

@@ -1,5 +1,5 @@
 /**
- * The planner's answers. Documents are opened once and asked many times; a plan goes in portions, between which other
+ * Answers the questions to the planner, by its wasm module. Documents are opened once and asked many times; a plan goes in portions, between which other
  * messages are taken.
  *
  * @typedef {import('../core/types.js').Fault} Fault
@@ -13,9 +13,9 @@
  * @typedef {{id: number, kind: 'value', value: unknown}
  *   | {id: number, kind: 'fault', fault: Fault}
  *   | {id: number, kind: 'failure', message: string, loading?: boolean}
- *   | {id: number, kind: 'heard' | 'begun'}
+ *   | {id: number, kind: 'received' | 'begun'}
  *   | {id: number, kind: 'progress', progress: Progress}
- *   | {id: number, kind: 'cancelled'}} Answer `heard`, at once, `begun`, when the planner is loaded, and `progress` are
+ *   | {id: number, kind: 'cancelled'}} Answer `received`, at once, `begun`, when the planner is loaded, and `progress` are
  *   followed by others, all else is the last; `loading` where the planner could not be loaded
  *
  * @typedef {'plan' | 'pull' | 'explain' | 'text' | 'find_start' | 'drive' | 'trace' | 'matrix' | 'compare_metrics' | 'export_motion'} DocumentCall
@@ -85,7 +85,7 @@ export function createAnswers(send) {
     const doc = number === undefined ? undefined : documents.get(number);
     const question = { stopped: false };
     asked.set(id, question);
-    send({ id, kind: 'heard' });
+    send({ id, kind: 'received' });
     const isWanted = () => asked.get(id) === question;
     if (doc) doc.users += 1;
     /** @type {Answer | null} */

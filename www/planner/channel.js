@@ -1,8 +1,8 @@
 /**
- * The channel to what answers questions: a worker; where the page cannot have one, the page itself.
+ * The channel over which questions are answered: to a worker, or, where the page cannot have one, within the page itself.
  *
- * `isMakeshift` where the page itself answers though a worker might: whoever has no question open should open another
- * channel.
+ * `isMakeshift` where the page itself answers though a worker may yet start: when no question is open, another channel
+ * should be opened.
  * @typedef {import('./calls.js').Message} Message
  * @typedef {import('./calls.js').Answer} Answer
  * @typedef {{post: (message: Message) => void, close: () => void}} Line
@@ -24,16 +24,16 @@ let failed = 0;
 export function openChannel(receive, fail) {
   let works = false;
   let makeshift = false;
-  /** What was posted before the worker said anything. @type {Message[]} */
+  /** What was posted before the worker's first message. @type {Message[]} */
   let first = [];
   /** @type {Line} */
   let line;
-  const speaks = () => {
+  const started = () => {
     works = true;
     first = [];
     failed = 0;
   };
-  /** A worker that ends before it says anything was forbidden (by a content policy, in a sandbox) or could not be loaded. */
+  /** A worker that ends before its first message was forbidden (by a content policy, in a sandbox) or could not be loaded. */
   const end = (/** @type {string} */ reason) => {
     if (works) return fail(reason);
     works = makeshift = true;
@@ -49,7 +49,7 @@ export function openChannel(receive, fail) {
     first = [];
   };
   try {
-    line = openWorker({ speaks, receive, fail: end });
+    line = openWorker({ started, receive, fail: end });
   } catch {
     works = true;
     line = openHere(receive);
@@ -64,8 +64,8 @@ export function openChannel(receive, fail) {
   };
 }
 
-/** @param {{speaks: () => void, receive: (answer: Answer) => void, fail: (reason: string) => void}} to @returns {Line} */
-function openWorker({ speaks, receive, fail }) {
+/** @param {{started: () => void, receive: (answer: Answer) => void, fail: (reason: string) => void}} to @returns {Line} */
+function openWorker({ started, receive, fail }) {
   const worker = startWorker();
   const close = () => {
     watch.end();
@@ -76,7 +76,7 @@ function openWorker({ speaks, receive, fail }) {
     fail('its worker was ended');
   });
   worker.onmessage = ({ data }) => {
-    speaks();
+    started();
     if (data.kind === 'holds') return watch.holds(data.lock);
     if (data.kind === 'loading') return loading.tell(data);
     watch.received(data);

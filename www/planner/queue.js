@@ -4,9 +4,9 @@
  * one made; the questions of others are asked again. One that was ended from outside (watch.js) is made anew, and each of
  * its questions asked once again.
  *
- * Plans hold up nobody. A short question cannot be interrupted, and while it is computed the worker does nothing else: some
- * seconds after another question was asked, whoever asked it, it is given up with its worker. Where nothing more is asked
- * it is left to end, and plans under way stand still meanwhile: in a new worker they would begin again.
+ * Plans hold up no other question. A short question cannot be interrupted, and while it is computed the worker does nothing
+ * else: some seconds after another question was asked, by any asker, it is given up with its worker. Where nothing more is
+ * asked it is left to end, and plans under way wait meanwhile: in a new worker they would begin again.
  *
  * @typedef {import('./calls.js').Answer} Answer
  * @typedef {import('./calls.js').Call} Call
@@ -63,14 +63,19 @@ export class Queue {
       this.#waiting = this.#waiting.filter((job) => job !== old);
       old.reject(new Superseded());
     }
-    return new Promise((resolve, reject) => {
+    // Else a signal that lives long would hold on to every question and its answer.
+    const over = new AbortController();
+    const answer = new Promise((resolve, reject) => {
       /** @type {Job} */
       const job = { ...request, id: ++this.#lastId, resolve, reject, begun: false, slow: false, cancelled: false, repeated: false };
       this.#waiting.push(job);
-      request.signal?.addEventListener('abort', () => this.#takeBack(job, request.signal?.reason), { once: true });
-      request.stop?.addEventListener('abort', () => this.#stop(job), { once: true });
+      request.signal?.addEventListener('abort', () => this.#takeBack(job, request.signal?.reason), { signal: over.signal });
+      request.stop?.addEventListener('abort', () => this.#stop(job), { signal: over.signal });
       this.#next();
     });
+    const end = () => over.abort();
+    answer.then(end, end);
+    return answer;
   }
 
   /** Frees a document that is not asked about any more. @param {object} asker @param {string} text */
@@ -149,7 +154,7 @@ export class Queue {
       this.#hurry(job);
       return;
     }
-    if (answer.kind === 'heard') return;
+    if (answer.kind === 'received') return;
     if (answer.kind === 'progress') {
       if (!job.cancelled) job.onProgress?.(answer.progress);
       return;
@@ -198,7 +203,7 @@ export class Queue {
     this.#next();
   }
 
-  /** The worker has ended; nobody knows by which question, and one that was there twice is not asked for ever. @param {PlannerFailure} reason */
+  /** The worker has ended, by which question is not known: each is asked again once, and fails if its worker ends then too. @param {PlannerFailure} reason */
   #askAgain(reason) {
     const twice = [...this.#running.values()].filter(({ repeated }) => repeated);
     for (const job of this.#running.values()) job.repeated = true;

@@ -1,5 +1,5 @@
 /**
- * The worker behind channel.js.
+ * The planner's worker: answers the messages that channel.js posts to it.
  */
 import { createAnswers, load } from './calls.js';
 import { counted } from './loading.js';
@@ -20,7 +20,7 @@ if (typeof FIRST_WASM_BYTES === 'number') {
   };
 }
 load().catch(() => {
-  // The first question's answer tells it.
+  // The first question is answered with the failure.
 });
 
 /** Holds a lock of its own while it lives: see watch.js. */

@@ -34,12 +34,12 @@ class Attached extends Directive {
  */
 export const attach = directive(Attached);
 
-/** What is not to be heard of a focus that stays where it is. */
+/** The events of a focus that is lost and given back, which no listener is to get. */
 const FOCUS_EVENTS = ['blur', 'change', 'focus', 'focusin', 'focusout'];
 
 /**
  * Renders rows that may change places. To move a node a browser takes it out, which takes the focus from it: the focus and the
- * chosen text are given back, and no listener hears of it.
+ * chosen text are given back, and no listener gets an event of it.
  * @param {unknown} template @param {HTMLElement} place
  */
 export function renderRows(template, place) {
@@ -48,11 +48,14 @@ export function renderRows(template, place) {
   const { selectionStart, selectionEnd, selectionDirection } = /** @type {HTMLInputElement} */ (focused);
   const life = new AbortController();
   for (const name of FOCUS_EVENTS) place.getRootNode().addEventListener(name, (event) => event.stopImmediatePropagation(), { capture: true, signal: life.signal });
-  const part = render(template, place);
-  if (focused?.isConnected && focusBeside(place) !== focused) {
-    focused.focus({ preventScroll: true });
-    if (typeof selectionStart === 'number') focused.setSelectionRange(selectionStart, selectionEnd, selectionDirection ?? undefined);
+  try {
+    const part = render(template, place);
+    if (focused?.isConnected && focusBeside(place) !== focused) {
+      focused.focus({ preventScroll: true });
+      if (typeof selectionStart === 'number') focused.setSelectionRange(selectionStart, selectionEnd, selectionDirection ?? undefined);
+    }
+    return part;
+  } finally {
+    life.abort();
   }
-  life.abort();
-  return part;
 }

@@ -19,7 +19,7 @@ const pickers = () => /** @type {Window & Pickers} */ (window);
 const TYPES = [{ description: 'Linkage', accept: { 'application/json': ['.json'] } }];
 
 /** @param {App} app @param {HTMLInputElement} chooser */
-export function createActs(app, chooser) {
+export function createActions(app, chooser) {
   const { store, planner, say, open, whole } = app;
 
   /** Opens a file that was handed in. @param {File} file @param {FileSystemFileHandle | null} [handle] */

@@ -8,14 +8,14 @@ import { withPart } from '../../ui/lazy.js';
 export function createDocuments(app) {
   /** @type {HTMLInputElement} */
   const chooser = byId('file');
-  /** @typedef {ReturnType<typeof import('./actions.js').createActs>} Acts */
-  /** @type {Acts | null} */
+  /** @typedef {ReturnType<typeof import('./actions.js').createActions>} Actions */
+  /** @type {Actions | null} */
   let made = null;
-  /** @param {(acts: Acts) => unknown} act */
-  const run = (act) => withPart(app, 'What opens and saves documents', () => import('./actions.js'), ({ createActs }) => act((made ??= createActs(app, chooser))));
+  /** @param {(actions: Actions) => unknown} act */
+  const run = (act) => withPart(app, 'What opens and saves documents', () => import('./actions.js'), ({ createActions }) => act((made ??= createActions(app, chooser))));
 
   /** Opens a file that was handed in. @param {File} file */
-  const take = (file) => run((then) => then.take(file));
+  const take = (file) => run((actions) => actions.take(file));
   chooser.addEventListener('change', () => {
     const [file] = chooser.files ?? [];
     if (file) take(file);
@@ -23,10 +23,10 @@ export function createDocuments(app) {
   });
   return {
     take,
-    fresh: () => run((then) => then.fresh()),
-    pick: () => run((then) => then.pick()),
-    share: () => run((then) => then.share()),
+    fresh: () => run((actions) => actions.fresh()),
+    pick: () => run((actions) => actions.pick()),
+    share: () => run((actions) => actions.share()),
     /** @param {boolean} [another] to a file of another name */
-    save: (another = false) => run((then) => then.save(another)),
+    save: (another = false) => run((actions) => actions.save(another)),
   };
 }

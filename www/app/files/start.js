@@ -46,6 +46,8 @@ export function start(linkage, keeper) {
   const firstMotion = () =>
     new Promise((resolve) => {
       const leave = store.subscribe('result', () => {
+        // After trouble it is planned again.
+        if (store.result.trouble) return;
         leave();
         resolve(null);
       });

@@ -32,7 +32,7 @@ export function cellTools(root, store, cells, say) {
       const pressed = [];
       const hold = (/** @type {KeyboardEvent} */ event) => event.target === target && pressed.push(event);
       const loading = new AbortController();
-      onKeys(root, Object.fromEntries(keys.map((key) => [key, hold])), loading);
+      onKeys(root, Object.fromEntries(keys.map((key) => [key, hold])), { signal: loading.signal });
       try {
         const show = await load().finally(() => loading.abort());
         // In the meantime one may be elsewhere.
