@@ -1,6 +1,6 @@
 /**
- * Answers the questions to the planner, by its wasm module. Documents are opened once and asked many times; a plan goes in portions, between which other
- * messages are taken.
+ * Answers the questions to the planner, by its wasm module. Documents are opened once and asked many times; a plan goes in
+ * portions, between which other messages are taken.
  *
  * @typedef {import('../core/types.js').Fault} Fault
  * @typedef {import('../core/types.js').Progress} Progress

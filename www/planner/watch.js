@@ -11,7 +11,7 @@
 /** How long a worker that computes nothing may take to acknowledge a question, in milliseconds. */
 const SILENCE = 1500;
 
-/** The same for one that plans in portions: a portion is 30 ms, its last step on a slow machine some seconds. */
+/** The same for one that plans in portions: a portion is 30 ms, but one frame's search for other positions takes seconds on a slow machine. */
 const SILENCE_IN_PORTIONS = 10_000;
 
 /** A timer that is later than this, in milliseconds, was held up with the page, and with it the worker's messages. */
