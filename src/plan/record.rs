@@ -199,6 +199,8 @@ fn warn_of_singular(t: &mut Trajectory) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::document::problem::Problem;
+    use crate::document::text;
 
     fn solved(end: End) -> Solved {
         Solved {
@@ -208,6 +210,12 @@ mod tests {
             projected_gradient: 0.0,
             iterations: 1,
         }
+    }
+
+    /// Its loops have surplus constraints.
+    fn four_bar() -> Problem {
+        let document = text::parse(include_str!("../../www/mechanisms/four-bar.json"));
+        Problem::new(&document.expect("a sample")).expect("a problem")
     }
 
     /// Whatever the solver says, open loops are not published as an answer.
@@ -237,10 +245,7 @@ mod tests {
     /// fewer on the way, and the last step is no longer than another.
     #[test]
     fn singular_values_come_along() {
-        let text = include_str!("../../www/mechanisms/four-bar.json");
-        let document = crate::document::text::parse(text);
-        let problem = crate::document::problem::Problem::new(&document.expect("a sample"));
-        let problem = problem.expect("a problem");
+        let problem = four_bar();
         let mut planning = problem.planning(&problem.find_start());
         let mut steps = 1;
         while planning.advance() {
@@ -267,10 +272,7 @@ mod tests {
     /// The loops are looked at once more before a frame is published, whatever the solver says of it.
     #[test]
     fn the_closure_is_measured_anew() {
-        let text = include_str!("../../www/mechanisms/four-bar.json");
-        let document = crate::document::text::parse(text);
-        let problem = crate::document::problem::Problem::new(&document.expect("a sample"));
-        let problem = problem.expect("a problem");
+        let problem = four_bar();
         let (mechanism, settings) = (&problem.mechanism, &problem.settings);
         let mut solver = settings.solver(mechanism, 1.0);
         let mut joints = problem.find_start();
