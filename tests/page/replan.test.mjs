@@ -92,3 +92,20 @@ test('a fault is told of the present document only', async () => {
   await settled();
   assert.equal(store.result.fault, fault);
 });
+
+test('a start that was found for an older document is not written into a newer one: it is looked for again', async () => {
+  const asked = [];
+  const findStart = (text) => new Promise((resolve) => asked.push({ name: JSON.parse(text).name, resolve }));
+  const store = createStore({ ...named('a'), chains: [{ joints: [], start: [1] }] });
+  const { findStart: find } = createReplanning({ store, planner: { findStart, plan: () => new Promise(() => {}) }, say() {} });
+  find();
+  store.edit((doc) => ({ ...doc, name: 'b' }));
+  const found = (start) => JSON.stringify({ chains: [{ start }] });
+  asked[0].resolve(found([2]));
+  await settled();
+  assert.deepEqual(asked.map(({ name }) => name), ['a', 'b']);
+  assert.deepEqual(store.doc.chains[0].start, [1]);
+  asked[1].resolve(found([3]));
+  await settled();
+  assert.deepEqual([store.doc.name, store.doc.chains[0].start], ['b', [3]]);
+});

@@ -43,8 +43,10 @@ export function createReplanning({ store, planner, say }) {
   async function findStart() {
     const { doc } = store;
     const found = await ask(() => planner.findStart(textOf(doc)), 'find a start');
+    // A start belongs to the document that it was found for.
+    if (found.is !== 'late' && doc !== store.doc) return findStart();
     if (found.is === 'answer') store.edit((present) => takeStarts(present, JSON.parse(found.value).chains));
-    if (found.is === 'fault' && doc === store.doc) store.setResult({ fault: found.fault, trouble: '' });
+    if (found.is === 'fault') store.setResult({ fault: found.fault, trouble: '' });
     if (found.is === 'trouble') say(`No start was looked for. ${found.message}`, { label: 'Try again', act: findStart, stays: true });
   }
 
