@@ -70,6 +70,7 @@ test('keys are compared as they are written', () => {
   assert.equal(written(press('G')), 'G', 'Caps Lock');
   assert.equal(written(press('ArrowUp', { shiftKey: true })), 'Shift+↑');
   assert.equal(written(press(' ')), 'Space');
+  assert.equal(written(press('[', { ctrlKey: true, altKey: true })), '[', 'AltGr on Windows');
   assert.deepEqual(['Ctrl+Shift+Z', 'Alt+↑', 'Space', ',', '+', '−', 'Page Up'].map(spokenKey), ['Control+Shift+Z', 'Alt+ArrowUp', 'Space', ',', '+', '-', 'PageUp']);
 });
 

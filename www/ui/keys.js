@@ -83,6 +83,8 @@ const WRITTEN = { ' ': 'Space', ArrowLeft: '←', ArrowRight: '→', ArrowUp: '�
 export function written({ key, ctrlKey, metaKey, altKey, shiftKey }) {
   // Which signs need Shift is the keyboard's matter; that a letter is large may come from Caps Lock.
   const sign = key.length === 1 && key !== ' ' && key.toLowerCase() === key.toUpperCase();
+  // Windows tells AltGr, with which some keyboards type signs, as Ctrl and Alt.
+  if (sign && ctrlKey && altKey) return WRITTEN[key] ?? key;
   return `${ctrlKey || metaKey ? 'Ctrl+' : ''}${altKey ? 'Alt+' : ''}${shiftKey && !sign ? 'Shift+' : ''}${WRITTEN[key] ?? (key.length === 1 ? key.toUpperCase() : key)}`;
 }
 
