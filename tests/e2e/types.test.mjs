@@ -123,6 +123,8 @@ test('new: a 3-PRS in millimetres, planned, its first key frame reached, its leg
   await field('Leg length').fill('150');
   await fault.filter({ hasText: /do not reach.*from 201\./ }).waitFor();
   assert.equal(await field('Leg length').getAttribute('aria-invalid'), 'true');
+  await field('Base radius').fill('abc');
+  await fault.filter({ hasText: /^Base radius: this is the text “abc”\. Accepted: a number\.$/ }).waitFor();
   await field('Base radius').fill('');
   await fault.filter({ hasText: /Base radius: this is missing/ }).waitFor();
   await field('Unit').focus();

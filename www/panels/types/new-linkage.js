@@ -5,6 +5,7 @@
  * @typedef {import('../../pkg/synthetica.js').MakeRequest} MakeRequest
  */
 import { ask } from '../../core/ask.js';
+import { faultText } from '../../core/fault-text.js';
 import { element } from '../../ui/dom.js';
 import { sizeOf } from './size-of.js';
 
@@ -87,7 +88,8 @@ export function newLinkageForm({ planner, open }, { chain, type: first, done }) 
       else input.removeAttribute('aria-describedby');
     }
     note.hidden = !fault;
-    note.textContent = fault?.message ?? '';
+    // A document may leave a size out; here all of them are asked for.
+    note.textContent = fault ? faultText({ ...fault, optional: undefined }) : '';
     if (at) at.row.append(note);
     else form.append(note);
   }
