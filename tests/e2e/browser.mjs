@@ -135,3 +135,14 @@ export async function faultBeside(page, path) {
 }
 
 export const noFault = (page) => page.locator('#fault-note').waitFor({ state: 'detached' });
+
+/** The first motion of the page is planned. */
+export const ready = (page) => page.waitForFunction(() => (page$('#closure')?.textContent ?? '–') !== '–');
+
+/** The header names that document. */
+export const nameIs = (page, name) => page.locator('#document-name').filter({ hasText: new RegExp(`^${name}$`) }).waitFor();
+
+export const notice = (page, words) => page.locator('#notices p').filter({ hasText: words });
+
+/** The kept work holds that text. */
+export const keeps = (page, words) => page.waitForFunction((wanted) => localStorage.getItem('synthetica.work.1')?.includes(wanted), words);

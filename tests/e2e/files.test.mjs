@@ -1,8 +1,8 @@
-// Documents: examples, new, open, save, kept work, links, and the header around them.
+// Documents: examples, new, open, save, and the work that the browser keeps.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
-import { cell, motionIsOfDocument, number, openBrowser, openSample, scrubTo, text } from './browser.mjs';
+import { cell, keeps, motionIsOfDocument, nameIs, notice, number, openBrowser, openSample, ready, text } from './browser.mjs';
 
 let browser;
 before(async () => {
@@ -12,20 +12,6 @@ after(() => browser.close());
 
 const A = 'chains[0].joints[1].rows[0].a';
 const fourBar = readFileSync(new URL('../../www/mechanisms/four-bar.json', import.meta.url), 'utf8');
-
-const ready = (page) => page.waitForFunction(() => (page$('#closure')?.textContent ?? '–') !== '–');
-const nameIs = (page, name) => page.locator('#document-name').filter({ hasText: new RegExp(`^${name}$`) }).waitFor();
-const notice = (page, words) => page.locator('#notices p').filter({ hasText: words });
-
-/** How light the picture of the linkage is, from 0 to 1. */
-const lightness = async (page) =>
-  page.evaluate(async (bytes) => {
-    const bitmap = await createImageBitmap(new Blob([new Uint8Array(bytes)]));
-    const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d');
-    context.drawImage(bitmap, 0, 0);
-    const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);
-    return data.reduce((sum, value, index) => (index % 4 === 3 ? sum : sum + value), 0) / (data.length * 0.75 * 255);
-  }, [...(await page.locator('#canvas').screenshot())]);
 
 /** A page in a browser without file pickers: it uploads and downloads. */
 async function pageWithoutPickers(options) {
@@ -54,9 +40,6 @@ async function edit(page, value = '0.25', path = A) {
   await page.keyboard.press('Enter');
   await page.locator('#unsaved').waitFor({ state: 'visible' });
 }
-
-/** The kept work holds that text. */
-const keeps = (page, words) => page.waitForFunction((wanted) => localStorage.getItem('synthetica.work.1')?.includes(wanted), words);
 
 test('new, edit, save, open: the same document comes back', async () => {
   const { page, problems } = await pageWithoutPickers({ viewport: { width: 1280, height: 700 }, acceptDownloads: true });
@@ -332,164 +315,4 @@ test('two tabs: each says that there is another, and neither work is lost', asyn
   await second.getByRole('menuitem', { name: 'Earlier documents' }).click();
   await second.getByRole('button', { name: /^First again/ }).click();
   await nameIs(second, 'First again');
-});
-
-/** The link that the page makes of its document. */
-async function shared(page) {
-  await page.evaluate(() => {
-    navigator.clipboard.writeText = async (text) => void (window.copied = text);
-  });
-  await page.getByRole('button', { name: 'Share', exact: true }).click();
-  await page.getByRole('button', { name: 'Copy link' }).click();
-  await page.locator('dialog .said', { hasText: 'Link copied.' }).waitFor();
-  await page.keyboard.press('Escape');
-  return page.evaluate(() => window.copied);
-}
-
-test('a link carries the whole document into another browser, and gives way to edits', async () => {
-  const { page } = await browser.openPage();
-  await openSample(page, '2tpr.json');
-  await edit(page, 'Größe − 2', 'name');
-  const link = await shared(page);
-  assert.ok(link.startsWith(`${browser.address}#d=1.`), link);
-  assert.ok(link.length < 2500, `${link.length} characters`);
-
-  const { page: other, problems } = await browser.blankPage();
-  await other.goto(link);
-  await ready(other);
-  await nameIs(other, 'Größe − 2');
-  assert.equal(other.url(), link);
-  assert.ok(await other.locator('#unsaved').isHidden());
-  await edit(other, 'Mine', 'name');
-  assert.equal(other.url(), browser.address);
-  await keeps(other, 'Mine');
-  await other.reload();
-  await ready(other);
-  await nameIs(other, 'Mine');
-  assert.deepEqual(problems, []);
-});
-
-test('without a clipboard the link is shown to be copied', async () => {
-  const { page } = await browser.openPage();
-  await page.evaluate(() => {
-    navigator.clipboard.writeText = () => Promise.reject(new DOMException('no', 'NotAllowedError'));
-  });
-  await page.getByRole('button', { name: 'Share', exact: true }).click();
-  await page.getByRole('button', { name: 'Copy link' }).click();
-  await page.locator('dialog .said', { hasText: 'Ctrl+C' }).waitFor();
-  const field = page.getByLabel('Link', { exact: true });
-  assert.match(await field.inputValue(), /#d=1\./);
-  assert.equal(await page.evaluate(() => getSelection().toString()), await field.inputValue());
-});
-
-test('a damaged link says so and opens a sample; one of a newer form too', async () => {
-  const { page } = await browser.openPage();
-  const link = await shared(page);
-  for (const [damaged, words] of [
-    [link.slice(0, -20), /missing or changed/],
-    [`${browser.address}#d=7.abcdef`, /version 7/],
-    [`${browser.address}#d=`, /cannot be opened/],
-  ]) {
-    const { page: other, problems } = await browser.blankPage();
-    await other.goto(damaged);
-    await ready(other);
-    await notice(other, words).waitFor();
-    await nameIs(other, '3RPS');
-    assert.equal(other.url(), damaged);
-    assert.deepEqual(problems, []);
-  }
-});
-
-test("a link does not cost one's own work", async () => {
-  const { page } = await browser.openPage();
-  const link = await shared(page);
-  await edit(page, 'Own work', 'name');
-  await keeps(page, 'Own work');
-  await page.goto('about:blank');
-  await page.goto(link);
-  await ready(page);
-  await nameIs(page, '3RPS');
-  await edit(page, 'Changed link', 'name');
-  await notice(page, 'Your last document is kept').getByRole('button', { name: 'Restore my last document' }).click();
-  await nameIs(page, 'Own work');
-  await page.locator('#undo').click();
-  await nameIs(page, '3RPS');
-});
-
-test('readable changes in the address are applied to a sample, and refused by place', async () => {
-  const { page, problems } = await browser.blankPage();
-  await page.goto(`${browser.address}?sample=2tpr&set=chains.0.base.x:0.5;motion.frames:7&set=name:Variant, by hand`);
-  await ready(page);
-  await nameIs(page, 'Variant, by hand');
-  assert.equal(await cell(page, 'chains[0].base.x').inputValue(), '0.5');
-  assert.match(await text(page, 'frame-number'), /\/ 7$/);
-  for (const [set, words] of [
-    ['chains.7.name:x', /chains\[7\]\.name.*Accepted/],
-    ['motion.frames:many', /frames.*Accepted/],
-    ['motion.speed:3', /speed.*Accepted/],
-    ['nonsense', /“nonsense”.*Accepted/],
-  ]) {
-    await page.goto(`${browser.address}?set=${set}`);
-    await ready(page);
-    await notice(page, words).waitFor();
-    await nameIs(page, '3RPS');
-  }
-  await page.goto(`${browser.address}?set=motion.frames:many;name:Mine;chains.7.name:x`);
-  await ready(page);
-  await nameIs(page, 'Mine');
-  await notice(page, /“motion\.frames:many”.*Accepted/).waitFor();
-  await notice(page, /“chains\.7\.name:x”.*Accepted/).waitFor();
-  await page.goto(`${browser.address}?sample=nothing`);
-  await ready(page);
-  await notice(page, /no sample “nothing”/).waitFor();
-  assert.deepEqual(problems, []);
-});
-
-test('a link put into the address of the open page is opened as a step', async () => {
-  const { page } = await browser.openPage();
-  await openSample(page, '2tpr.json');
-  const link = await shared(page);
-  await openSample(page, 'scara.json');
-  await page.evaluate((hash) => (location.hash = hash), new URL(link).hash);
-  await nameIs(page, '2TPR');
-  await page.locator('#undo').click();
-  await nameIs(page, 'SCARA');
-});
-
-test('light, dark, as the system: chosen in the header, kept, followed by the view', async () => {
-  const { page, problems } = await browser.openPage();
-  await scrubTo(page, 60);
-  const theme = page.locator('#theme');
-  const state = () => page.evaluate(() => {
-    const style = getComputedStyle(document.documentElement);
-    return { scheme: style.colorScheme, page: style.backgroundColor };
-  });
-  const light = await state();
-  assert.ok((await lightness(page)) > 0.65);
-  await theme.click();
-  assert.equal((await state()).scheme, 'light');
-  await theme.click();
-  const dark = await state();
-  assert.equal(dark.scheme, 'dark');
-  assert.notEqual(dark.page, light.page);
-  assert.ok((await lightness(page)) < 0.35);
-  assert.match(await theme.getAttribute('aria-label'), /dark.*system/);
-  await page.reload();
-  assert.equal((await state()).page, dark.page, 'before the scripts ran');
-  await ready(page);
-  await theme.click();
-  assert.deepEqual(await state(), light);
-  assert.deepEqual(problems, []);
-});
-
-test('on a phone the header is one row, and its menu holds the rest', async () => {
-  const { page } = await browser.openPage({ viewport: { width: 390, height: 844 }, isMobile: true, hasTouch: true });
-  const bar = await page.locator('.bar').boundingBox();
-  assert.ok(bar.height < 60, `${bar.height} pixels high`);
-  await openSample(page, '2tpr.json');
-  await nameIs(page, '2TPR');
-  await page.getByRole('button', { name: 'File', exact: true }).tap();
-  for (const name of [/^New/, /^Open/, /^Save/, /^Share/, /^Colours/]) assert.ok(await page.getByRole('menuitem', { name }).first().isVisible(), String(name));
-  await page.getByRole('menuitem', { name: /^Colours/ }).tap();
-  assert.equal(await page.evaluate(() => document.documentElement.dataset.theme), 'light');
 });

@@ -1,7 +1,7 @@
 // The planner comes late, not at first, or not at all: that is said, nothing kept is lost, and trying again helps.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { cell, openBrowser } from './browser.mjs';
+import { cell, nameIs, openBrowser } from './browser.mjs';
 
 let browser;
 before(async () => {
@@ -11,7 +11,6 @@ after(() => browser.close());
 
 const WASM = /\.wasm$/;
 const motion = (page) => page.waitForFunction(() => (page$('#closure')?.textContent ?? '–') !== '–');
-const nameIs = (page, name) => page.locator('#document-name').filter({ hasText: new RegExp(`^${name}$`) }).waitFor();
 const kept = (page) => page.evaluate(() => localStorage.getItem('synthetica.work.1'));
 /** What goes wrong in the page's own code; the browser itself says that a request was aborted. */
 const ofThePage = (problems) => problems.filter((problem) => !/ERR_FAILED|Failed to load resource|Service Worker registration blocked/.test(problem));

@@ -8,8 +8,9 @@ import { sampleOf, sampleText, samples } from './samples.js';
 /**
  * @param {ReturnType<typeof import('./address.js').readAddress>} asked
  * @param {Pick<import('./linkage.js').Linkage, 'whole' | 'say'>} linkage
- * @returns {Promise<import('./ask.js').Answer<{doc: import('./types.js').MechanismDocument, title: string, problems: string[]}>
- *   | import('./ask.js').Trouble>} with what was wrong with the address; something is always shown
+ * @returns {Promise<import('./ask.js').Answer<{doc: import('./types.js').MechanismDocument, title: string, broken: string,
+ *   problems: string[]}> | import('./ask.js').Trouble>} `broken`: why the link cannot be opened, if it cannot, a sample then stands
+ *   in its place; `problems`: what else was wrong with the address
  */
 export async function answerTo({ payload, sample, sets }, linkage) {
   const { whole } = linkage;
@@ -26,11 +27,11 @@ export async function answerTo({ payload, sample, sets }, linkage) {
   if (first.is !== 'answer') throw new Error(`The sample ${found.file} cannot be opened. ${first.message}`);
   let doc = first.value;
   let title = found.file;
+  let broken = '';
   if (payload !== null) {
     const { decode } = await loaded(linkage, 'What reads links', () => import('./link-codec.js'));
-    const refuse = (/** @type {string} */ why) => problems.push(`This link cannot be opened: a sample is shown in its place. ${why}`);
     const text = await decode(payload).catch((error) => {
-      refuse(reason(error));
+      broken = reason(error);
       return null;
     });
     const shared = text === null ? null : await whole(text);
@@ -38,7 +39,7 @@ export async function answerTo({ payload, sample, sets }, linkage) {
     if (shared?.is === 'answer') {
       doc = shared.value;
       title = '';
-    } else if (shared) refuse(shared.message);
+    } else if (shared) broken = shared.message;
   }
   if (sets.length) {
     const { withOverrides } = await loaded(linkage, 'What reads the changes in the address', () => import('./overrides.js'));
@@ -49,5 +50,5 @@ export async function answerTo({ payload, sample, sets }, linkage) {
       problems.push(...changed.value.problems);
     }
   }
-  return { is: 'answer', value: { doc, title, problems } };
+  return { is: 'answer', value: { doc, title, broken, problems } };
 }

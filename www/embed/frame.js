@@ -39,8 +39,9 @@ export function startFrame() {
   else {
     // The element waits for its document.
     element.document = null;
-    untilAnswered(linkage.store, () => answerTo(asked, linkage)).then(({ value: { doc: shown, problems } }) => {
+    untilAnswered(linkage.store, () => answerTo(asked, linkage)).then(({ value: { doc: shown, broken, problems } }) => {
       element.document = shown;
+      if (broken) linkage.say(`This link cannot be opened: a sample is shown in its place. ${broken}`, { stays: true });
       for (const problem of problems) linkage.say(problem, { stays: true });
     });
   }

@@ -52,8 +52,8 @@ export function linkageFrame(iframe, { fit = false, origin = sandboxed(iframe) ?
         send('get', { what, id });
       });
     },
-    /** Shows a document. @param {object | string} document */
-    setDocument: (document) => send('document', { document }),
+    /** Shows a document. @param {object | string} doc */
+    setDocument: (doc) => send('document', { document: doc }),
     /** @param {{paused?: boolean, frame?: number, currentTime?: number, speed?: number, loop?: string, view?: string, theme?: string, panels?: string}} state */
     setState: (state) => send('state', { state }),
     /** Stops listening. */

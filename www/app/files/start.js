@@ -69,12 +69,13 @@ export function start(linkage, keeper) {
     }
     if (!shown) {
       const { value } = await untilAnswered(store, () => answerTo(asked, linkage));
-      const { doc, title, problems } = value;
+      const { doc, title, broken, problems } = value;
       if (work && !explicit) {
         keeper.setAside();
         say('Your last document has a fault, and no motion without it is known. It is in the File menu (▾ beside Save), Earlier documents.', { label: 'Open it', act: () => takeUp(work), stays: true });
       }
       store.restore({ doc, past: [], future: [] }, { title, handle: null, saved: doc });
+      if (broken) say(`This link cannot be opened: a sample is shown in its place. ${broken}`, { stays: true });
       for (const problem of problems) say(problem, { stays: true });
       if (explicit && work) {
         keeper.disown();
@@ -107,10 +108,11 @@ export function start(linkage, keeper) {
       const shared = await answerTo(asked, linkage);
       if (mine !== addresses) return;
       if (shared.is === 'trouble') return say(`This link was not opened. ${shared.message}`, { label: 'Try again', act: follow, stays: true });
-      const { problems } = shared.value;
-      if (problems.length) return say(problems[0].replace(': a sample is shown in its place', ''), { stays: true });
+      const { broken, problems } = shared.value;
+      if (broken) return say(`This link cannot be opened. ${broken}`, { stays: true });
       doc = shared.value.doc;
       show(doc);
+      for (const problem of problems) say(problem, { stays: true });
     }
     addEventListener('hashchange', follow);
     if (location.href !== begun) follow();
