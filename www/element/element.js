@@ -206,8 +206,9 @@ export class SyntheticaLinkage extends LinkageWords {
       this.linkage.player.seen = seen;
       if (seen) this.#show();
       if (!this.#benchBegun) return;
-      const { scene } = await this.workbench;
-      if (scene && !signal.aborted) scene.setSeen(seen);
+      // That it could not be made has been told.
+      const app = await this.workbench.catch(() => null);
+      if (!signal.aborted) app?.scene?.setSeen(seen);
     });
   }
 
@@ -220,7 +221,10 @@ export class SyntheticaLinkage extends LinkageWords {
       keys: this.#meant('keys') === 'page' ? document : this,
       panels: this.#meant('panels'),
       signal: this.#life.signal,
-    }).then(resolve, reject);
+    }).then(resolve, (error) => {
+      this.#complain(error);
+      reject(error);
+    });
   }
 
   #dismantle() {
