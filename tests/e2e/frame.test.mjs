@@ -131,9 +131,12 @@ test('the helper for the page around: fits the height, gets, sets, hears', async
   const { page } = await pageAround('embed.html?sample=2tpr');
   const result = await page.evaluate(async (address) => {
     const { linkageFrame } = await import(`${address}frame.js`);
-    const iframe = document.querySelector('iframe');
+    // Another one, which is loaded only when there is a listener: the first may have been ready before.
+    const iframe = document.querySelector('iframe').cloneNode();
     const frame = linkageFrame(iframe, { fit: true });
-    await new Promise((resolve) => frame.on('ready', resolve));
+    const ready = new Promise((resolve) => frame.on('ready', resolve));
+    document.querySelector('iframe').replaceWith(iframe);
+    await ready;
     const moved = new Promise((resolve) => frame.on('state', (state) => state.frame === 12 && resolve(state)));
     frame.setState({ frame: 12 });
     await moved;
