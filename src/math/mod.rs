@@ -5,6 +5,8 @@ pub mod dot;
 pub mod lanczos;
 pub mod linalg;
 pub mod metric;
+#[cfg(feature = "study")]
+pub mod orientation;
 pub mod pose;
 pub mod qr;
 pub mod random;
