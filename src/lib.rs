@@ -125,6 +125,8 @@ pub mod model;
 pub mod motion;
 pub mod plan;
 pub mod solve;
+#[cfg(feature = "study")]
+pub mod source;
 pub mod study;
 pub mod types;
 
