@@ -125,7 +125,6 @@ pub mod model;
 pub mod motion;
 pub mod plan;
 pub mod solve;
-#[cfg(feature = "study")]
 pub mod source;
 pub mod study;
 pub mod types;
@@ -133,7 +132,6 @@ pub mod types;
 pub use document::fault::Fault;
 pub use document::problem::Problem;
 pub use document::schema::Document;
-pub use document::session::Session;
 pub use exchange::export;
 pub use math::metric::MetricKind;
 pub use math::pose::Pose;
@@ -141,6 +139,7 @@ pub use model::mechanism::Mechanism;
 pub use motion::trajectory::{Status, Trajectory, Warning};
 pub use plan::follow::Planning;
 pub use plan::settings::{Method, Settings};
+pub use source::session::Session;
 
 /// The README's Rust, as a documentation test.
 #[cfg(doctest)]

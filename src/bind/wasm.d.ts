@@ -24,6 +24,10 @@ export interface Motion {
   /** Frames of the goal motion: more than `frames` in a partial motion. */
   goal_frames: number;
   report: Report;
+  /** Of a document with expressions, axes or other conventions: the plain document that it stands for. */
+  plain?: MechanismDocument;
+  /** Of the same: its parameters. */
+  parameters?: Parameter[];
   /** What planning took, without the copying of the result. */
   milliseconds: number;
   /** Time of each frame. */

@@ -8,11 +8,12 @@ use crate::document::fault::Fault;
 use crate::document::problem::Problem;
 use crate::document::questions::Posture;
 use crate::document::report::Report;
-use crate::document::session;
+
 use crate::document::text::{self, Digits};
 use crate::motion::columns::{COLUMNS, Column, Kind, placed};
 use crate::motion::trajectory::Trajectory;
 use crate::plan::follow::Planning;
+use crate::source::session;
 use js_sys::{Float64Array, Object, Reflect, Uint8Array, Uint32Array};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
@@ -195,7 +196,10 @@ impl Session {
     }
 
     fn motion(&self, t: &Trajectory, milliseconds: f64) -> Result<JsMotion, JsValue> {
-        motion(self.open.problem(), t, milliseconds).map(JsCast::unchecked_into)
+        let motion = motion(self.open.problem(), t, milliseconds)?;
+        #[cfg(feature = "study")]
+        self.tell_typed(&motion)?;
+        Ok(motion.unchecked_into())
     }
 
     /// The plan in portions, where it is complete.

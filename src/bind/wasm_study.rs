@@ -6,11 +6,12 @@ use crate::document::example_document;
 use crate::document::make;
 use crate::document::problem::Problem;
 use crate::document::schema::SCHEMA;
-use crate::document::session::index;
+
 use crate::exchange::export::{self, Format};
 use crate::math::pose::Pose;
 use crate::motion::columns::placed;
 use crate::solve::gradient::Arrival;
+use crate::source::session::index;
 use crate::study::iterations::History;
 use crate::types::{enumerate, tables};
 use js_sys::{Float64Array, Object, Reflect, Uint8Array, Uint32Array};
@@ -35,6 +36,22 @@ extern "C" {
 
 #[wasm_bindgen]
 impl Session {
+    /// The document as the planner has it: numbers, degrees, rows.
+    pub fn plain(&self) -> String {
+        self.open.document().text()
+    }
+
+    /// Adds what a document of expressions, axes and other conventions stands for.
+    pub(crate) fn tell_typed(&self, motion: &Object) -> Result<(), JsValue> {
+        let typed = self.open.typed();
+        if !typed.is_typed() {
+            return Ok(());
+        }
+        let set = |name: &str, value: &JsValue| Reflect::set(motion, &name.into(), value).map(drop);
+        set("plain", &js_sys::JSON::parse(&self.plain())?)?;
+        set("parameters", &to_js(&typed.parameters.list())?)
+    }
+
     /// One joint variable, counted through all chains, driven to `value` (rad or length) from the joint
     /// values `joints`.
     ///

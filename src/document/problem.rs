@@ -14,7 +14,7 @@ use crate::document::schema::{ChainEntry, Document, JointEntry, LimitsEntry, Row
 use crate::math::pose::Pose;
 use crate::model::chain::{Chain, ChainFault, MAX_FREEDOMS};
 use crate::model::dh::DhRow;
-use crate::model::joint::{Joint, JointFault, JointKind, Limits, Moves};
+use crate::model::joint::{Joint, JointFault, JointKind, Limits};
 use crate::model::mechanism::{MAX_CHAINS, Mechanism, MechanismFault};
 use crate::motion::goal::Goal;
 use crate::motion::trajectory::{Trajectory, Warning};
@@ -233,13 +233,7 @@ fn limits(
     freedom: usize,
     place: &Place<'_>,
 ) -> Result<Limits, Fault> {
-    // Every joint but C, which turns and then slides, has one freedom a row.
-    let turns = match kind {
-        JointKind::C => freedom == 0,
-        JointKind::R | JointKind::P | JointKind::T | JointKind::S | JointKind::E => {
-            kind.moves(freedom) == Moves::Turns
-        }
-    };
+    let turns = kind.turns(freedom);
     let bound = |value: Option<f64>, name: &str, open: f64| match value {
         Some(value) => joint_value(value, turns, &place.field(name)),
         None => Ok(open),

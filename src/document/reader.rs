@@ -49,7 +49,7 @@ impl Node {
         }
     }
 
-    fn is_not(&self, accepted: &str) -> Refusal {
+    pub(crate) fn is_not(&self, accepted: &str) -> Refusal {
         Refusal::new(
             FaultCode::WrongType,
             format!("this is {}", self.describe()),

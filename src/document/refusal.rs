@@ -47,6 +47,12 @@ impl Refusal {
         self
     }
 
+    /// For a field that is none of those known.
+    pub(crate) fn unknown(name: &str, known: &[&str]) -> Self {
+        let what = format!("there is no field \u{201c}{}\u{201d} here", excerpt(name));
+        Self::new(FaultCode::UnknownField, what, &one_of(known))
+    }
+
     /// For a value that may be null: what is refused is the value itself.
     #[cold]
     #[inline(never)]
@@ -87,8 +93,7 @@ impl Error for Refusal {
     }
 
     fn unknown_field(name: &str, known: &'static [&'static str]) -> Self {
-        let what = format!("there is no field \u{201c}{}\u{201d} here", excerpt(name));
-        Self::new(FaultCode::UnknownField, what, &one_of(known))
+        Self::unknown(name, known)
     }
 
     fn missing_field(name: &'static str) -> Self {

@@ -3,6 +3,7 @@
 use crate::document::fault::{Fault, FaultCode, Place};
 use crate::document::number::{typed, written};
 use crate::document::reader::Node;
+use crate::document::refusal::Refusal;
 use crate::document::schema::{Document, VERSION};
 use serde::{Deserialize, Serialize};
 
@@ -15,6 +16,11 @@ pub const MAX_TEXT: usize = 1_000_000;
 /// # Errors
 /// Where the text is no document of this version.
 pub fn parse(text: &str) -> Result<Document, Fault> {
+    document_of(&node_of(text)?)
+}
+
+/// The values of a document's text, of this version.
+pub(crate) fn node_of(text: &str) -> Result<Node, Fault> {
     let whole = Place::WHOLE;
     if text.len() > MAX_TEXT {
         let what = format!("{} bytes of text are too many", text.len());
@@ -38,7 +44,13 @@ pub fn parse(text: &str) -> Result<Document, Fault> {
     }
     let node = serde_json::from_str(text).map_err(|error| not_json(&error))?;
     check_version(&node)?;
-    let mut document = Document::deserialize(&node).map_err(|refusal| refusal.fault(&whole))?;
+    Ok(node)
+}
+
+/// The document of these values.
+pub(crate) fn document_of(node: &Node) -> Result<Document, Fault> {
+    let refused = |refusal: Refusal| refusal.fault(&Place::WHOLE);
+    let mut document = Document::deserialize(node).map_err(refused)?;
     for (i, chain) in document.chains.iter_mut().enumerate() {
         if chain.name.is_empty() {
             chain.name = format!("chain {}", i + 1);
@@ -133,7 +145,7 @@ impl serde_json::ser::Formatter for Digits {
 }
 
 /// Breaks compact JSON into lines.
-fn layout(json: &str) -> String {
+pub(crate) fn layout(json: &str) -> String {
     /// Columns that a joint of two rows fits.
     const WIDTH: usize = 140;
     let mut out = String::with_capacity(2 * json.len());

@@ -50,6 +50,23 @@ pub fn warning(warning: &Warning, wording: &Wording<'_>) -> WarningReport {
             ),
             None,
         ),
+        #[cfg(feature = "study")]
+        Warning::NearlyParallel { chain, joint, angle } => say(
+            "nearly-parallel",
+            format!(
+                "{}: the axis of joint {} is within {}\u{b0} of the axis before, and is taken as parallel to it. Give directions with more digits, or exactly parallel ones.",
+                wording.chain(chain),
+                joint + 1,
+                readable(angle.to_degrees())
+            ),
+            None,
+        ),
+        #[cfg(feature = "study")]
+        Warning::StandardTable => say(
+            "standard-table",
+            "Read as standard tables (Z\u{b7}X) these rows fit the start and the first key frame; as modified ones (X\u{b7}Z), as they are read, they do not. Switch the convention of the chains to standard.".to_owned(),
+            None,
+        ),
         Warning::StartOpen { error } => say(
             "start-open",
             format!(

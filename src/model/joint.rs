@@ -71,6 +71,16 @@ impl JointKind {
         }
     }
 
+    /// Does this freedom turn, or does it slide? A C turns and then slides; every other joint has one freedom a row.
+    pub(crate) const fn turns(self, freedom: usize) -> bool {
+        match self {
+            Self::C => freedom == 0,
+            Self::R | Self::P | Self::T | Self::S | Self::E => {
+                matches!(self.moves(freedom), Moves::Turns)
+            }
+        }
+    }
+
     /// What moves in row `row`.
     pub(crate) const fn moves(self, row: usize) -> Moves {
         match (self, row) {

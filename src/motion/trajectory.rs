@@ -79,6 +79,18 @@ pub enum Warning {
         tolerance: f64,
         suspect: Option<Suspect>,
     },
+    /// The axis of a joint, counted from 0 in its chain, is parallel to the one before but for `angle` (rad), and was made
+    /// parallel.
+    #[cfg(feature = "study")]
+    NearlyParallel {
+        chain: usize,
+        joint: usize,
+        angle: f64,
+    },
+    /// Read as standard tables (Z·X) the rows close the loops and meet the first key frame at the given start; as they
+    /// are read they do not.
+    #[cfg(feature = "study")]
+    StandardTable,
     /// The gradient planner takes rounded dimensions as they are, and finds no closed position.
     RoundedUnknown,
     /// The linkage leaps at `time`, between frames `first` and `first + 1`: the joint variable `variable` moves by

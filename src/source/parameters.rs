@@ -1,5 +1,6 @@
 //! Numbers with names, in the order of their document.
 
+use serde::Serialize;
 use std::collections::BTreeMap;
 
 /// Most parameters of a document.
@@ -17,7 +18,7 @@ pub enum ParameterValue {
 }
 
 /// A parameter with its value.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Parameter {
     /// A letter or `_`, then letters, digits and `_`.
     pub name: String,

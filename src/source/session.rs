@@ -5,12 +5,19 @@ use crate::document::bounds::no_index;
 use crate::document::comparison::Comparison;
 use crate::document::fault::{Fault, Place};
 use crate::document::number::typed;
-use crate::document::problem::Problem;
+use crate::document::problem::{Problem, start_values};
 use crate::document::questions::{FRAMES, Posture, VARIABLE};
 use crate::document::schema::Document;
-use crate::document::text;
 use crate::motion::trajectory::Trajectory;
+#[cfg(feature = "study")]
+use crate::motion::trajectory::Warning;
 use crate::plan::follow::Planning;
+#[cfg(feature = "study")]
+use crate::source::convention::looks_standard;
+#[cfg(not(feature = "study"))]
+use crate::source::plain::Plain as Source;
+#[cfg(feature = "study")]
+use crate::source::typed::Typed as Source;
 use crate::study::why::Insight;
 use std::cell::OnceCell;
 
@@ -37,7 +44,7 @@ use std::cell::OnceCell;
 /// ```
 #[derive(Debug)]
 pub struct Session {
-    document: Document,
+    source: Source,
     problem: Problem,
     start: OnceCell<Vec<f64>>,
 }
@@ -48,18 +55,29 @@ impl Session {
     /// # Errors
     /// One fault, where there are any in the text.
     pub fn open(text: &str) -> Result<Self, Fault> {
-        let document = text::parse(text)?;
-        let problem = Problem::new(&document)?;
+        let source = Source::read(text)?;
+        let mut problem = Problem::new(&source.document)?;
+        problem.notes.splice(..0, source.notes.iter().cloned());
+        #[cfg(feature = "study")]
+        if source.names_no_convention() && looks_standard(&source.document, &problem) {
+            problem.notes.push(Warning::StandardTable);
+        }
         Ok(Self {
-            document,
+            source,
             problem,
             start: OnceCell::new(),
         })
     }
 
-    /// The document.
+    /// The document as the planner has it: plain, whatever was typed.
     pub fn document(&self) -> &Document {
-        &self.document
+        &self.source.document
+    }
+
+    /// What was read: the document as it was typed, and its parameters.
+    #[cfg(feature = "study")]
+    pub fn typed(&self) -> &Source {
+        &self.source
     }
 
     /// The same as the planner has it: checked, angles in rad.
@@ -67,9 +85,9 @@ impl Session {
         &self.problem
     }
 
-    /// The document's text with every default written out.
+    /// The document's text as it was typed, with every default written out.
     pub fn text(&self) -> String {
-        self.document.text()
+        self.source.text()
     }
 
     /// The joint values (rad or lengths) that a plan starts from: see [`Problem::find_start`]. The
@@ -80,9 +98,8 @@ impl Session {
 
     /// The document's text with the start written into it.
     pub fn text_with_start(&self) -> String {
-        let mut document = self.document.clone();
-        document.set_start(&self.problem.mechanism, self.start());
-        document.text()
+        let start = start_values(&self.problem.mechanism, self.start());
+        self.source.text_with_start(start)
     }
 
     /// Plans the motion in one go.
