@@ -5,6 +5,7 @@
 //! belongs to its power, not to its product: 2*1.2 rad is 2*(1.2 rad). Behind a division it must be clear what it belongs
 //! to: `pi/2 rad` is refused, `(pi/2) rad` is not.
 
+pub use crate::source::expression_fault::ExpressionFault;
 pub use crate::source::functions::AngleUnit;
 pub use crate::source::parameters::{Parameter, ParameterValue, Parameters};
 
@@ -14,36 +15,11 @@ use crate::source::functions::{FUNCTIONS, Function};
 use crate::source::nearest::nearest;
 use crate::source::scan::{name_end, number_end, starts_name};
 use std::f64::consts::PI;
-use std::fmt;
 
 /// Most characters of an expression.
 pub const MAX_EXPRESSION: usize = 500;
 /// Most parentheses, functions and powers within each other: the stack of a browser holds many times as many.
 pub const MAX_NESTING: usize = 50;
-
-/// Why a text is no expression, or has no value.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct ExpressionFault {
-    /// What is wrong; a part of a sentence without a stop at the end.
-    pub what: String,
-    /// What would be accepted there; likewise.
-    pub accepted: String,
-    /// The character of the text, from 1, where it is wrong; one past the last where something is missing at the end. None
-    /// where it is not the text but the name, the number or the count of parameters.
-    pub column: Option<usize>,
-}
-
-impl fmt::Display for ExpressionFault {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { what, accepted, .. } = self;
-        if let Some(column) = self.column {
-            write!(f, "character {column}: ")?;
-        }
-        write!(f, "{what}. Accepted: {accepted}.")
-    }
-}
-
-impl std::error::Error for ExpressionFault {}
 
 /// The value of an expression, which is finite; 0 has no sign.
 ///
@@ -62,7 +38,7 @@ pub fn evaluate(
         parameters,
         unit,
     };
-    if text.chars().nth(MAX_EXPRESSION).is_some() {
+    if is_too_long(text) {
         let what = format!("the expression has more than {MAX_EXPRESSION} characters");
         let accepted = format!("at most {MAX_EXPRESSION} characters");
         return Err(reader.fault(MAX_EXPRESSION, what, &accepted));
@@ -72,6 +48,10 @@ pub fn evaluate(
         None => Ok(value),
         Some(_) => Err(reader.no_operator()),
     }
+}
+
+pub(super) fn is_too_long(text: &str) -> bool {
+    text.chars().nth(MAX_EXPRESSION).is_some()
 }
 
 /// Reads a text from left to right and computes as it goes. All before `at` is ASCII: a byte there is a character.
@@ -84,6 +64,9 @@ struct Reader<'a> {
 }
 
 type Value = Result<f64, ExpressionFault>;
+
+/// A unit behind a value: at which byte, and which.
+type Unit<'a> = (usize, &'a str);
 
 impl<'a> Reader<'a> {
     /// The next byte that is no blank, without going beyond it.
@@ -137,8 +120,8 @@ impl<'a> Reader<'a> {
         Ok(value)
     }
 
-    /// Signs, a power, and a unit behind it: where, and which.
-    fn factor(&mut self) -> Result<(f64, Option<(usize, &'a str)>), ExpressionFault> {
+    /// Signs, a power, and a unit behind it.
+    fn factor(&mut self) -> Result<(f64, Option<Unit<'a>>), ExpressionFault> {
         let negative = self.signs();
         let mut value = self.power()?;
         let mut unit = None;
@@ -283,6 +266,7 @@ impl<'a> Reader<'a> {
         };
         let accepted = match operator {
             b'/' => "a divisor that is not 0, nor too small",
+            b'^' if left == 0.0 => "an exponent that is not negative, or a base that is not 0",
             b'^' if left < 0.0 => "a whole exponent, or a base that is not negative",
             _ => "numbers whose result is below 1.8e308",
         };
@@ -318,7 +302,7 @@ impl<'a> Reader<'a> {
         };
         let what = format!("there is no {kind} “{}”", excerpt(name));
         let accepted = match (near, called) {
-            (Some(near), _) => format!("perhaps “{near}”"),
+            (Some(near), _) => format!("a name that is known, perhaps “{near}”"),
             (None, true) => functions.collect::<Vec<_>>().join(" "),
             (None, false) if self.parameters.list().is_empty() => {
                 "numbers, pi and functions: the document has no parameters".to_owned()

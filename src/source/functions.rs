@@ -142,10 +142,13 @@ fn quarters(degrees: f64) -> (i32, f64) {
 /// Sine of an angle from -45 to 45 degrees; 0.5 and not 0.49999999999999994 at 30.
 #[expect(clippy::float_cmp, reason = "the rest of an angle is exact")]
 fn sin_rest(degrees: f64) -> f64 {
-    match degrees.abs() {
-        size if size == 30.0 => 0.5_f64.copysign(degrees),
-        size if size == 45.0 => FRAC_1_SQRT_2.copysign(degrees),
-        _ => libm::sin(degrees.to_radians()),
+    let size = degrees.abs();
+    if size == 30.0 {
+        0.5_f64.copysign(degrees)
+    } else if size == 45.0 {
+        FRAC_1_SQRT_2.copysign(degrees)
+    } else {
+        libm::sin(degrees.to_radians())
     }
 }
 

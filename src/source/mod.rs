@@ -12,6 +12,8 @@ mod convention;
 #[cfg(feature = "study")]
 pub mod expression;
 #[cfg(feature = "study")]
+mod expression_fault;
+#[cfg(feature = "study")]
 mod frames;
 #[cfg(feature = "study")]
 mod functions;

@@ -2,7 +2,7 @@
 
 use crate::document::fault::excerpt;
 use crate::document::number::typed;
-use crate::source::expression::{ExpressionFault, evaluate};
+use crate::source::expression::{ExpressionFault, evaluate, is_too_long};
 use crate::source::functions::{AngleUnit, Function};
 use crate::source::parameters::{MAX_PARAMETER_NAME, MAX_PARAMETERS, ParameterValue, Parameters};
 use crate::source::scan::{name_end, words};
@@ -36,7 +36,9 @@ impl Parameters {
                     format!("{} is not a finite number", typed(number)),
                     "a number below 1.8e308".to_owned(),
                 )),
-                _ => parameters.refused(name, unit),
+                ParameterValue::Number(_) | ParameterValue::Expression(_) => {
+                    parameters.refused(name, unit)
+                }
             };
             if let Some((what, accepted)) = fault {
                 let column = None;
@@ -92,13 +94,13 @@ impl Parameters {
         }
     }
 
-    /// The indices of the parameters that a value names.
+    /// The indices of the parameters that a value names. A text that is too long is told as such and not read.
     fn used(&self, value: &ParameterValue) -> Vec<usize> {
         match value {
-            ParameterValue::Number(_) => Vec::new(),
-            ParameterValue::Expression(text) => words(text)
+            ParameterValue::Expression(text) if !is_too_long(text) => words(text)
                 .filter_map(|(_, name)| self.position(name))
                 .collect(),
+            ParameterValue::Expression(_) | ParameterValue::Number(_) => Vec::new(),
         }
     }
 }
