@@ -902,7 +902,7 @@ fn any_text_has_a_value_or_a_fault_with_its_place() {
             );
         }
     }
-    // Some are still expressions. All take 2 s on a slow machine; what grew with a power of the length would not end.
+    // Some are still expressions. All take less than a second; what grew exponentially with the length would not end.
     assert!(valued > 5_000 && refused > 20_000, "{valued} {refused}");
     assert!(start.elapsed() < Duration::from_secs(60));
 }
