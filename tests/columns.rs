@@ -4,7 +4,7 @@
 
 use std::collections::BTreeSet;
 use synthetica::document::report::Report;
-use synthetica::document::session::Session;
+use synthetica::Session;
 use synthetica::exchange::table;
 use synthetica::motion::columns::{COLUMNS, Column, Kind};
 

@@ -15,6 +15,15 @@ export interface Fault {
   column?: number;
 }
 
+/** A number with a name. */
+export interface Parameter {
+  name: string;
+  /** A length, an angle in the document's unit of angles, or a share. */
+  value: number;
+  /** It is given as a number, and not as an expression. */
+  input: boolean;
+}
+
 /** A planned motion. Numbers are copies; groups of several numbers a frame lie frame by frame. Lengths are in the
  * document's unit where nothing else is said. */
 export interface Motion {
@@ -25,7 +34,7 @@ export interface Motion {
   goal_frames: number;
   report: Report;
   /** Of a document with expressions, axes or other conventions: the plain document that it stands for. */
-  plain?: MechanismDocument;
+  plain?: any;
   /** Of the same: its parameters. */
   parameters?: Parameter[];
   /** What planning took, without the copying of the result. */

@@ -184,7 +184,7 @@ pub fn from_angles(angles: [f64; 3], order: &str) -> Result<UnitQuaternion<f64>,
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::f64::consts::FRAC_1_SQRT_2;
+    use std::f64::consts::FRAC_PI_2;
 
     fn near(a: &UnitQuaternion<f64>, b: [f64; 4]) -> bool {
         let b = Quaternion::new(b[0], b[1], b[2], b[3]);
@@ -218,7 +218,7 @@ mod tests {
         }
         // URDF's roll 90°, then yaw 90°: x goes to y, y to z.
         let urdf = from_angles(
-            [FRAC_1_SQRT_2.asin() * 2.0, 0.0, FRAC_1_SQRT_2.asin() * 2.0],
+            [FRAC_PI_2, 0.0, FRAC_PI_2],
             "xyz",
         )
         .unwrap();

@@ -31,7 +31,7 @@ export function createReplanning({ store, planner, say }) {
     // A newer plan says how it is.
     if (stop !== mine) return;
     // First the result: what stands over the view goes over from one to the other, and keeps the focus.
-    if (plan.is === 'answer') store.setResult({ motion: plan.value, doc, fault: null, trouble: '' });
+    if (plan.is === 'answer') store.setResult({ motion: plan.value, doc, plain: plan.value.plain ?? doc, fault: null, trouble: '' });
     if (plan.is === 'fault') store.setResult({ fault: plan.fault, trouble: '' });
     store.setPlanning(null);
     if (plan.is !== 'trouble') return;

@@ -31,7 +31,7 @@ export function createStore(first) {
   /** Edits with the same mark make one undo step. */
   let mark = '';
   /** @type {Result} */
-  let result = { motion: null, doc: null, fault: null, trouble: '', again: false };
+  let result = { motion: null, doc: null, plain: null, fault: null, trouble: '', again: false };
   /** @type {View} */
   let view = {
     frame: 0, playing: false, posture: null, selected: '', hovered: '',

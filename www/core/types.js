@@ -35,9 +35,10 @@
  * @typedef {{document: string, joints: Record<JointType, Joint>, frame: Frame, key_frame: KeyFrame, chain: Chain,
  *   motion: Partial<MotionSpec>, planner: PlannerSpec}} Defaults
  *
- * The last good motion with the document that it belongs to; the fault, if the present document has one;
+ * The last good motion with the document that it belongs to, and the plain document that this stands for (the same, where
+ * it has no expressions, axes or other conventions); the fault, if the present document has one;
  * `trouble`, if the planner itself failed; `again`, if somebody waits for that to end, to ask once more.
- * @typedef {{motion: Motion | null, doc: MechanismDocument | null, fault: Fault | null, trouble: string, again: boolean}} Result
+ * @typedef {{motion: Motion | null, doc: MechanismDocument | null, plain: MechanismDocument | null, fault: Fault | null, trouble: string, again: boolean}} Result
  *
  * A plan that takes long: how far it is; `stop` ends it with what there is so far.
  * @typedef {Progress & {stop: () => void}} Planning

@@ -23,7 +23,8 @@
  * @typedef {DocumentCall | 'defaults' | 'enumeration' | 'assemble' | 'make' | 'schema' | 'chain_by_index' | 'assembly_by_index'} Call
  *
  * @typedef {{Session: {open: (text: string) => any}}} Module
- * @typedef {{text: string, sessions: Map<Module['Session'], any>, users: number, closed: boolean}} Open
+ * A document with expressions, axes or other conventions is read by the whole package only.
+ * @typedef {{text: string, sessions: Map<Module['Session'], any>, users: number, closed: boolean, forWhole?: boolean}} Open
  */
 import init, { Session, defaults } from '../pkg-first/synthetica.js';
 
@@ -93,8 +94,12 @@ export function createAnswers(send) {
     try {
       await load();
       /** @type {Record<string, any> & Module} */
-      const module = FIRST.includes(call) ? first : await loadWhole();
+      let module = FIRST.includes(call) && !doc?.forWhole ? first : await loadWhole();
       if (!isWanted()) return;
+      if (doc && module === first && !isRead(doc)) {
+        module = await loadWhole();
+        if (!isWanted()) return;
+      }
       send({ id, kind: 'begun' });
       if (doc) {
         const session = sessionOf(doc, module);
@@ -171,6 +176,22 @@ function sessionOf({ text, sessions }, { Session: kind }) {
   const open = sessions.get(kind) ?? kind.open(text);
   sessions.set(kind, open);
   return open;
+}
+
+/**
+ * Whether the smaller package reads the document. What it refuses may be at fault, or be more than it knows: the whole
+ * package tells.
+ * @param {Open} doc
+ */
+function isRead(doc) {
+  try {
+    sessionOf(doc, first);
+    return true;
+  } catch (error) {
+    if (!isFault(error)) throw error;
+    doc.forWhole = true;
+    return false;
+  }
 }
 
 /** Frees the memory of a document that is closed, after its last question is answered. @param {Open} doc */
