@@ -3,8 +3,8 @@
 #![cfg(not(target_arch = "wasm32"))]
 
 use std::collections::BTreeSet;
-use synthetica::document::report::Report;
 use synthetica::Session;
+use synthetica::document::report::Report;
 use synthetica::exchange::table;
 use synthetica::motion::columns::{COLUMNS, Column, Kind};
 

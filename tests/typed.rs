@@ -54,7 +54,7 @@ fn a_delta_by_its_axes_is_closed_at_home_and_moves() {
         "{:?}",
         motion.status
     );
-    let height = (580.0_f64.powi(2) - 450.0_f64.powi(2)).sqrt();
+    let height = (580.0_f64 * 580.0 - 450.0 * 450.0).sqrt();
     let parameters = open.typed().parameters.list();
     assert!((parameters[0].value - height).abs() < 1e-12 * height);
     assert!(!parameters[0].input && parameters[1].input);

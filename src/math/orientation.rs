@@ -217,11 +217,7 @@ mod tests {
             }
         }
         // URDF's roll 90°, then yaw 90°: x goes to y, y to z.
-        let urdf = from_angles(
-            [FRAC_PI_2, 0.0, FRAC_PI_2],
-            "xyz",
-        )
-        .unwrap();
+        let urdf = from_angles([FRAC_PI_2, 0.0, FRAC_PI_2], "xyz").unwrap();
         assert!(near(&urdf, [0.5, 0.5, 0.5, 0.5]));
     }
 

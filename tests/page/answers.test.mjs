@@ -156,3 +156,22 @@ test('without a worker the page plans in portions too: a plan is stopped, anothe
   const part = await slow;
   assert.ok(part.partial && part.frames < 2000 && seen.length > 0);
 });
+
+test('what the smaller package refuses is read by the whole one: expressions, and their faults', async () => {
+  const { ask } = made();
+  const first = sample.motion.key_frames[0];
+  const typed = (/** @type {any} */ z) =>
+    JSON.stringify({ ...sample, parameters: { lift: 0.1 }, motion: { ...sample.motion, key_frames: [first, { ...first, z }] } });
+  const planned = await ask('plan', [], { doc: 11, text: typed(`${first.z}+lift/2`) });
+  assert.equal(planned.kind, 'value');
+  assert.ok(Math.abs(planned.value.plain.motion.key_frames[1].z - first.z - 0.05) < 1e-12);
+  assert.deepEqual(planned.value.parameters, [{ name: 'lift', value: 0.1, input: true }]);
+  const text = JSON.parse((await ask('text', [], { doc: 11 })).value);
+  assert.equal(text.motion.key_frames[1].z, `${first.z}+lift/2`);
+  const refused = await ask('plan', [], { doc: 12, text: typed('lfit') });
+  assert.equal(refused.kind, 'fault');
+  assert.equal(refused.fault.where, 'motion.key_frames[1].z');
+  assert.match(refused.fault.what, /no parameter “lfit”.*“lift”/);
+  const plain = await ask('plan', [], { doc: 13, text: short });
+  assert.equal(plain.value.plain, undefined);
+});
