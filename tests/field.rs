@@ -4,11 +4,12 @@ use serde_json::{Map, Value};
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::PathBuf;
+use synthetica::Session;
 use synthetica::document::problem::Problem;
 use synthetica::document::report::Report;
-use synthetica::document::text::parse;
 use synthetica::model::scaled::{LIMIT, Scaled, larger};
 use synthetica::motion::trajectory::{Status, Trajectory};
+use synthetica::source::typed::Typed;
 
 fn folder() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/field")
@@ -155,12 +156,11 @@ fn what_is_right_holds() {
     for entry in &index {
         let file = entry["file"].as_str().expect("a file");
         listed.insert(file.to_owned());
-        let document = parse(&read(file)).unwrap_or_else(|fault| panic!("{file}: {fault}"));
-        let problem = Problem::new(&document).unwrap_or_else(|fault| panic!("{file}: {fault}"));
-        let t = problem.plan();
+        let session = Session::open(&read(file)).unwrap_or_else(|fault| panic!("{file}: {fault}"));
+        let t = session.plan();
         for fault in faults(
             entry["right"].as_object().expect("what is right"),
-            &problem,
+            session.problem(),
             &t,
         ) {
             failures.push(format!("{file}: {fault}"));
@@ -186,7 +186,8 @@ fn millimetres_without_a_metric_length() {
     let mut planned = 0;
     for entry in &index {
         let file = entry["file"].as_str().expect("a file");
-        let mut document = parse(&read(file)).expect("a document");
+        let typed = Typed::read(&read(file)).expect("a document");
+        let mut document = typed.document;
         if document.length_unit != "mm" {
             continue;
         }
@@ -211,7 +212,8 @@ fn certified_frames_keep_the_published_bounds() {
     let (mut certified, mut recomputed) = (0, 0);
     for entry in &index {
         let file = entry["file"].as_str().expect("a file");
-        let problem = Problem::new(&parse(&read(file)).expect("a document")).expect("a problem");
+        let session = Session::open(&read(file)).expect("a document");
+        let problem = session.problem();
         let t = problem.plan();
         let report = Report::new(&problem.mechanism, &problem.length_unit, &t);
         let bounds = &report.bounds;
