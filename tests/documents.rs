@@ -677,7 +677,8 @@ fn mutilated_documents_never_panic() {
 #[cfg(feature = "schema")]
 #[test]
 fn the_schema_is_up_to_date() {
-    use synthetica::document::schema::{SCHEMA, schema};
+    use synthetica::document::schema::SCHEMA;
+    use synthetica::source::schema::schema;
     assert_eq!(
         SCHEMA,
         schema(),
@@ -685,7 +686,7 @@ fn the_schema_is_up_to_date() {
     );
 }
 
-/// The schema names every field that a whole document has, and no other.
+/// The schema names every field that a whole document has, those of typed documents, and no other.
 #[test]
 fn the_schema_knows_the_fields() {
     let schema: Value = serde_json::from_str(synthetica::document::schema::SCHEMA).expect("JSON");
@@ -705,20 +706,44 @@ fn the_schema_knows_the_fields() {
     };
     let document: Value =
         serde_json::from_str(&parse(WHOLE).expect("a document").text()).expect("JSON");
-    assert_eq!(fields(&schema["properties"]), fields(&document));
-    for (part, pointer) in [
-        ("ChainEntry", "/chains/0"),
-        ("JointEntry", "/chains/0/joints/0"),
-        ("RowEntry", "/chains/0/joints/0/rows/0"),
-        ("FrameEntry", "/chains/0/base"),
-        ("LimitsEntry", "/chains/0/joints/0/limits/0"),
-        ("MotionEntry", "/motion"),
-        ("KeyFrameEntry", "/motion/key_frames/0"),
-        ("PlannerEntry", "/planner"),
+    let rotations = [
+        "matrix",
+        "order",
+        "quaternion_wxyz",
+        "quaternion_xyzw",
+        "roll_pitch_yaw",
+    ];
+    let with = |mut plain: Vec<String>, typed: &[&str]| {
+        plain.extend(typed.iter().map(ToString::to_string));
+        plain.sort();
+        plain
+    };
+    let typed = ["angles", "home", "parameters"];
+    assert_eq!(
+        fields(&schema["properties"]),
+        with(fields(&document), &typed)
+    );
+    for (part, pointer, typed) in [
+        ("ChainEntry", "/chains/0", &["convention"] as &[&str]),
+        (
+            "JointEntry",
+            "/chains/0/joints/0",
+            &["axis", "point", "second"] as &[&str],
+        ),
+        ("RowEntry", "/chains/0/joints/0/rows/0", &[] as &[&str]),
+        ("FrameEntry", "/chains/0/base", &rotations as &[&str]),
+        ("LimitsEntry", "/chains/0/joints/0/limits/0", &[] as &[&str]),
+        ("MotionEntry", "/motion", &[] as &[&str]),
+        (
+            "KeyFrameEntry",
+            "/motion/key_frames/0",
+            &rotations as &[&str],
+        ),
+        ("PlannerEntry", "/planner", &[] as &[&str]),
     ] {
         assert_eq!(
             fields(&schema["$defs"][part]["properties"]),
-            fields(document.pointer(pointer).expect(pointer))
+            with(fields(document.pointer(pointer).expect(pointer)), typed)
         );
     }
 }

@@ -35,15 +35,18 @@ function fields(names, inline, escape) {
       return choice ? choice.map((value) => `<code>"${value}"</code>`).join(' ') : `<a href="#fields-${name}">${name.replace('Entry', '').replace(/(.)([A-Z])/g, '$1 $2').toLowerCase()}</a>`;
     }
     if (field.anyOf) return field.anyOf.map(type).join(' or ');
-    const types = [field.type].flat().map((t) => (t === 'array' ? `list of ${listed(field.items)}` : t));
+    if (field.enum) return field.enum.map((value) => `<code>"${value}"</code>`).join(' ');
+    // That any number may be an expression is said once, in the text.
+    const types = [field.type].flat().filter((t) => !(t === 'string' && isNumber(field))).map((t) => (t === 'array' ? `list of ${listed(field.items)}` : t));
     return types.join(' or ');
   };
+  const isNumber = (field) => ['number', 'integer'].some((t) => field.type.includes(t));
   const listed = (items) => (items.anyOf ? `(${type(items)})` : type(items));
-  const bounds = ({ minimum, maximum, minItems, maxItems, maxLength }) =>
+  const bounds = ({ minimum, maximum, minItems, maxItems, maxLength, type: kind = '' }) =>
     [
       minimum !== undefined && maximum !== undefined && (minimum === maximum ? `${minimum}` : `${number(minimum)} to ${number(maximum)}`),
-      minItems !== undefined && `${minItems} to ${number(maxItems)} entries`,
-      maxLength !== undefined && `up to ${number(maxLength)} characters`,
+      minItems !== undefined && (minItems === maxItems ? `${minItems} entries` : `${minItems} to ${number(maxItems)} entries`),
+      maxLength !== undefined && !isNumber({ type: kind }) && `up to ${number(maxLength)} characters`,
     ].filter(Boolean).join(', ');
   const standard = ({ default: value, $ref }) =>
     value === undefined ? '' : typeof value === 'object' && value !== null ? 'all defaults' : `<code>${escape(JSON.stringify(value))}</code>`;

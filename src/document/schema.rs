@@ -24,8 +24,8 @@ pub const VERSION: u32 = 1;
 /// name stays true wherever the schema is kept. The number is that of the format.
 pub const SCHEMA_ID: &str = "urn:synthetica:document:1";
 
-/// The JSON Schema (draft 2020-12) of a document, generated from the types of this module: see
-/// `schema`, with the feature of that name.
+/// The JSON Schema (draft 2020-12) of a document, generated from the types of this module and
+/// widened by what a person may write: see `source::schema`, with the feature of that name.
 pub const SCHEMA: &str = include_str!("schema.json");
 
 /// A mechanism, a goal motion and the planner's settings. Angles in degrees, lengths in the
@@ -328,14 +328,4 @@ impl Default for PlannerEntry {
             max_iterations,
         }
     }
-}
-
-/// The text of [`SCHEMA`], anew from the types.
-///
-/// # Panics
-/// Never: a schema is plain data.
-#[cfg(feature = "schema")]
-pub fn schema() -> String {
-    let schema = schemars::schema_for!(Document);
-    serde_json::to_string_pretty(&schema).expect("plain data becomes JSON") + "\n"
 }

@@ -27,6 +27,8 @@ pub mod parameters;
 pub mod resolve;
 #[cfg(feature = "study")]
 mod scan;
+#[cfg(feature = "schema")]
+pub mod schema;
 #[cfg(feature = "study")]
 pub mod typed;
 #[cfg(feature = "study")]

@@ -13,7 +13,6 @@ use arguments::{Arguments, Command};
 use clap::{CommandFactory, Parser};
 use failure::Failure;
 use std::process::ExitCode;
-use synthetica::document::schema;
 
 fn main() -> ExitCode {
     match run(&Arguments::parse().command) {
@@ -46,7 +45,7 @@ fn run(command: &Command) -> Result<(), Failure> {
 /// The published schema; with the feature that can, anew from the types.
 fn schema() -> String {
     #[cfg(feature = "schema")]
-    return schema::schema();
+    return synthetica::source::schema::schema();
     #[cfg(not(feature = "schema"))]
-    return schema::SCHEMA.to_owned();
+    return synthetica::document::schema::SCHEMA.to_owned();
 }
