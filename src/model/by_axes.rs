@@ -82,8 +82,8 @@ pub enum AxesFault {
 ///
 /// Every axis has the given direction within 1e-12 rad and passes its given point within 1e-12/sin(φ) of the extent of
 /// the points, with φ the smallest angle up to there between neighbouring axes that are not parallel, but for the
-/// rounding of the points' coordinates themselves. Axes in [`ByAxes::nearly_parallel`] pass their points as well, their
-/// directions are as much off as it says; later axes are not.
+/// rounding of the points' coordinates themselves. Joints in [`ByAxes::nearly_parallel`] are where they were
+/// given as well, their directions are off by the angle that it says; joints after them are not.
 ///
 /// Numbers of the rows that are rounding are exactly 0, ±90° or 180°. The base is on the first axis, at its point.
 ///

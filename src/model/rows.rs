@@ -11,13 +11,13 @@ pub const PARALLEL: f64 = 1e-6;
 
 /// Rounding: of an angle in rad, of a length as a share of the chain's extent. A double has 1e-16; directions come from
 /// some sines, products and a normalisation.
-const ROUNDING: f64 = 1e-13;
+const ROUNDING: f64 = 1e-14;
 
-/// The first axis of a joint is parallel to the last axis of the joint before within less than [`PARALLEL`], and was made
-/// parallel.
+/// The first axis of a joint is within less than [`PARALLEL`] of parallel to the last axis of the joint before, and was
+/// made parallel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NearlyParallel {
-    /// The later joint, counted from 0: it is its axis that was turned, about its point.
+    /// The later joint, counted from 0: it was turned, about its point.
     pub joint: usize,
     /// By which angle, rad.
     pub angle: f64,
@@ -48,9 +48,11 @@ pub struct Rows {
     pub end: Pose,
     /// Where an axis was turned.
     pub nearly_parallel: Vec<NearlyParallel>,
-    /// Lengths below which are rounding of the points' coordinates.
+    /// Length that is rounding of the points' coordinates, and what was dropped in the rows.
     coarse: f64,
     extent: f64,
+    /// How far the frames' origins were away: more than the points, where neighbours are nearly parallel.
+    farthest: f64,
 }
 
 /// The common normal of an axis and the next one.
@@ -73,6 +75,7 @@ impl Rows {
             nearly_parallel: Vec::new(),
             coarse: 2.0 * f64::EPSILON * (origin.amax() + extent),
             extent,
+            farthest: 0.0,
         }
     }
 
@@ -100,7 +103,10 @@ impl Rows {
         };
         let theta = self.theta(&normal.direction);
         let [x, y, z] = axes(&(self.end * z_displacement(theta, 0.0)));
-        let a = if normal.meets { 0.0 } else { between.dot(&x) };
+        let mut a = between.dot(&x);
+        if normal.meets {
+            a = self.dropped(a);
+        }
         let (alpha, d) = if parallel {
             if angle > ROUNDING {
                 self.nearly_parallel.push(NearlyParallel { joint, angle });
@@ -110,8 +116,11 @@ impl Rows {
             // The shift with which the axis of exactly this α passes the point.
             let alpha = snapped(libm::atan2(-s.dot(&y), s.dot(&z)));
             let (sin, cos) = libm::sincos(alpha);
-            let d = between.dot(&z) + between.dot(&y) * cos / sin;
-            (alpha, if d.abs() <= normal.rounding { 0.0 } else { d })
+            let mut d = between.dot(&z) + between.dot(&y) * cos / sin;
+            if d.abs() <= normal.rounding {
+                d = self.dropped(d);
+            }
+            (alpha, d)
         };
         self.push(theta, d, alpha, a);
     }
@@ -127,9 +136,10 @@ impl Rows {
         }
         let y = self.end.rotation * (z_displacement(theta, 0.0).rotation * Vector3::y());
         let alpha = FRAC_PI_2.copysign(-s.dot(&y));
-        let d = (point - self.end.translation.vector).dot(&z);
-        let rounding = self.rounding(1.0);
-        let d = if bound || d.abs() <= rounding { 0.0 } else { d };
+        let mut d = (point - self.end.translation.vector).dot(&z);
+        if bound || d.abs() <= self.rounding(1.0) {
+            d = self.dropped(d);
+        }
         self.push(theta, d, alpha, 0.0);
     }
 
@@ -138,7 +148,11 @@ impl Rows {
         if let Some(last) = self.rows.last_mut() {
             (last.theta, last.d) = (theta, d);
         }
-        self.end = self.end * z_displacement(theta, d) * x_displacement(alpha, a);
+        let foot = self.end * z_displacement(theta, d);
+        self.end = foot * x_displacement(alpha, a);
+        for frame in [&foot, &self.end] {
+            self.farthest = self.farthest.max(frame.translation.vector.norm());
+        }
         self.rows.push(DhRow {
             alpha,
             a,
@@ -152,11 +166,16 @@ impl Rows {
         snapped(libm::atan2(direction.dot(&y), direction.dot(&x)))
     }
 
-    /// Lengths below which are rounding, where the angle between two axes has this sine.
+    /// Lengths below which are rounding, where the angle between two axes has this sine: of the points' coordinates, of
+    /// the common normal's direction, and of the frames' origins.
     fn rounding(&self, sine: f64) -> f64 {
-        // Behind a distant foot, coordinates are larger than those of the points.
-        let largest = self.extent.max(self.end.translation.vector.norm());
-        self.coarse + ROUNDING * largest / sine
+        self.coarse + ROUNDING * (self.extent / sine + self.farthest)
+    }
+
+    /// 0 for a length that is rounding. The axes from there on are off by it.
+    fn dropped(&mut self, length: f64) -> f64 {
+        self.coarse += length.abs();
+        0.0
     }
 
     /// Through the frame's origin, so that d = 0; for the same axis again along x, so that θ = 0.
