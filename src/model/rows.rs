@@ -23,11 +23,9 @@ pub struct NearlyParallel {
     pub angle: f64,
 }
 
-/// The unit vector at right angles to the unit vector `axis` that is next to `v`.
+/// The unit vector at right angles to the unit vector `axis` that is next to `v`, which is not nearly parallel to it.
 pub fn square(v: &Vector3<f64>, axis: &Vector3<f64>) -> Vector3<f64> {
     let v = v.normalize();
-    let v = (v - axis * axis.dot(&v)).normalize();
-    // Once more, for what the first time lost by cancellation.
     (v - axis * axis.dot(&v)).normalize()
 }
 
@@ -48,7 +46,7 @@ pub struct Rows {
     pub end: Pose,
     /// Where an axis was turned.
     pub nearly_parallel: Vec<NearlyParallel>,
-    /// Length that is rounding of the points' coordinates, and what was dropped in the rows.
+    /// Length that is rounding of the points' coordinates.
     coarse: f64,
     extent: f64,
     /// How far the frames' origins were away: more than the points, where neighbours are nearly parallel.
@@ -103,10 +101,7 @@ impl Rows {
         };
         let theta = self.theta(&normal.direction);
         let [x, y, z] = axes(&(self.end * z_displacement(theta, 0.0)));
-        let mut a = between.dot(&x);
-        if normal.meets {
-            a = self.dropped(a);
-        }
+        let a = if normal.meets { 0.0 } else { between.dot(&x) };
         let (alpha, d) = if parallel {
             if angle > ROUNDING {
                 self.nearly_parallel.push(NearlyParallel { joint, angle });
@@ -116,11 +111,8 @@ impl Rows {
             // The shift with which the axis of exactly this α passes the point.
             let alpha = snapped(libm::atan2(-s.dot(&y), s.dot(&z)));
             let (sin, cos) = libm::sincos(alpha);
-            let mut d = between.dot(&z) + between.dot(&y) * cos / sin;
-            if d.abs() <= normal.rounding {
-                d = self.dropped(d);
-            }
-            (alpha, d)
+            let d = between.dot(&z) + between.dot(&y) * cos / sin;
+            (alpha, unless_rounding(d, normal.rounding))
         };
         self.push(theta, d, alpha, a);
     }
@@ -136,10 +128,12 @@ impl Rows {
         }
         let y = self.end.rotation * (z_displacement(theta, 0.0).rotation * Vector3::y());
         let alpha = FRAC_PI_2.copysign(-s.dot(&y));
-        let mut d = (point - self.end.translation.vector).dot(&z);
-        if bound || d.abs() <= self.rounding(1.0) {
-            d = self.dropped(d);
-        }
+        let d = if bound {
+            0.0
+        } else {
+            let d = (point - self.end.translation.vector).dot(&z);
+            unless_rounding(d, self.rounding(1.0))
+        };
         self.push(theta, d, alpha, 0.0);
     }
 
@@ -170,12 +164,6 @@ impl Rows {
     /// the common normal's direction, and of the frames' origins.
     fn rounding(&self, sine: f64) -> f64 {
         self.coarse + ROUNDING * (self.extent / sine + self.farthest)
-    }
-
-    /// 0 for a length that is rounding. The axes from there on are off by it.
-    fn dropped(&mut self, length: f64) -> f64 {
-        self.coarse += length.abs();
-        0.0
     }
 
     /// Through the frame's origin, so that d = 0; for the same axis again along x, so that θ = 0.
@@ -222,6 +210,14 @@ fn nearer(direction: Vector3<f64>, x: &Vector3<f64>, y: &Vector3<f64>) -> Vector
         direction.dot(y)
     };
     direction * sense.signum()
+}
+
+fn unless_rounding(length: f64, rounding: f64) -> f64 {
+    if length.abs() <= rounding {
+        0.0
+    } else {
+        length
+    }
 }
 
 /// An angle within ±180°, exact where it is a right angle but for rounding.
