@@ -82,8 +82,8 @@ pub enum AxesFault {
 ///
 /// Every axis has the given direction within 1e-12 rad and passes its given point within 1e-12/sin(φ) of the extent of
 /// the points, with φ the smallest angle up to there between neighbouring axes that are not parallel, but for the
-/// rounding of the points' coordinates themselves. Axes in [`ByAxes::nearly_parallel`] pass their points as well, their
-/// directions are as much off as it says; later axes are not.
+/// rounding of the points' coordinates themselves. Joints in [`ByAxes::nearly_parallel`] are where they were
+/// given as well, their directions are off by the angle that it says; joints after them are not.
 ///
 /// Numbers of the rows that are rounding are exactly 0, ±90° or 180°. The base is on the first axis, at its point.
 ///
@@ -136,32 +136,30 @@ pub fn chain_by_axes(name: String, joints: &[JointAxis], home: &Pose) -> Result<
 }
 
 /// The axes of a chain at the joint values `theta` (rad or lengths), in the fixed frame, with its limits counted from
-/// there.
+/// there. Coordinates that are rounding are 0.
 ///
 /// With the pose at `theta` for home, [`chain_by_axes`] makes of them the same linkage, its variables counted from
-/// `theta`; but the third axis of an S becomes first × second, and the second slider of an E normal × first, so that
-/// the variables of such a joint can be others there.
+/// `theta`; but for the joints of [`other_variables`].
 ///
 /// # Panics
 /// When `theta` is shorter than [`Chain::freedoms`].
 pub fn axes_of(chain: &Chain, theta: &[f64]) -> Vec<JointAxis> {
-    let frames = chain.frames(theta);
-    let mut seats = frames.iter().map(|(seat, _)| seat);
+    let lines = lines(chain, theta);
+    let points = lines.iter().flatten().map(|(point, _)| point.amax());
+    let largest = points.fold(0.0, f64::max);
     let mut variables = theta.iter();
-    let joints = chain.joints().iter().map(|joint| {
-        let own: Vec<&Pose> = seats.by_ref().take(joint.rows().len()).collect();
-        let axis = |row: usize| own[row].rotation * Vector3::z();
+    let joints = chain.joints().iter().zip(&lines).map(|(joint, own)| {
         let (first, second) = match joint.kind() {
-            JointKind::R | JointKind::P | JointKind::C => (axis(0), None),
-            JointKind::T | JointKind::S => (axis(0), Some(axis(1))),
-            JointKind::E => (axis(2), Some(axis(0))),
+            JointKind::R | JointKind::P | JointKind::C => (own[0].1, None),
+            JointKind::T | JointKind::S => (own[0].1, Some(own[1].1)),
+            JointKind::E => (own[2].1, Some(own[0].1)),
         };
         let limits = joint.limits().iter().zip(variables.by_ref());
         JointAxis {
             kind: joint.kind(),
-            point: own.last().map(|seat| seat.translation.vector),
-            axis: Some(first),
-            second,
+            point: own.last().map(|(point, _)| clean(point, largest)),
+            axis: Some(clean(&first, 1.0).normalize()),
+            second: second.map(|second| clean(&second, 1.0).normalize()),
             limits: limits
                 .map(|(l, value)| Limits {
                     min: l.min - value,
@@ -171,6 +169,38 @@ pub fn axes_of(chain: &Chain, theta: &[f64]) -> Vec<JointAxis> {
         }
     });
     joints.collect()
+}
+
+/// The joints, counted from 0, whose variables [`axes_of`] cannot keep: an S whose third axis is not first × second at
+/// the joint values `theta`, and an E whose second slider is not normal × first.
+///
+/// # Panics
+/// When `theta` is shorter than [`Chain::freedoms`].
+pub fn other_variables(chain: &Chain, theta: &[f64]) -> Vec<usize> {
+    let lines = lines(chain, theta);
+    let other = lines.iter().enumerate().filter(|(_, own)| match own[..] {
+        [(_, first), (_, second), (_, third)] => {
+            (first.cross(&second) - third).norm() > RIGHT_ANGLE
+        }
+        _ => false,
+    });
+    other.map(|(joint, _)| joint).collect()
+}
+
+/// Point and direction of the axis of each row, joint by joint.
+fn lines(chain: &Chain, theta: &[f64]) -> Vec<Vec<(Vector3<f64>, Vector3<f64>)>> {
+    let mut frames = chain.frames(theta).into_iter();
+    let of_joint = chain.joints().iter().map(|joint| {
+        let own = frames.by_ref().take(joint.rows().len());
+        own.map(|(seat, _)| (seat.translation.vector, seat.rotation * Vector3::z()))
+            .collect()
+    });
+    of_joint.collect()
+}
+
+/// Without coordinates that are rounding, where `size` is not.
+fn clean(v: &Vector3<f64>, size: f64) -> Vector3<f64> {
+    v.map(|x| if x.abs() <= 1e-15 * size { 0.0 } else { x })
 }
 
 /// A joint that was checked: a point, measured from the chain's first point, and unit directions.

@@ -11,23 +11,21 @@ pub const PARALLEL: f64 = 1e-6;
 
 /// Rounding: of an angle in rad, of a length as a share of the chain's extent. A double has 1e-16; directions come from
 /// some sines, products and a normalisation.
-const ROUNDING: f64 = 1e-13;
+const ROUNDING: f64 = 1e-14;
 
-/// The first axis of a joint is parallel to the last axis of the joint before within less than [`PARALLEL`], and was made
-/// parallel.
+/// The first axis of a joint is within less than [`PARALLEL`] of parallel to the last axis of the joint before, and was
+/// made parallel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NearlyParallel {
-    /// The later joint, counted from 0: it is its axis that was turned, about its point.
+    /// The later joint, counted from 0: it was turned, about its point.
     pub joint: usize,
     /// By which angle, rad.
     pub angle: f64,
 }
 
-/// The unit vector at right angles to the unit vector `axis` that is next to `v`.
+/// The unit vector at right angles to the unit vector `axis` that is next to `v`, which is not nearly parallel to it.
 pub fn square(v: &Vector3<f64>, axis: &Vector3<f64>) -> Vector3<f64> {
     let v = v.normalize();
-    let v = (v - axis * axis.dot(&v)).normalize();
-    // Once more, for what the first time lost by cancellation.
     (v - axis * axis.dot(&v)).normalize()
 }
 
@@ -48,9 +46,11 @@ pub struct Rows {
     pub end: Pose,
     /// Where an axis was turned.
     pub nearly_parallel: Vec<NearlyParallel>,
-    /// Lengths below which are rounding of the points' coordinates.
+    /// Length that is rounding of the points' coordinates.
     coarse: f64,
     extent: f64,
+    /// How far the frames' origins were away: more than the points, where neighbours are nearly parallel.
+    farthest: f64,
 }
 
 /// The common normal of an axis and the next one.
@@ -73,6 +73,7 @@ impl Rows {
             nearly_parallel: Vec::new(),
             coarse: 2.0 * f64::EPSILON * (origin.amax() + extent),
             extent,
+            farthest: 0.0,
         }
     }
 
@@ -111,7 +112,7 @@ impl Rows {
             let alpha = snapped(libm::atan2(-s.dot(&y), s.dot(&z)));
             let (sin, cos) = libm::sincos(alpha);
             let d = between.dot(&z) + between.dot(&y) * cos / sin;
-            (alpha, if d.abs() <= normal.rounding { 0.0 } else { d })
+            (alpha, unless_rounding(d, normal.rounding))
         };
         self.push(theta, d, alpha, a);
     }
@@ -127,9 +128,12 @@ impl Rows {
         }
         let y = self.end.rotation * (z_displacement(theta, 0.0).rotation * Vector3::y());
         let alpha = FRAC_PI_2.copysign(-s.dot(&y));
-        let d = (point - self.end.translation.vector).dot(&z);
-        let rounding = self.rounding(1.0);
-        let d = if bound || d.abs() <= rounding { 0.0 } else { d };
+        let d = if bound {
+            0.0
+        } else {
+            let d = (point - self.end.translation.vector).dot(&z);
+            unless_rounding(d, self.rounding(1.0))
+        };
         self.push(theta, d, alpha, 0.0);
     }
 
@@ -138,7 +142,11 @@ impl Rows {
         if let Some(last) = self.rows.last_mut() {
             (last.theta, last.d) = (theta, d);
         }
-        self.end = self.end * z_displacement(theta, d) * x_displacement(alpha, a);
+        let foot = self.end * z_displacement(theta, d);
+        self.end = foot * x_displacement(alpha, a);
+        for frame in [&foot, &self.end] {
+            self.farthest = self.farthest.max(frame.translation.vector.norm());
+        }
         self.rows.push(DhRow {
             alpha,
             a,
@@ -152,11 +160,10 @@ impl Rows {
         snapped(libm::atan2(direction.dot(&y), direction.dot(&x)))
     }
 
-    /// Lengths below which are rounding, where the angle between two axes has this sine.
+    /// Lengths below which are rounding, where the angle between two axes has this sine: of the points' coordinates, of
+    /// the common normal's direction, and of the frames' origins.
     fn rounding(&self, sine: f64) -> f64 {
-        // Behind a distant foot, coordinates are larger than those of the points.
-        let largest = self.extent.max(self.end.translation.vector.norm());
-        self.coarse + ROUNDING * largest / sine
+        self.coarse + ROUNDING * (self.extent / sine + self.farthest)
     }
 
     /// Through the frame's origin, so that d = 0; for the same axis again along x, so that θ = 0.
@@ -203,6 +210,14 @@ fn nearer(direction: Vector3<f64>, x: &Vector3<f64>, y: &Vector3<f64>) -> Vector
         direction.dot(y)
     };
     direction * sense.signum()
+}
+
+fn unless_rounding(length: f64, rounding: f64) -> f64 {
+    if length.abs() <= rounding {
+        0.0
+    } else {
+        length
+    }
 }
 
 /// An angle within ±180°, exact where it is a right angle but for rounding.
