@@ -16,7 +16,7 @@ mod frames;
 #[cfg(feature = "study")]
 mod functions;
 #[cfg(feature = "study")]
-mod nearest;
+pub(crate) mod nearest;
 #[cfg(feature = "study")]
 mod nodes;
 #[cfg(feature = "study")]
@@ -24,7 +24,7 @@ pub mod parameters;
 #[cfg(feature = "study")]
 pub mod resolve;
 #[cfg(feature = "study")]
-mod scan;
+pub(crate) mod scan;
 #[cfg(feature = "study")]
 pub mod typed;
 #[cfg(feature = "study")]
