@@ -5,7 +5,7 @@
 use std::collections::BTreeSet;
 use synthetica::Session;
 use synthetica::document::fault::{Fault, FaultCode};
-use synthetica::makers::from_type::from_type;
+use synthetica::makers::from_type::{from_type, make_named};
 use synthetica::makers::list::{list, named};
 use synthetica::makers::make::make;
 use synthetica::makers::maker::{Input, Kind, Maker};
@@ -416,4 +416,40 @@ fn a_name_makes_a_maker_or_a_type() {
         assert_eq!(fault.place, place, "{fault}");
         assert!(fault.message.contains(part), "{text}: {fault}");
     }
+}
+
+#[test]
+fn a_page_gives_inputs_as_json() {
+    let made = |inputs: &str, unit| make_named("Delta", inputs, unit);
+    let expected = from_type("delta?base=400&platform=50&arms=300,580&unit=cm").expect("a delta");
+    for inputs in [
+        r#"{"base": "400", "platform": "50", "arms": "300, 580"}"#,
+        r#"{"arms": [300, 580], "platform": 50, "base": 400}"#,
+    ] {
+        assert_eq!(made(inputs, Some("cm")).expect("a delta"), expected);
+    }
+    assert_eq!(
+        made("{}", None).expect("a delta"),
+        from_type("delta").expect("the same")
+    );
+    for (inputs, place) in [
+        ("[]", "inputs"),
+        ("{", ""),
+        (r#"{"base": null}"#, "base"),
+        (r#"{"base": ["1"]}"#, "base"),
+        (r#"{"base": {}}"#, "base"),
+        (r#"{"bose": 1}"#, "bose"),
+        (r#"{"arms": [1]}"#, "arms"),
+    ] {
+        assert_eq!(
+            made(inputs, None).expect_err(inputs).place,
+            place,
+            "{inputs}"
+        );
+    }
+    let fault = make_named("deltas", "{}", None).expect_err("no maker");
+    assert!(
+        fault.message.contains("\u{201c}delta\u{201d} may be meant"),
+        "{fault}"
+    );
 }

@@ -1,7 +1,9 @@
 //! A document by what a person calls the mechanism: a maker with its inputs, delta?base=400, or a type such as 3-RPS.
 
 use crate::document::example_document::{TYPE, example};
-use crate::document::fault::{Fault, FaultCode, excerpt};
+use crate::document::fault::{Fault, FaultCode, Place, excerpt};
+use crate::document::reader::Node;
+use crate::document::text::not_json;
 use crate::makers::list::{key, list, named, names};
 use crate::makers::make::make;
 use crate::source::nearest::nearest;
@@ -31,6 +33,44 @@ pub fn from_type(text: &str) -> Result<String, Fault> {
         (Err(_), Some(maker)) => make(maker, &[], None),
         (Err(fault), None) => Err(proposed(text, fault)),
     }
+}
+
+/// The text of the document of the maker of this name. `inputs` is an object in JSON: a text, a number or a list of numbers
+/// for each input that is not to have its default. Lengths are in `unit`, that of the maker where there is none.
+///
+/// # Errors
+/// Where there is no such maker, `inputs` is no such object, or an input is at fault.
+pub fn make_named(name: &str, inputs: &str, unit: Option<&str>) -> Result<String, Fault> {
+    const PLACE: Place<'static> = Place::WHOLE.field("inputs");
+    const ACCEPTED: &str = "a text, a number or a list of numbers";
+    let maker = named(name).ok_or_else(|| no_maker(name))?;
+    let inputs: Node = serde_json::from_str(inputs).map_err(|error| not_json(&error))?;
+    let Node::Object(fields) = inputs else {
+        let accepted = "an object of inputs with their values";
+        return Err(inputs.is_not(accepted).fault(&PLACE));
+    };
+    let number = |node: &Node, place: &Place<'_>| match node {
+        Node::Number(number) => Ok(number.to_string()),
+        other @ (Node::Null | Node::Bool(_) | Node::Text(_) | Node::List(_) | Node::Object(_)) => {
+            Err(other.is_not(ACCEPTED).fault(place))
+        }
+    };
+    let mut given = Given::new();
+    for (name, value) in fields {
+        let place = Place::WHOLE.field(&name);
+        let text = match value {
+            Node::Text(text) => text,
+            Node::List(items) => {
+                let items = items.iter().map(|item| number(item, &place));
+                items.collect::<Result<Vec<_>, _>>()?.join(",")
+            }
+            other @ (Node::Null | Node::Bool(_) | Node::Number(_) | Node::Object(_)) => {
+                number(&other, &place)?
+            }
+        };
+        given.push((name, text));
+    }
+    make(maker, &given, unit)
 }
 
 /// The inputs of `base=400&arms=300,580&unit=mm`, and the unit.
