@@ -120,6 +120,8 @@
 pub mod bind;
 pub mod document;
 pub mod exchange;
+#[cfg(feature = "study")]
+pub mod makers;
 pub mod math;
 pub mod model;
 pub mod motion;

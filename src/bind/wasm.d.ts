@@ -304,6 +304,39 @@ export interface MakeRequest {
   length_unit?: string;
 }
 
+/** A mechanism that is made from the few numbers of its paper. */
+export interface Maker {
+  name: string;
+  /** Other names. */
+  also: string[];
+  title: string;
+  group: string;
+  /** Where the default numbers are from. */
+  source: string;
+  about: string;
+  /** The unit of the default lengths. */
+  unit: string;
+  /** By rank, at the home position. */
+  mobility: number;
+  inputs: MakerInput[];
+  /** Expressions whose values must be above 0, and what is wrong where they are not. */
+  requires: { positive: string; else: string }[];
+}
+
+/** A number that a maker asks for, or several with commas between them. */
+export interface MakerInput {
+  name: string;
+  /** The names of the numbers where there are several. */
+  parts: string[];
+  /** The default: one number, one for each part, or the entries of a list. */
+  value: number[];
+  is: "length" | "angle" | "number" | "count" | "list";
+  /** Whether a length may be 0 or negative. */
+  signed: boolean;
+  range: [number, number] | null;
+  meaning: string;
+}
+
 /** Tables 2 and 3. */
 export interface Enumeration {
   classes: { category: "I" | "II" | "III" | "IV"; constraints: number; name: string; count: number; chains: string[] }[];

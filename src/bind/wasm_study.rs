@@ -2,12 +2,13 @@
 //! tables of types, linkages of a type, the schema. The package that a page loads first is built without them (feature `study`).
 
 use crate::bind::wasm::{Clock, JsPosture, Session, posture, refusal};
-use crate::document::example_document;
 use crate::document::make;
 use crate::document::problem::Problem;
 use crate::document::schema::SCHEMA;
 
 use crate::exchange::export::{self, Format};
+use crate::makers::from_type;
+use crate::makers::list;
 use crate::math::pose::Pose;
 use crate::motion::columns::placed;
 use crate::solve::gradient::Arrival;
@@ -32,6 +33,9 @@ extern "C" {
     /// A type of wasm.d.ts.
     #[wasm_bindgen(typescript_type = "Enumeration")]
     pub type JsEnumeration;
+    /// Types of wasm.d.ts.
+    #[wasm_bindgen(typescript_type = "Maker[]")]
+    pub type JsMakerList;
 }
 
 #[wasm_bindgen]
@@ -137,14 +141,33 @@ impl Session {
     }
 }
 
-/// A document with a linkage of this type, such as 3RPS or RPS+2TS, closed at its start.
+/// A document with a linkage of this type, such as 3RPS or RPS+2TS, closed at its start; or one that a maker makes, such as
+/// `delta?base=400&platform=50`.
 ///
 /// # Errors
-/// A `Fault` where the text is no type.
+/// A `Fault` where the text is no type and no maker; its `where` is `type` or an input of the maker.
 #[wasm_bindgen]
 pub fn assemble(kinds: &str) -> Result<String, JsValue> {
-    let document = example_document::example(kinds).map_err(|fault| refusal(&fault))?;
-    Ok(document.text())
+    from_type::from_type(kinds).map_err(|fault| refusal(&fault))
+}
+
+/// The makers that there are, with the inputs that each asks for.
+///
+/// # Errors
+/// Never for a reason of the caller's.
+#[wasm_bindgen]
+pub fn makers() -> Result<JsMakerList, JsValue> {
+    to_js(&list::list()).map(JsCast::unchecked_into)
+}
+
+/// A document made by the maker of this name. `inputs` is an object as JSON, of a text or a number for each input that is
+/// not to have its default; lengths are in `unit`, that of the maker where there is none.
+///
+/// # Errors
+/// A `Fault` where there is no such maker, or an input is at fault, whose name `where` is.
+#[wasm_bindgen]
+pub fn make_named(name: &str, inputs: &str, unit: Option<String>) -> Result<String, JsValue> {
+    from_type::make_named(name, inputs, unit.as_deref()).map_err(|fault| refusal(&fault))
 }
 
 /// A document made from a type and sizes: a `MakeRequest` as JSON.

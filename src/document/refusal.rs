@@ -126,6 +126,6 @@ impl Error for Refusal {
     }
 }
 
-pub(super) fn one_of(words: &[&str]) -> String {
+pub(crate) fn one_of(words: &[&str]) -> String {
     format!("one of {}", words.join(", "))
 }

@@ -18,7 +18,7 @@ mod frames;
 #[cfg(feature = "study")]
 mod functions;
 #[cfg(feature = "study")]
-mod nearest;
+pub(crate) mod nearest;
 #[cfg(feature = "study")]
 mod nodes;
 #[cfg(feature = "study")]
@@ -26,7 +26,7 @@ pub mod parameters;
 #[cfg(feature = "study")]
 pub mod resolve;
 #[cfg(feature = "study")]
-mod scan;
+pub(crate) mod scan;
 #[cfg(feature = "schema")]
 pub mod schema;
 #[cfg(feature = "study")]

@@ -1,7 +1,7 @@
 //! Where names and numbers begin and end in an expression.
 
 /// The parameters and other words that a text names, and the byte at which each begins.
-pub(super) fn words(text: &str) -> impl Iterator<Item = (usize, &str)> {
+pub(crate) fn words(text: &str) -> impl Iterator<Item = (usize, &str)> {
     let mut at = 0;
     std::iter::from_fn(move || {
         while let Some(&byte) = text.as_bytes().get(at) {

@@ -1,0 +1,221 @@
+//! A document made by a maker from the inputs that a person gave.
+
+use crate::document::bounds::out_of_range;
+use crate::document::fault::{Fault, FaultCode, Place, excerpt};
+use crate::document::number::typed;
+use crate::document::reader::Node;
+use crate::document::refusal::one_of;
+use crate::document::text::{Digits, json};
+use crate::makers::maker::{Input, Kind, Maker};
+use crate::makers::repeat::repeat;
+use crate::makers::requirements::{Given, check};
+use crate::source::expression::ParameterValue;
+use crate::source::nearest::nearest;
+use crate::source::typed::Typed;
+
+/// Units of length and how many micrometres each has.
+pub const UNITS: [(&str, f64); 6] = [
+    ("m", 1e6),
+    ("cm", 1e4),
+    ("mm", 1e3),
+    ("\u{b5}m", 1.0),
+    ("um", 1.0),
+    ("in", 25_400.0),
+];
+
+/// The text of the typed document of this maker with these inputs, by name; those that are not given are the maker's,
+/// converted to `unit`. Lengths are in `unit`, that of the maker where there is none.
+///
+/// # Errors
+/// At the name of an input that there is not, is given twice, has no such value, or does not fit the others; at `unit`.
+///
+/// # Panics
+/// If the maker's file is at fault, which the tests find out.
+pub fn make(
+    maker: &Maker,
+    given: &[(String, String)],
+    unit: Option<&str>,
+) -> Result<String, Fault> {
+    let (unit, factor) = conversion(maker, unit)?;
+    all_known(maker, given)?;
+    let values = |input: &Input| match given.iter().find(|(name, _)| *name == input.name) {
+        Some((_, text)) => read(input, text),
+        None if input.is == Kind::Length => {
+            Ok(input.value.iter().map(|&value| factor(value)).collect())
+        }
+        None => Ok(input.value.clone()),
+    };
+    let inputs = maker.inputs.iter().map(|input| Ok((input, values(input)?)));
+    let inputs: Vec<(&Input, Vec<f64>)> = inputs.collect::<Result<_, Fault>>()?;
+
+    let parameters: Vec<Given> = (inputs.iter())
+        .flat_map(|(input, values)| input.parameters().iter().zip(values))
+        .map(|(name, &value)| (name.clone(), ParameterValue::Number(value)))
+        .collect();
+    let mut document = maker.document.clone();
+    let derived = derived(document.take("parameters"));
+    check(maker, &inputs, &parameters, &derived, given, unit)?;
+
+    repeat(&mut document, &inputs);
+    document.set("version", Node::Number(1.0));
+    if !document.has("name") {
+        document.set("name", Node::Text(maker.title.clone()));
+    }
+    document.set(
+        "about",
+        Node::Text(format!("{} Source: {}", maker.about, maker.source)),
+    );
+    document.set("length_unit", Node::Text(unit.to_owned()));
+    let all = parameters.into_iter().chain(derived).map(|(name, value)| {
+        let value = match value {
+            ParameterValue::Number(number) => Node::Number(number),
+            ParameterValue::Expression(text) => Node::Text(text),
+        };
+        (name, value)
+    });
+    document.set("parameters", Node::Object(all.collect()));
+    Ok(Typed::read(&json(&document, Digits::Short))?.text())
+}
+
+/// The unit of the made document, and how a length of the maker's is converted.
+fn conversion<'a>(
+    maker: &'a Maker,
+    unit: Option<&'a str>,
+) -> Result<(&'a str, impl Fn(f64) -> f64), Fault> {
+    let size = |unit: &str| {
+        UNITS
+            .iter()
+            .find(|(name, _)| *name == unit)
+            .map(|(_, size)| *size)
+    };
+    let own = size(&maker.unit).expect("a unit of length");
+    let unit = unit.map_or(maker.unit.as_str(), str::trim);
+    let Some(wanted) = size(unit) else {
+        let what = format!("\u{201c}{}\u{201d} is no unit of length", excerpt(unit));
+        let place = Place::WHOLE.field("unit");
+        let accepted = one_of(&UNITS.map(|(name, _)| name));
+        return Err(Fault::new(
+            FaultCode::UnknownValue,
+            &place,
+            &what,
+            &accepted,
+        ));
+    };
+    Ok((unit, move |length: f64| length * own / wanted))
+}
+
+/// The parameters that follow from the inputs.
+fn derived(parameters: Option<Node>) -> Vec<Given> {
+    let Some(Node::Object(fields)) = parameters else {
+        return Vec::new();
+    };
+    let value = |value| match value {
+        Node::Text(text) => ParameterValue::Expression(text),
+        Node::Number(number) => ParameterValue::Number(number),
+        Node::Null | Node::Bool(_) | Node::List(_) | Node::Object(_) => {
+            panic!("a parameter of a maker is an expression")
+        }
+    };
+    fields
+        .into_iter()
+        .map(|(name, given)| (name, value(given)))
+        .collect()
+}
+
+fn all_known(maker: &Maker, given: &[(String, String)]) -> Result<(), Fault> {
+    let names: Vec<&str> = maker
+        .inputs
+        .iter()
+        .map(|input| input.name.as_str())
+        .collect();
+    for (i, (name, _)) in given.iter().enumerate() {
+        let place = Place::WHOLE.field(name);
+        if !names.contains(&name.as_str()) {
+            let meant = nearest(name, names.iter().copied());
+            let meant = meant.map_or_else(String::new, |meant| {
+                format!("; \u{201c}{meant}\u{201d} may be meant")
+            });
+            let what = format!("{} has no such input{meant}", maker.name);
+            let accepted = format!("{}, unit", names.join(", "));
+            return Err(Fault::new(
+                FaultCode::UnknownField,
+                &place,
+                &what,
+                &accepted,
+            ));
+        }
+        if given[..i].iter().any(|(before, _)| before == name) {
+            let what = "this is given twice";
+            return Err(Fault::new(
+                FaultCode::DuplicateField,
+                &place,
+                what,
+                "each input once",
+            ));
+        }
+    }
+    Ok(())
+}
+
+/// The numbers that a text gives to an input.
+fn read(input: &Input, text: &str) -> Result<Vec<f64>, Fault> {
+    let place = Place::WHOLE.field(&input.name);
+    let accepted = accepted(input);
+    let mut values = Vec::new();
+    for part in text.split(',').map(str::trim) {
+        if part.is_empty() && input.is == Kind::List && text.trim().is_empty() {
+            break;
+        }
+        let number = part.replace('\u{2212}', "-").parse::<f64>().ok();
+        // What Rust takes for a number too, but is none: inf, nan.
+        let Some(number) = number.filter(|number| number.is_finite()) else {
+            let what = format!("\u{201c}{}\u{201d} is no number", excerpt(part));
+            return Err(Fault::new(FaultCode::WrongType, &place, &what, &accepted));
+        };
+        let whole = matches!(input.is, Kind::Count | Kind::List);
+        let unfit = (input.is == Kind::Length && !input.signed && number <= 0.0)
+            || (whole && number.fract() != 0.0)
+            || input
+                .range
+                .is_some_and(|[least, most]| !(least..=most).contains(&number))
+            || (input.is == Kind::List && values.contains(&number));
+        if unfit {
+            return Err(out_of_range(&place, typed(number), &accepted));
+        }
+        values.push(number + 0.0);
+    }
+    let count = input.parameters().len();
+    if input.is != Kind::List && values.len() != count {
+        let what = match values.len() {
+            1 => "this is one number".to_owned(),
+            many => format!("these are {many} numbers"),
+        };
+        return Err(Fault::new(FaultCode::WrongCount, &place, &what, &accepted));
+    }
+    Ok(values)
+}
+
+/// What an input takes, such as: two lengths above 0 with a comma between them (upper, lower).
+fn accepted(input: &Input) -> String {
+    let (one, many) = match input.is {
+        Kind::Length => ("a length", "lengths"),
+        Kind::Angle => ("an angle in degrees", "angles in degrees"),
+        Kind::Number => ("a number", "numbers"),
+        Kind::Count => ("a whole number", "whole numbers"),
+        Kind::List => ("", "different whole numbers"),
+    };
+    let range = match input.range {
+        Some([least, most]) => format!(" from {} to {}", typed(least), typed(most)),
+        None if input.is == Kind::Length && !input.signed => " above 0".to_owned(),
+        None => String::new(),
+    };
+    let between = "with commas between them";
+    match input.parts.len() {
+        _ if input.is == Kind::List => format!("{many}{range}, {between}"),
+        0 => format!("{one}{range}"),
+        count => format!(
+            "{count} {many}{range}, {between}: {}",
+            input.parts.join(",")
+        ),
+    }
+}
