@@ -5,8 +5,9 @@ use crate::bind::wasm::{Clock, JsPosture, Session, posture, refusal};
 use crate::document::make;
 use crate::document::problem::Problem;
 use crate::document::schema::SCHEMA;
-
+use crate::document::text::{self, Digits};
 use crate::exchange::export::{self, Format};
+use crate::exchange::pose_table::read_pose_table_asked;
 use crate::makers::from_type;
 use crate::makers::list;
 use crate::math::pose::Pose;
@@ -179,6 +180,16 @@ pub fn make_named(name: &str, inputs: &str, unit: Option<String>) -> Result<Stri
 pub fn make(request: &str) -> Result<String, JsValue> {
     let document = make::make_from_text(request).map_err(|fault| refusal(&fault))?;
     Ok(document.text())
+}
+
+/// Key frames from the text of a table: a `PoseTable` as JSON, asked for by a `PoseTableRequest` as JSON.
+///
+/// # Errors
+/// A `Fault` where the request does not fit or no row can be taken over.
+#[wasm_bindgen]
+pub fn read_poses(table: &str, request: &str) -> Result<String, JsValue> {
+    let table = read_pose_table_asked(table, request).map_err(|fault| refusal(&fault))?;
+    Ok(text::json(&table, Digits::Short))
 }
 
 /// The JSON Schema of a document.

@@ -19,8 +19,9 @@ pub const MIN_METRIC_LENGTH: f64 = 1e-12;
 pub const MAX_DIMENSION_TOLERANCE: f64 = 1e-2;
 /// Most iterations a frame: five times the limit that the paper's gradient has by itself.
 pub const MAX_ITERATIONS: u32 = 100_000;
-/// Most rows of the tables times frames, 14 numbers each: 56 MB, what a page can allocate on a phone.
-pub const MAX_ROW_FRAMES: usize = 500_000;
+/// Most rows of the tables times frames, 14 numbers each: 224 MB, which a page has once. A Delta, of 15 rows, can be
+/// followed through 100,001 frames.
+pub const MAX_ROW_FRAMES: usize = 2_000_000;
 /// Characters of a name.
 pub const MAX_NAME: usize = 100;
 /// Characters of the sentences on a mechanism.

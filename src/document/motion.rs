@@ -98,21 +98,30 @@ fn key_frame(entry: &KeyFrameEntry, place: &Place<'_>) -> Result<KeyFrame, Fault
     })
 }
 
+/// Most notes on key frames: beyond, a person needs to know that there are more, and not which.
+const MAX_NOTES: usize = 50;
+
 /// Where the motion between neighbours is not the only one that their angles can mean.
 fn notes(entries: &[KeyFrameEntry], keys: &[KeyFrame], half_turns: &[HalfTurn]) -> Vec<Warning> {
     let mut notes = Vec::new();
+    let mut half_turns = half_turns.iter().peekable();
     for key in 1..entries.len() {
         let neighbours = || Neighbours {
             key,
             names: [key - 1, key].map(|i| entries[i].name.clone()),
         };
         notes.extend(turn_note(key, entries, keys, neighbours));
-        if let Some(half) = half_turns.iter().find(|half| half.key == key) {
+        if let Some(half) = half_turns.next_if(|half| half.key == key) {
             notes.push(Warning::HalfTurn {
                 neighbours: neighbours(),
                 axis: half.axis.into(),
             });
         }
+    }
+    if notes.len() > MAX_NOTES {
+        let count = notes.len() - MAX_NOTES;
+        notes.truncate(MAX_NOTES);
+        notes.push(Warning::MoreNotes { count });
     }
     notes
 }

@@ -132,6 +132,13 @@ impl<'de> Deserializer<'de> for &'de Node {
         visitor.visit_u32(whole(*value)?)
     }
 
+    fn deserialize_bool<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Refusal> {
+        let Node::Bool(value) = self else {
+            return Err(self.is_not("true or false"));
+        };
+        visitor.visit_bool(*value)
+    }
+
     fn deserialize_string<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Refusal> {
         let Node::Text(text) = self else {
             return Err(self.is_not("a text in quotes"));
@@ -183,7 +190,7 @@ impl<'de> Deserializer<'de> for &'de Node {
     }
 
     serde::forward_to_deserialize_any! {
-        bool i8 i16 i32 i64 i128 u8 u16 u64 u128 f32 char str bytes byte_buf unit unit_struct
+        i8 i16 i32 i64 i128 u8 u16 u64 u128 f32 char str bytes byte_buf unit unit_struct
         newtype_struct tuple tuple_struct map identifier ignored_any
     }
 }

@@ -7,8 +7,9 @@ use crate::document::refusal::Refusal;
 use crate::document::schema::{Document, VERSION};
 use serde::{Deserialize, Serialize};
 
-/// Bytes of the longest text that is read at all: ten times what 500 key frames with names take.
-pub const MAX_TEXT: usize = 1_000_000;
+/// Bytes of the longest text that is read at all: 100,000 key frames with names, times and 15 digits a number take 27 MB
+/// as documents are written.
+pub const MAX_TEXT: usize = 32_000_000;
 
 /// Reads a document; defaults are filled in. What its numbers mean is checked by
 /// [`crate::document::problem::Problem::new`].

@@ -165,6 +165,11 @@ pub fn warning(warning: &Warning, wording: &Wording<'_>) -> WarningReport {
             typed,
             turn,
         } => say("short-way", short_way(neighbours, angle, typed, turn), None),
+        Warning::MoreNotes { count } => say(
+            "more-notes",
+            format!("{count} more warnings of key frames like these are left out."),
+            None,
+        ),
         Warning::Runaway { first, last, searched, elsewhere } => say(
             "runaway",
             format!(

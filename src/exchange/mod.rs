@@ -1,5 +1,11 @@
-//! Planned motions for other programs: CSV, JSON, MuJoCo.
+//! Planned motions for other programs, as CSV, JSON, MuJoCo; key frames from tables.
 
+#[cfg(feature = "study")]
+pub mod delimited;
 pub mod export;
 pub mod mjcf;
+#[cfg(feature = "study")]
+pub mod pose_columns;
+#[cfg(feature = "study")]
+pub mod pose_table;
 pub mod table;

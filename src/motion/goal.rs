@@ -14,8 +14,9 @@ use crate::motion::quaternion_spline::{Bezier, de_casteljau, slerp, spline};
 use crate::motion::screw_motion::ScrewMotion;
 use nalgebra::{Translation3, UnitQuaternion, Vector3};
 
-/// More frames than three minutes at 60 a second need; keeps a plan from taking for ever.
-pub const MAX_FRAMES: usize = 10_000;
+/// A frame for each interval of [`MAX_KEY_FRAMES`](crate::motion::key_frames::MAX_KEY_FRAMES) and one more, so that every
+/// key frame can fall on a frame; half an hour at 60 a second.
+pub const MAX_FRAMES: usize = 100_001;
 
 /// How the motion goes from one key frame to the next.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

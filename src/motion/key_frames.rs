@@ -3,8 +3,8 @@
 use crate::math::pose::Pose;
 use nalgebra::{UnitQuaternion, Vector3};
 
-/// More key frames than a person places by hand; a sampled curve of a thousand poses still passes.
-pub const MAX_KEY_FRAMES: usize = 1_000;
+/// A tool path, sampled pose by pose, passes; no step of a plan takes more than its share for each of them.
+pub const MAX_KEY_FRAMES: usize = 100_000;
 
 /// A pose that the goal motion meets.
 #[derive(Clone, Debug, PartialEq)]

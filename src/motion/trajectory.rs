@@ -148,6 +148,8 @@ pub enum Warning {
         typed: f64,
         turn: f64,
     },
+    /// `count` more of the last three are left out.
+    MoreNotes { count: usize },
 }
 
 /// The row of a table whose number, changed by the least, would take the most of a misfit away.

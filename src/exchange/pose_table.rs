@@ -1,0 +1,565 @@
+//! Key frames from a table: CSV, or cells copied from a spreadsheet. What cannot be taken over is listed by its row, and the
+//! rest is read.
+
+use crate::document::bounds::{MAX_ANGLE, MAX_LENGTH, MAX_NAME, MAX_TIME};
+use crate::document::fault::{Fault, FaultCode, Place, excerpt};
+use crate::document::number::typed;
+use crate::document::problem::short;
+use crate::document::reader::Node;
+use crate::document::schema::KeyFrameEntry;
+use crate::document::text::{MAX_TEXT, not_json};
+use crate::exchange::delimited::{Row, Separator, fields, number, rows, separator};
+use crate::exchange::pose_columns::{Convention, Layout, by_headings, by_number, heading};
+use crate::math::orientation::{
+    NotRotation, Orientation, from_angles, from_matrix, from_quaternion_wxyz, from_quaternion_xyzw,
+};
+use crate::math::pose::{FrameCoordinates, Pose};
+use crate::motion::key_frames::MAX_KEY_FRAMES;
+use nalgebra::Translation3;
+use serde::{Deserialize, Serialize};
+
+/// Skipped rows that are told one by one.
+pub const MAX_SKIPPED: usize = 100;
+/// Rows at the beginning from which separator and columns are told.
+const SAMPLE: usize = 20;
+/// Deviation of a quaternion or matrix from a rotation that is rounding of all its digits.
+const ROUNDING: f64 = 1e-9;
+/// Most fields of a row that are looked at.
+const MAX_COLUMNS: usize = 1_000;
+
+/// What is known of a table beside its text; what is not said is told from its headings, or from the number of its columns.
+#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct PoseTableRequest {
+    /// How rotations are given.
+    pub convention: Option<Convention>,
+    /// The order of three angles, as [`from_angles`] has it; "xyz" without.
+    pub order: Option<String>,
+    /// The unit of angles; degrees without, and where no heading says otherwise.
+    pub angles: Option<AngleUnit>,
+    /// Whether the table has times; without headings in its first column with numbers.
+    pub time: Option<bool>,
+    /// Factor of lengths, from the table's unit to the document's; 1 without.
+    pub scale: Option<f64>,
+}
+
+/// The unit of angles.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum AngleUnit {
+    /// 360 a turn.
+    Degrees,
+    /// 2π a turn.
+    Radians,
+}
+
+/// What was read.
+#[derive(Clone, Debug, Serialize)]
+pub struct PoseTable {
+    /// In the order of the rows, angles in degrees.
+    pub key_frames: Vec<KeyFrameEntry>,
+    /// What the table was taken for.
+    pub understood: Understood,
+    /// The first rows that could not be taken over, up to [`MAX_SKIPPED`].
+    pub skipped: Vec<SkippedRow>,
+    /// All of them.
+    pub skipped_count: usize,
+}
+
+/// What a table was taken for.
+#[derive(Clone, Debug, Serialize)]
+pub struct Understood {
+    /// What stands between fields.
+    pub separator: Separator,
+    /// Whether the first row has headings.
+    pub header: bool,
+    /// How rotations are given.
+    pub convention: Convention,
+    /// The order of angles; none where there are no angles in an order.
+    pub order: Option<String>,
+    /// The unit of angles.
+    pub angles: AngleUnit,
+    /// Whether there are times.
+    pub time: bool,
+    /// The factor of lengths.
+    pub scale: f64,
+    /// The columns from left to right.
+    pub columns: Vec<ColumnRead>,
+    /// What could have been understood otherwise, in sentences.
+    pub assumed: Vec<String>,
+}
+
+/// A column of the table.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct ColumnRead {
+    /// As it stands there; empty without headings.
+    pub heading: String,
+    /// What it was taken for, such as x, qw, time or name; empty where it is not read.
+    pub role: String,
+}
+
+/// A row that was not taken over.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct SkippedRow {
+    /// The line of the text, from 1.
+    pub row: usize,
+    /// Why not.
+    pub what: String,
+    /// What would be.
+    pub accepted: String,
+}
+
+/// The same with the request in JSON; empty text asks for nothing.
+///
+/// # Errors
+/// Where the request is none, or [`read_pose_table`] has an error.
+pub fn read_pose_table_asked(text: &str, request: &str) -> Result<PoseTable, Fault> {
+    if request.trim().is_empty() {
+        return read_pose_table(text, &PoseTableRequest::default());
+    }
+    let node: Node = serde_json::from_str(request).map_err(|error| not_json(&error))?;
+    let request =
+        PoseTableRequest::deserialize(&node).map_err(|refusal| refusal.fault(&Place::WHOLE))?;
+    read_pose_table(text, &request)
+}
+
+/// Reads a table of poses, a row each.
+///
+/// Fields are parted by tabs, semicolons, commas or blanks, and may stand in quotation marks; where the comma does not part
+/// them, it may be the decimal sign. Lines that begin with # are comments. Columns are told by their headings, or else by
+/// their number.
+///
+/// ```
+/// use synthetica::exchange::pose_table::{PoseTableRequest, read_pose_table};
+///
+/// let table = read_pose_table("x;y;z\n1,5;2;3\n4;5;what\n", &PoseTableRequest::default())?;
+/// assert_eq!(table.key_frames[0].x, 1.5);
+/// assert_eq!((table.skipped[0].row, table.skipped_count), (3, 1));
+/// # Ok::<(), synthetica::Fault>(())
+/// ```
+///
+/// # Errors
+/// When there is no row that could be taken over, the columns cannot be told, or the request does not fit.
+pub fn read_pose_table(text: &str, request: &PoseTableRequest) -> Result<PoseTable, Fault> {
+    if text.len() > MAX_TEXT {
+        let what = format!("{} bytes of text are too many", text.len());
+        let accepted = format!("up to {MAX_TEXT} bytes");
+        return Err(Fault::new(FaultCode::TextTooLong, &TABLE, &what, &accepted));
+    }
+    check_request(request)?;
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let separator = separator(rows(text).take(SAMPLE));
+    let sample: Vec<Vec<String>> = rows(text)
+        .take(SAMPLE)
+        .filter_map(|row| fields(row.text, separator))
+        .collect();
+    let Some(first) = sample.first() else {
+        return Err(Fault::new(
+            FaultCode::EmptyText,
+            &TABLE,
+            "there are no rows",
+            LAYOUTS,
+        ));
+    };
+    let header = is_header(first, &sample, separator);
+    let headings = if header { first.clone() } else { Vec::new() };
+    let body = &sample[usize::from(header)..];
+    let (layout, assumed) = layout(&headings, body, separator, request)?;
+    let (angles, angles_said) = angle_unit(&layout, &headings, request);
+    let reader = Reader {
+        columns: columns_of(&headings, body),
+        layout,
+        separator,
+        in_degrees: angles == AngleUnit::Degrees,
+        order: request.order.clone().unwrap_or_else(|| "xyz".to_owned()),
+        scale: request.scale.unwrap_or(1.0),
+    };
+    let mut table = PoseTable {
+        key_frames: Vec::new(),
+        understood: reader.understood(header, &headings, angles),
+        skipped: Vec::new(),
+        skipped_count: 0,
+    };
+    table.understood.assumed = [assumed, angles_said].concat();
+    reader.read(rows(text).skip(usize::from(header)), &mut table);
+    if table.key_frames.is_empty() {
+        let (what, accepted) = match table.skipped.first() {
+            Some(SkippedRow {
+                row,
+                what,
+                accepted,
+            }) => (
+                format!("no row can be taken over; row {row}: {what}"),
+                accepted.as_str(),
+            ),
+            None => ("there are headings and no rows".to_owned(), LAYOUTS),
+        };
+        return Err(Fault::new(FaultCode::WrongType, &TABLE, &what, accepted));
+    }
+    Ok(table)
+}
+
+const TABLE: Place<'static> = Place::WHOLE.field("table");
+
+const LAYOUTS: &str = "a row for each pose: x y z alone, or with longitude latitude roll, with qw qx qy qz, with nine numbers of a matrix, or with roll pitch yaw; a time before them, a name, and headings are optional";
+
+fn check_request(request: &PoseTableRequest) -> Result<(), Fault> {
+    if let Some(order) = &request.order {
+        from_angles([0.0; 3], order).map_err(|refusal| {
+            let place = Place::WHOLE.field("order");
+            Fault::new(
+                FaultCode::UnknownValue,
+                &place,
+                &refusal.what(),
+                &refusal.accepted(),
+            )
+        })?;
+    }
+    /// Ångström to a thousand kilometres, and more.
+    const FACTORS: std::ops::RangeInclusive<f64> = 1e-18..=1e18;
+    if let Some(scale) = request.scale.filter(|scale| !FACTORS.contains(scale)) {
+        let what = format!("{} is out of range", typed(scale));
+        let place = Place::WHOLE.field("scale");
+        let accepted = "a factor of lengths from 1e-18 to 1e18";
+        return Err(Fault::new(FaultCode::OutOfRange, &place, &what, accepted));
+    }
+    Ok(())
+}
+
+/// The first row has headings where fewer of its fields are numbers than of the rows behind it, and not half of them.
+fn is_header(first: &[String], sample: &[Vec<String>], separator: Separator) -> bool {
+    let numbers = |row: &[String]| {
+        row.iter()
+            .filter(|f| number(f, separator).is_some())
+            .count()
+    };
+    let own = numbers(first);
+    let behind = sample[1..].iter().map(|row| numbers(row)).max();
+    2 * own < first.len() && behind.is_none_or(|most| own < most || most == 0) && own < 3
+}
+
+fn columns_of(headings: &[String], body: &[Vec<String>]) -> usize {
+    let most = body.iter().map(Vec::len).max().unwrap_or(0);
+    most.max(headings.len()).min(MAX_COLUMNS)
+}
+
+/// By the headings, else by the number of columns with numbers.
+fn layout(
+    headings: &[String],
+    body: &[Vec<String>],
+    separator: Separator,
+    request: &PoseTableRequest,
+) -> Result<(Layout, Vec<String>), Fault> {
+    if let Some(mut layout) = by_headings(headings, request.convention)
+        && (request.time != Some(true) || layout.time.is_some())
+    {
+        if request.time == Some(false) {
+            layout.time = None;
+        }
+        return Ok((layout, Vec::new()));
+    }
+    let is_number = |row: &Vec<String>, column: usize| {
+        row.get(column)
+            .is_some_and(|field| number(field, separator).is_some())
+    };
+    let (mut columns, mut name) = (Vec::new(), None);
+    for column in 0..columns_of(headings, body) {
+        let filled = |row: &&Vec<String>| row.get(column).is_some_and(|field| !field.is_empty());
+        if body.iter().any(|row| is_number(row, column)) {
+            columns.push(column);
+        } else if body.iter().any(|row| filled(&row)) {
+            name = name.or(Some(column));
+        }
+    }
+    let numbers = |row: &Vec<String>| {
+        let own = columns
+            .iter()
+            .map(|&c| row.get(c).and_then(|f| number(f, separator)));
+        own.collect::<Option<Vec<f64>>>()
+    };
+    let sample: Vec<Vec<f64>> = body.iter().filter_map(numbers).collect();
+    if let Some(guess) = by_number(&columns, name, &sample, request.convention, request.time) {
+        let mut assumed = guess.assumed;
+        if !headings.is_empty() {
+            assumed.insert(
+                0,
+                "The headings do not say what the columns are: they are taken in their order."
+                    .to_owned(),
+            );
+        }
+        return Ok((guess.layout, assumed));
+    }
+    let count = columns.len();
+    let what = if headings.is_empty() {
+        format!("what {count} columns with numbers are cannot be told")
+    } else {
+        let list = excerpt(&headings.join(", "));
+        format!("what the columns {list} are cannot be told")
+    };
+    Err(Fault::new(FaultCode::WrongCount, &TABLE, &what, LAYOUTS))
+}
+
+/// The request's unit of angles, else that of the headings, else degrees.
+fn angle_unit(
+    layout: &Layout,
+    headings: &[String],
+    request: &PoseTableRequest,
+) -> (AngleUnit, Vec<String>) {
+    let has_angles = matches!(
+        layout.convention,
+        Convention::LongitudeLatitudeRoll | Convention::RollPitchYaw
+    );
+    if let Some(unit) = request.angles {
+        return (unit, Vec::new());
+    }
+    if !has_angles {
+        return (AngleUnit::Degrees, Vec::new());
+    }
+    let units = layout
+        .rotation
+        .iter()
+        .filter_map(|&column| headings.get(column));
+    let units: Vec<String> = units.map(|text| heading(text).1).collect();
+    let is =
+        |words: &[&str]| !units.is_empty() && units.iter().all(|u| words.contains(&u.as_str()));
+    if is(&["rad", "radian", "radians"]) {
+        return (AngleUnit::Radians, Vec::new());
+    }
+    let said = "Angles are taken for degrees.".to_owned();
+    let known = is(&["deg", "degree", "degrees", "\u{b0}"]);
+    (
+        AngleUnit::Degrees,
+        if known { Vec::new() } else { vec![said] },
+    )
+}
+
+/// How rows become key frames.
+struct Reader {
+    layout: Layout,
+    columns: usize,
+    separator: Separator,
+    in_degrees: bool,
+    order: String,
+    scale: f64,
+}
+
+/// Why a row is not taken over, and what would be.
+type NotTaken = (String, String);
+
+impl Reader {
+    fn understood(&self, header: bool, headings: &[String], angles: AngleUnit) -> Understood {
+        let column = |i: usize| ColumnRead {
+            heading: headings
+                .get(i)
+                .map_or_else(String::new, |text| excerpt(text)),
+            role: self.layout.role(i),
+        };
+        Understood {
+            separator: self.separator,
+            header,
+            convention: self.layout.convention,
+            order: (self.layout.convention == Convention::RollPitchYaw).then(|| self.order.clone()),
+            angles,
+            time: self.layout.time.is_some(),
+            scale: self.scale,
+            columns: (0..self.columns).map(column).collect(),
+            assumed: Vec::new(),
+        }
+    }
+
+    fn read<'a>(&self, rows: impl Iterator<Item = Row<'a>>, table: &mut PoseTable) {
+        let mut previous = f64::NEG_INFINITY;
+        let mut off: f64 = 0.0;
+        for Row { line, text } in rows {
+            match self.row(text, previous, table.key_frames.len()) {
+                Ok((key_frame, error)) => {
+                    previous = key_frame.time.unwrap_or(previous);
+                    off = off.max(error);
+                    table.key_frames.push(key_frame);
+                }
+                Err((what, accepted)) => {
+                    table.skipped_count += 1;
+                    if table.skipped.len() < MAX_SKIPPED {
+                        let row = SkippedRow {
+                            row: line,
+                            what,
+                            accepted,
+                        };
+                        table.skipped.push(row);
+                    }
+                }
+            }
+        }
+        if off > ROUNDING {
+            table.understood.assumed.push(format!(
+                "The rotations are off by up to {off:.1e}: the nearest ones are taken."
+            ));
+        }
+    }
+
+    /// The key frame of a row, and by how much its rotation was off.
+    fn row(
+        &self,
+        text: &str,
+        previous: f64,
+        taken: usize,
+    ) -> Result<(KeyFrameEntry, f64), NotTaken> {
+        if taken >= MAX_KEY_FRAMES {
+            let what = format!("there are {MAX_KEY_FRAMES} key frames before it");
+            return Err((what, format!("up to {MAX_KEY_FRAMES} key frames")));
+        }
+        let fields = fields(text, self.separator).ok_or_else(|| {
+            let accepted = "quotation marks in pairs on one line";
+            (
+                "a quotation mark is not closed".to_owned(),
+                accepted.to_owned(),
+            )
+        })?;
+        let number_at = |column: usize| {
+            let field = fields.get(column).map_or("", String::as_str);
+            number(field, self.separator).ok_or_else(|| {
+                let what = match field {
+                    "" => format!("column {} is empty", column + 1),
+                    field => format!(
+                        "\u{201c}{}\u{201d} in column {} is no number",
+                        excerpt(field),
+                        column + 1
+                    ),
+                };
+                (what, "a finite number".to_owned())
+            })
+        };
+        if fields.len() > self.columns && fields[self.columns..].iter().any(|f| !f.is_empty()) {
+            let what = format!("it has {} columns", fields.len());
+            return Err((
+                what,
+                format!("{} columns, as in the rows before", self.columns),
+            ));
+        }
+        for column in self.layout.numbers() {
+            number_at(column)?;
+        }
+        let mut position = [0.0; 3];
+        for (x, &column) in position.iter_mut().zip(&self.layout.position) {
+            *x = within(number_at(column)? * self.scale, MAX_LENGTH, "a length")?;
+        }
+        let mut numbers = [0.0; 9];
+        for (x, &column) in numbers.iter_mut().zip(&self.layout.rotation) {
+            *x = number_at(column)?;
+        }
+        let (angles, error) = self.angles(numbers)?;
+        let time = match self.layout.time {
+            Some(column) => Some(later(number_at(column)?, previous)?),
+            None => None,
+        };
+        let name = self
+            .layout
+            .name
+            .and_then(|column| fields.get(column))
+            .cloned()
+            .unwrap_or_default();
+        let length = name.chars().count();
+        if length > MAX_NAME {
+            let what = format!("its name has {length} characters");
+            return Err((what, format!("up to {MAX_NAME} characters")));
+        }
+        let [x, y, z] = position;
+        let [longitude, latitude, roll] = angles;
+        Ok((
+            KeyFrameEntry {
+                name,
+                x,
+                y,
+                z,
+                longitude,
+                latitude,
+                roll,
+                time,
+            },
+            error,
+        ))
+    }
+
+    /// Longitude, latitude and roll in degrees, and by how much the numbers were off a rotation.
+    fn angles(&self, numbers: [f64; 9]) -> Result<([f64; 3], f64), NotTaken> {
+        let said = |refusal: NotRotation| (refusal.what(), refusal.accepted());
+        let [a, b, c, d, ..] = numbers;
+        let three = || -> Result<[f64; 3], NotTaken> {
+            let mut angles = [a, b, c];
+            for angle in &mut angles {
+                let degrees = if self.in_degrees {
+                    *angle
+                } else {
+                    angle.to_degrees()
+                };
+                *angle = within(degrees, MAX_ANGLE, "an angle in degrees")?;
+            }
+            Ok(angles)
+        };
+        let Orientation { rotation, error } = match self.layout.convention {
+            Convention::Positions => return Ok(([0.0; 3], 0.0)),
+            Convention::LongitudeLatitudeRoll => {
+                let angles = three()?;
+                let kept = if self.in_degrees {
+                    angles
+                } else {
+                    angles.map(short)
+                };
+                return Ok((kept, 0.0));
+            }
+            Convention::QuaternionWxyz => from_quaternion_wxyz([a, b, c, d]).map_err(said)?,
+            Convention::QuaternionXyzw => from_quaternion_xyzw([a, b, c, d]).map_err(said)?,
+            Convention::Matrix => {
+                let row = |i: usize| [numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]];
+                from_matrix([row(0), row(1), row(2)]).map_err(said)?
+            }
+            Convention::RollPitchYaw => {
+                let angles = self.in_order(three()?.map(f64::to_radians));
+                let rotation = from_angles(angles, &self.order).map_err(said)?;
+                Orientation {
+                    rotation,
+                    error: 0.0,
+                }
+            }
+        };
+        let pose = Pose::from_parts(Translation3::identity(), rotation);
+        let frame = FrameCoordinates::from_pose(&pose);
+        let angles = [frame.longitude, frame.latitude, frame.roll];
+        Ok((angles.map(|angle| short(angle.to_degrees())), error))
+    }
+
+    /// Angles about x, y and z that have headings, in the order asked for; others are in it already.
+    fn in_order(&self, angles: [f64; 3]) -> [f64; 3] {
+        let axes: Vec<usize> = self
+            .order
+            .to_ascii_lowercase()
+            .bytes()
+            .filter_map(|letter| b"xyz".iter().position(|&axis| axis == letter))
+            .collect();
+        match axes[..] {
+            [i, j, k] if self.layout.by_axis && i != k => [angles[i], angles[j], angles[k]],
+            _ => angles,
+        }
+    }
+}
+
+fn within(value: f64, most: f64, what: &str) -> Result<f64, NotTaken> {
+    if value.abs() <= most {
+        return Ok(value);
+    }
+    let accepted = format!("{what} from {} to {}", typed(-most), typed(most));
+    Err((format!("{} is out of range", typed(value)), accepted))
+}
+
+fn later(time: f64, previous: f64) -> Result<f64, NotTaken> {
+    let time = within(time, MAX_TIME, "a time")?;
+    if time > previous {
+        return Ok(time);
+    }
+    let what = format!(
+        "its time {} is not later than {}, that of the row before",
+        typed(time),
+        typed(previous)
+    );
+    Err((what, format!("a time later than {}", typed(previous))))
+}
