@@ -358,7 +358,7 @@ fn a_wrong_command_line_says_what_would_be_accepted() {
     for (arguments, accepted) in [
         (&["plan", "--format", "xls"][..], "csv, json"),
         (&["export", "xls"], "csv, json, mjcf"),
-        (&["plan", "--frames", "1"], "2..=10000"),
+        (&["plan", "--frames", "1"], "2..=100001"),
         (&["plan", "--method", "guess"], "newton, gradient"),
         (&["enumerate", "chains", "5"], "1..=4"),
         (&["enumerate", "chains", "4", "6"], "Accepted: 0 to 5"),

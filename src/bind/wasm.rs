@@ -294,10 +294,7 @@ pub(crate) fn posture(
             }
         }
     }
-    set(
-        "rows",
-        &Float64Array::from(&placed(&session.problem().row_frames(t))[..]),
-    )?;
+    set("rows", &rows(session.problem(), t))?;
     if let Some(value) = posture.value {
         set("value", &value.into())?;
     }

@@ -90,14 +90,7 @@ impl Problem {
         )
     }
 
-    /// For drawing: each table row's frame before its joint and behind it, frame by frame.
-    pub fn row_frames(&self, trajectory: &Trajectory) -> Vec<Pose> {
-        (0..trajectory.frames())
-            .flat_map(|i| self.frames_at(trajectory.joints_at(i)))
-            .collect()
-    }
-
-    /// The same at one position.
+    /// For drawing: each table row's frame before its joint and behind it, at these joint values.
     pub fn frames_at(&self, joints: &[f64]) -> Vec<Pose> {
         let chains = self.mechanism.split(joints);
         chains

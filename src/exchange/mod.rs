@@ -7,5 +7,7 @@ pub mod mjcf;
 #[cfg(feature = "study")]
 pub mod pose_columns;
 #[cfg(feature = "study")]
+pub mod pose_rows;
+#[cfg(feature = "study")]
 pub mod pose_table;
 pub mod table;

@@ -137,9 +137,12 @@ pub(crate) fn by_headings(headings: &[String], asked: Option<Convention>) -> Opt
         (Convention::Positions, Some(Vec::new())),
     ];
     // The headings tell the scalar of a quaternion.
-    let wanted = asked.map(|one| match one {
-        Convention::QuaternionXyzw => Convention::QuaternionWxyz,
-        other => other,
+    let wanted = asked.map(|one| {
+        if one == Convention::QuaternionXyzw {
+            Convention::QuaternionWxyz
+        } else {
+            one
+        }
     });
     let (convention, rotation) = known
         .into_iter()

@@ -1,25 +1,17 @@
 //! Key frames from a table: CSV, or cells copied from a spreadsheet. What cannot be taken over is listed by its row, and the
 //! rest is read.
 
-use crate::document::bounds::{MAX_ANGLE, MAX_LENGTH, MAX_NAME, MAX_TIME};
 use crate::document::fault::{Fault, FaultCode, Place, excerpt};
 use crate::document::number::typed;
-use crate::document::problem::short;
 use crate::document::reader::Node;
 use crate::document::schema::KeyFrameEntry;
 use crate::document::text::{MAX_TEXT, not_json};
-use crate::exchange::delimited::{Row, Separator, fields, number, rows, separator};
+use crate::exchange::delimited::{Separator, fields, number, rows, separator};
 use crate::exchange::pose_columns::{Convention, Layout, by_headings, by_number, heading};
-use crate::math::orientation::{
-    NotRotation, Orientation, from_angles, from_matrix, from_quaternion_wxyz, from_quaternion_xyzw,
-};
-use crate::math::pose::{FrameCoordinates, Pose};
-use crate::motion::key_frames::MAX_KEY_FRAMES;
-use nalgebra::Translation3;
+use crate::exchange::pose_rows::{Reader, SkippedRow};
+use crate::math::orientation::from_angles;
 use serde::{Deserialize, Serialize};
 
-/// Skipped rows that are told one by one.
-pub const MAX_SKIPPED: usize = 100;
 /// Rows at the beginning from which separator and columns are told.
 const SAMPLE: usize = 20;
 /// Deviation of a quaternion or matrix from a rotation that is rounding of all its digits.
@@ -60,7 +52,7 @@ pub struct PoseTable {
     pub key_frames: Vec<KeyFrameEntry>,
     /// What the table was taken for.
     pub understood: Understood,
-    /// The first rows that could not be taken over, up to [`MAX_SKIPPED`].
+    /// The first rows that could not be taken over, up to [`MAX_SKIPPED`](crate::exchange::pose_rows::MAX_SKIPPED).
     pub skipped: Vec<SkippedRow>,
     /// All of them.
     pub skipped_count: usize,
@@ -96,17 +88,6 @@ pub struct ColumnRead {
     pub heading: String,
     /// What it was taken for, such as x, qw, time or name; empty where it is not read.
     pub role: String,
-}
-
-/// A row that was not taken over.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct SkippedRow {
-    /// The line of the text, from 1.
-    pub row: usize,
-    /// Why not.
-    pub what: String,
-    /// What would be.
-    pub accepted: String,
 }
 
 /// The same with the request in JSON; empty text asks for nothing.
@@ -174,14 +155,21 @@ pub fn read_pose_table(text: &str, request: &PoseTableRequest) -> Result<PoseTab
         order: request.order.clone().unwrap_or_else(|| "xyz".to_owned()),
         scale: request.scale.unwrap_or(1.0),
     };
-    let mut table = PoseTable {
-        key_frames: Vec::new(),
-        understood: reader.understood(header, &headings, angles),
-        skipped: Vec::new(),
-        skipped_count: 0,
+    let taken = reader.read(rows(text).skip(usize::from(header)));
+    let mut understood = understood(&reader, header, &headings, angles);
+    understood.assumed = [assumed, angles_said].concat();
+    if taken.error > ROUNDING {
+        let off = taken.error;
+        understood.assumed.push(format!(
+            "The rotations are off by up to {off:.1e}: the nearest ones are taken."
+        ));
+    }
+    let table = PoseTable {
+        key_frames: taken.key_frames,
+        understood,
+        skipped: taken.skipped,
+        skipped_count: taken.skipped_count,
     };
-    table.understood.assumed = [assumed, angles_said].concat();
-    reader.read(rows(text).skip(usize::from(header)), &mut table);
     if table.key_frames.is_empty() {
         let (what, accepted) = match table.skipped.first() {
             Some(SkippedRow {
@@ -239,8 +227,13 @@ fn is_header(first: &[String], sample: &[Vec<String>], separator: Separator) -> 
 }
 
 fn columns_of(headings: &[String], body: &[Vec<String>]) -> usize {
-    let most = body.iter().map(Vec::len).max().unwrap_or(0);
-    most.max(headings.len()).min(MAX_COLUMNS)
+    if !headings.is_empty() {
+        return headings.len().min(MAX_COLUMNS);
+    }
+    // Of rows without headings the number that most of them have, the first of equals.
+    let alike = |row: &&Vec<String>| body.iter().filter(|other| other.len() == row.len()).count();
+    let most = body.iter().rev().max_by_key(alike);
+    most.map_or(0, Vec::len).min(MAX_COLUMNS)
 }
 
 /// By the headings, else by the number of columns with numbers.
@@ -333,233 +326,22 @@ fn angle_unit(
     )
 }
 
-/// How rows become key frames.
-struct Reader {
-    layout: Layout,
-    columns: usize,
-    separator: Separator,
-    in_degrees: bool,
-    order: String,
-    scale: f64,
-}
-
-/// Why a row is not taken over, and what would be.
-type NotTaken = (String, String);
-
-impl Reader {
-    fn understood(&self, header: bool, headings: &[String], angles: AngleUnit) -> Understood {
-        let column = |i: usize| ColumnRead {
-            heading: headings
-                .get(i)
-                .map_or_else(String::new, |text| excerpt(text)),
-            role: self.layout.role(i),
-        };
-        Understood {
-            separator: self.separator,
-            header,
-            convention: self.layout.convention,
-            order: (self.layout.convention == Convention::RollPitchYaw).then(|| self.order.clone()),
-            angles,
-            time: self.layout.time.is_some(),
-            scale: self.scale,
-            columns: (0..self.columns).map(column).collect(),
-            assumed: Vec::new(),
-        }
+fn understood(reader: &Reader, header: bool, headings: &[String], angles: AngleUnit) -> Understood {
+    let column = |i: usize| ColumnRead {
+        heading: headings
+            .get(i)
+            .map_or_else(String::new, |text| excerpt(text)),
+        role: reader.layout.role(i),
+    };
+    Understood {
+        separator: reader.separator,
+        header,
+        convention: reader.layout.convention,
+        order: (reader.layout.convention == Convention::RollPitchYaw).then(|| reader.order.clone()),
+        angles,
+        time: reader.layout.time.is_some(),
+        scale: reader.scale,
+        columns: (0..reader.columns).map(column).collect(),
+        assumed: Vec::new(),
     }
-
-    fn read<'a>(&self, rows: impl Iterator<Item = Row<'a>>, table: &mut PoseTable) {
-        let mut previous = f64::NEG_INFINITY;
-        let mut off: f64 = 0.0;
-        for Row { line, text } in rows {
-            match self.row(text, previous, table.key_frames.len()) {
-                Ok((key_frame, error)) => {
-                    previous = key_frame.time.unwrap_or(previous);
-                    off = off.max(error);
-                    table.key_frames.push(key_frame);
-                }
-                Err((what, accepted)) => {
-                    table.skipped_count += 1;
-                    if table.skipped.len() < MAX_SKIPPED {
-                        let row = SkippedRow {
-                            row: line,
-                            what,
-                            accepted,
-                        };
-                        table.skipped.push(row);
-                    }
-                }
-            }
-        }
-        if off > ROUNDING {
-            table.understood.assumed.push(format!(
-                "The rotations are off by up to {off:.1e}: the nearest ones are taken."
-            ));
-        }
-    }
-
-    /// The key frame of a row, and by how much its rotation was off.
-    fn row(
-        &self,
-        text: &str,
-        previous: f64,
-        taken: usize,
-    ) -> Result<(KeyFrameEntry, f64), NotTaken> {
-        if taken >= MAX_KEY_FRAMES {
-            let what = format!("there are {MAX_KEY_FRAMES} key frames before it");
-            return Err((what, format!("up to {MAX_KEY_FRAMES} key frames")));
-        }
-        let fields = fields(text, self.separator).ok_or_else(|| {
-            let accepted = "quotation marks in pairs on one line";
-            (
-                "a quotation mark is not closed".to_owned(),
-                accepted.to_owned(),
-            )
-        })?;
-        let number_at = |column: usize| {
-            let field = fields.get(column).map_or("", String::as_str);
-            number(field, self.separator).ok_or_else(|| {
-                let what = match field {
-                    "" => format!("column {} is empty", column + 1),
-                    field => format!(
-                        "\u{201c}{}\u{201d} in column {} is no number",
-                        excerpt(field),
-                        column + 1
-                    ),
-                };
-                (what, "a finite number".to_owned())
-            })
-        };
-        if fields.len() > self.columns && fields[self.columns..].iter().any(|f| !f.is_empty()) {
-            let what = format!("it has {} columns", fields.len());
-            return Err((
-                what,
-                format!("{} columns, as in the rows before", self.columns),
-            ));
-        }
-        for column in self.layout.numbers() {
-            number_at(column)?;
-        }
-        let mut position = [0.0; 3];
-        for (x, &column) in position.iter_mut().zip(&self.layout.position) {
-            *x = within(number_at(column)? * self.scale, MAX_LENGTH, "a length")?;
-        }
-        let mut numbers = [0.0; 9];
-        for (x, &column) in numbers.iter_mut().zip(&self.layout.rotation) {
-            *x = number_at(column)?;
-        }
-        let (angles, error) = self.angles(numbers)?;
-        let time = match self.layout.time {
-            Some(column) => Some(later(number_at(column)?, previous)?),
-            None => None,
-        };
-        let name = self
-            .layout
-            .name
-            .and_then(|column| fields.get(column))
-            .cloned()
-            .unwrap_or_default();
-        let length = name.chars().count();
-        if length > MAX_NAME {
-            let what = format!("its name has {length} characters");
-            return Err((what, format!("up to {MAX_NAME} characters")));
-        }
-        let [x, y, z] = position;
-        let [longitude, latitude, roll] = angles;
-        Ok((
-            KeyFrameEntry {
-                name,
-                x,
-                y,
-                z,
-                longitude,
-                latitude,
-                roll,
-                time,
-            },
-            error,
-        ))
-    }
-
-    /// Longitude, latitude and roll in degrees, and by how much the numbers were off a rotation.
-    fn angles(&self, numbers: [f64; 9]) -> Result<([f64; 3], f64), NotTaken> {
-        let said = |refusal: NotRotation| (refusal.what(), refusal.accepted());
-        let [a, b, c, d, ..] = numbers;
-        let three = || -> Result<[f64; 3], NotTaken> {
-            let mut angles = [a, b, c];
-            for angle in &mut angles {
-                let degrees = if self.in_degrees {
-                    *angle
-                } else {
-                    angle.to_degrees()
-                };
-                *angle = within(degrees, MAX_ANGLE, "an angle in degrees")?;
-            }
-            Ok(angles)
-        };
-        let Orientation { rotation, error } = match self.layout.convention {
-            Convention::Positions => return Ok(([0.0; 3], 0.0)),
-            Convention::LongitudeLatitudeRoll => {
-                let angles = three()?;
-                let kept = if self.in_degrees {
-                    angles
-                } else {
-                    angles.map(short)
-                };
-                return Ok((kept, 0.0));
-            }
-            Convention::QuaternionWxyz => from_quaternion_wxyz([a, b, c, d]).map_err(said)?,
-            Convention::QuaternionXyzw => from_quaternion_xyzw([a, b, c, d]).map_err(said)?,
-            Convention::Matrix => {
-                let row = |i: usize| [numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]];
-                from_matrix([row(0), row(1), row(2)]).map_err(said)?
-            }
-            Convention::RollPitchYaw => {
-                let angles = self.in_order(three()?.map(f64::to_radians));
-                let rotation = from_angles(angles, &self.order).map_err(said)?;
-                Orientation {
-                    rotation,
-                    error: 0.0,
-                }
-            }
-        };
-        let pose = Pose::from_parts(Translation3::identity(), rotation);
-        let frame = FrameCoordinates::from_pose(&pose);
-        let angles = [frame.longitude, frame.latitude, frame.roll];
-        Ok((angles.map(|angle| short(angle.to_degrees())), error))
-    }
-
-    /// Angles about x, y and z that have headings, in the order asked for; others are in it already.
-    fn in_order(&self, angles: [f64; 3]) -> [f64; 3] {
-        let axes: Vec<usize> = self
-            .order
-            .to_ascii_lowercase()
-            .bytes()
-            .filter_map(|letter| b"xyz".iter().position(|&axis| axis == letter))
-            .collect();
-        match axes[..] {
-            [i, j, k] if self.layout.by_axis && i != k => [angles[i], angles[j], angles[k]],
-            _ => angles,
-        }
-    }
-}
-
-fn within(value: f64, most: f64, what: &str) -> Result<f64, NotTaken> {
-    if value.abs() <= most {
-        return Ok(value);
-    }
-    let accepted = format!("{what} from {} to {}", typed(-most), typed(most));
-    Err((format!("{} is out of range", typed(value)), accepted))
-}
-
-fn later(time: f64, previous: f64) -> Result<f64, NotTaken> {
-    let time = within(time, MAX_TIME, "a time")?;
-    if time > previous {
-        return Ok(time);
-    }
-    let what = format!(
-        "its time {} is not later than {}, that of the row before",
-        typed(time),
-        typed(previous)
-    );
-    Err((what, format!("a time later than {}", typed(previous))))
 }

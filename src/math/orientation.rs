@@ -75,7 +75,9 @@ impl NotRotation {
 
 /// Four digits; powers of ten where they are shorter.
 fn short(x: f64) -> String {
-    if (1e-3..1e4).contains(&x.abs()) {
+    if x == 0.0 {
+        "0".to_owned()
+    } else if (1e-3..1e4).contains(&x.abs()) {
         format!("{x:.4}")
     } else {
         format!("{x:.3e}")

@@ -92,6 +92,7 @@ Examples:
   synthetica plan 3rps.json > motion.csv
   synthetica plan --frames 500 --output motion.csv 3rps.json
   synthetica plan --format json < 3rps.json
+  synthetica plan 3rps.json --key-frames path.csv --table '{\"convention\": \"quaternion_wxyz\", \"scale\": 0.001}'
   cat 3rps.json | synthetica plan --method gradient --frames 9 --quiet | cut -d, -f1-6")]
 pub struct Plan {
     /// csv: a table with units in its headings; json: columns, report and document
@@ -149,6 +150,8 @@ pub struct MotionOptions {
     #[command(flatten)]
     pub planning: Planning,
     #[command(flatten)]
+    pub key_frames: KeyFrames,
+    #[command(flatten)]
     pub into: Output,
     /// No warnings
     #[arg(short, long)]
@@ -164,6 +167,24 @@ pub struct Planning {
     /// Plan so many frames, whatever the document says
     #[arg(long, value_name = "N", value_parser = value_parser!(u32).range(2..=MAX_FRAMES as i64))]
     pub frames: Option<u32>,
+}
+
+/// Where key frames come from, where not from the document.
+#[derive(Args)]
+pub struct KeyFrames {
+    /// Take the key frames from a table, in place of the document's: CSV, or fields parted by tabs, semicolons or blanks;
+    /// without --frames, with a frame for each of them. Rows that cannot be taken over are told
+    #[arg(long, value_name = "TABLE", value_hint = ValueHint::FilePath)]
+    pub key_frames: Option<PathBuf>,
+    /// What is known of the table, as JSON: convention, order, angles, time, scale
+    #[arg(
+        long,
+        value_name = "REQUEST",
+        requires = "key_frames",
+        default_value = "{}",
+        hide_default_value = true
+    )]
+    pub table: String,
 }
 
 #[derive(Args)]

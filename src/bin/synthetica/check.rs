@@ -17,7 +17,7 @@ pub fn check(asked: &Check) -> Result<(), Failure> {
     let mut out = Out::new(None)?;
     let mut worst = 0;
     for file in &asked.documents {
-        let code = match planned(file, &asked.planning) {
+        let code = match planned(file, &asked.planning, None) {
             Ok(planned) => {
                 let verdict = Verdict::new(&planned);
                 out.write(&if asked.json {

@@ -23,7 +23,11 @@ pub fn export(asked: &Export) -> Result<(), Failure> {
 }
 
 fn print(format: Format, options: &MotionOptions) -> Result<(), Failure> {
-    let planned = planned(&options.document, &options.planning)?;
+    let planned = planned(
+        &options.document,
+        &options.planning,
+        Some(&options.key_frames),
+    )?;
     if !options.quiet {
         let report = Report::new(
             &planned.problem.mechanism,

@@ -1,13 +1,15 @@
 //! A document read, changed as the options ask, and planned.
 
-use crate::arguments::{Method, Planning};
-use crate::failure::Failure;
+use crate::arguments::{KeyFrames, Method, Planning};
+use crate::failure::{Failure, tell};
 use crate::files;
 use crate::progress::Progress;
 use std::path::Path;
 use synthetica::document::problem::Problem;
-use synthetica::document::schema::Document;
+use synthetica::document::schema::{Document, KeyFrameEntry};
 use synthetica::document::text;
+use synthetica::exchange::pose_rows::SkippedRow;
+use synthetica::exchange::pose_table::read_pose_table_asked;
 use synthetica::motion::trajectory::Trajectory;
 use synthetica::plan::settings;
 
@@ -21,10 +23,23 @@ pub struct Planned {
 }
 
 /// Plans the document of this file.
-pub fn planned(file: &Path, planning: &Planning) -> Result<Planned, Failure> {
+pub fn planned(
+    file: &Path,
+    planning: &Planning,
+    key_frames: Option<&KeyFrames>,
+) -> Result<Planned, Failure> {
     let text = files::read(file)?;
+    let table = match key_frames {
+        Some(asked) => read_key_frames(asked)?,
+        None => None,
+    };
     let file = files::name(file);
     let posed = text::parse(&text).and_then(|mut document| {
+        if let Some(key_frames) = table {
+            // So that each of them falls on a frame where they are evenly spaced.
+            document.motion.frames = u32::try_from(key_frames.len().max(2)).unwrap_or(u32::MAX);
+            document.motion.key_frames = key_frames;
+        }
         change(&mut document, planning);
         Ok((Problem::new(&document)?, document))
     });
@@ -47,6 +62,34 @@ pub fn planned(file: &Path, planning: &Planning) -> Result<Planned, Failure> {
         problem,
         motion,
     })
+}
+
+/// The key frames of a table, if one is given; what cannot be taken over goes to standard error.
+fn read_key_frames(asked: &KeyFrames) -> Result<Option<Vec<KeyFrameEntry>>, Failure> {
+    let Some(path) = &asked.key_frames else {
+        return Ok(None);
+    };
+    let (text, file) = (files::read(path)?, files::name(path));
+    let table = read_pose_table_asked(&text, &asked.table).map_err(|fault| Failure::Fault {
+        file: file.clone(),
+        fault: Box::new(fault),
+    })?;
+    for said in &table.understood.assumed {
+        tell(&format!("{file}: {said}"));
+    }
+    for SkippedRow {
+        row,
+        what,
+        accepted,
+    } in &table.skipped
+    {
+        tell(&format!("{file}: row {row}: {what}. Accepted: {accepted}."));
+    }
+    let more = table.skipped_count - table.skipped.len();
+    if more > 0 {
+        tell(&format!("{file}: {more} more rows cannot be taken over"));
+    }
+    Ok(Some(table.key_frames))
 }
 
 fn change(document: &mut Document, planning: &Planning) {
