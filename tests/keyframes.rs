@@ -475,7 +475,9 @@ fn unfit_key_frames_are_refused() {
     let many = vec![two[0].clone(); MAX_KEY_FRAMES + 1];
     assert_eq!(
         fault(&many, 33, None),
-        KeyFrameFault::TooMany { found: 1001 }
+        KeyFrameFault::TooMany {
+            found: MAX_KEY_FRAMES + 1
+        }
     );
     for found in [0, 1, MAX_FRAMES + 1, usize::MAX] {
         assert_eq!(

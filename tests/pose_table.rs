@@ -382,7 +382,7 @@ good,1,1,2,3,0.9995,0,0,0
     // Matrices.
     let matrices =
         read("1 0 0 1 0 1 0 2 0 0 1 3\n1 0 0 1 0 1 0 2 0 0 -1 3\n2 0 0 1 0 1 0 2 0 0 1 3");
-    assert_eq!(matrices.key_frames[0].z, 3.0);
+    assert!((matrices.key_frames[0].z - 3.0).abs() < 1e-15);
     assert!(matrices.skipped[0].what.contains("mirrors"));
     assert!(matrices.skipped[1].what.contains("no rotation"));
 }
@@ -471,7 +471,7 @@ fn angles_in_radians_are_degrees_in_the_document() {
         &json!({"angles": "radians"}),
     );
     assert_eq!(table.understood.angles, AngleUnit::Radians);
-    assert_eq!(table.key_frames[0].longitude, 45.0);
+    assert!((table.key_frames[0].longitude - 45.0).abs() < 1e-12);
 }
 
 /// A tool path of as many poses as there may be, every one a frame.

@@ -287,6 +287,41 @@ export interface Defaults {
   planner: object;
 }
 
+/** What is known of a table of poses, for `read_poses`; all of it is optional. */
+export interface PoseTableRequest {
+  convention?: 'positions' | 'longitude_latitude_roll' | 'quaternion_wxyz' | 'quaternion_xyzw' | 'matrix' | 'roll_pitch_yaw';
+  /** Of three angles: lower case about fixed axes, upper case about moving ones; "xyz" without. */
+  order?: string;
+  /** Degrees without, where no heading says otherwise. */
+  angles?: 'degrees' | 'radians';
+  /** Whether the table has times; without headings in its first column with numbers. */
+  time?: boolean;
+  /** Factor of lengths, from the table's unit to the document's. */
+  scale?: number;
+}
+
+/** A table of poses as it was read. */
+export interface PoseTable {
+  /** As a document has them, angles in degrees. */
+  key_frames: { name: string; x: number; y: number; z: number; longitude: number; latitude: number; roll: number; time?: number }[];
+  understood: {
+    separator: 'tab' | 'semicolon' | 'comma' | 'blanks';
+    header: boolean;
+    convention: NonNullable<PoseTableRequest['convention']>;
+    order: string | null;
+    angles: 'degrees' | 'radians';
+    time: boolean;
+    scale: number;
+    /** From left to right; `role` such as x, qw, time or name, empty where a column is not read. */
+    columns: { heading: string; role: string }[];
+    /** What could have been understood otherwise, in sentences. */
+    assumed: string[];
+  };
+  /** The first 100 rows that cannot be taken over, by their line, from 1. */
+  skipped: { row: number; what: string; accepted: string }[];
+  skipped_count: number;
+}
+
 /** What `make` makes a linkage from: a type, and either no size or all of them, in the unit that is named. */
 export interface MakeRequest {
   /** Such as 3-PRS or RPS + 2TS. */

@@ -4,12 +4,13 @@
  *
  * @typedef {import('../core/types.js').Motion} Motion
  */
-import { statusName } from '../core/status-words.js';
-
 const SVG = 'http://www.w3.org/2000/svg';
 const HEIGHT = 24;
 const BAND = 4;
 const LINE = 1.4;
+
+/** More pieces along the strip than a screen has columns. */
+const PIECES = 4_000;
 
 /** Ends that need a look stand higher, so that they are told apart without colour. @type {Record<string, number>} */
 const HIGHER = { at_limit: 7, stalled: 11, closure_lost: HEIGHT };
@@ -24,18 +25,24 @@ export function drawStrip(svg, motion) {
   const highest = gaps.reduce((most, gap) => Math.max(most, gap), 0);
   const top = HEIGHT - BAND - 2;
   let path = `M0 ${top}`;
-  for (let frame = 0; frame < motion.frames; frame++) {
-    const share = highest > 0 ? gaps[frame] / highest : 0;
-    path += `L${frame} ${(top - share * (top - 1)).toFixed(2)}`;
+  // Of a long motion the largest gap of each piece.
+  const piece = Math.ceil(motion.frames / PIECES);
+  for (let first = 0; first < motion.frames; first += piece) {
+    let at = first;
+    for (let frame = first; frame < Math.min(motion.frames, first + piece); frame++) if (gaps[frame] > gaps[at]) at = frame;
+    const share = highest > 0 ? gaps[at] / highest : 0;
+    path += `L${at} ${(top - share * (top - 1)).toFixed(2)}`;
   }
   add(svg, 'path', { d: `${path}L${motion.frames - 1} ${top}Z`, class: 'gap' });
   if (motion.partial) add(svg, 'path', { d: `M${motion.frames - 0.5} ${HEIGHT - BAND / 2}H${last}`, class: 'unplanned' });
 
-  // One rectangle a run of equal status, half a frame to either side of its frames.
+  // One rectangle a run of equal status, half a frame to either side of its frames; of a long motion the worst of each piece.
+  const worst = (/** @type {number} */ first) => motion.status.subarray(first, first + piece).reduce((most, code) => Math.max(most, code), 0);
   for (let first = 0; first < motion.frames; ) {
-    const name = statusName(motion, first);
-    let end = first;
-    while (end + 1 < motion.frames && motion.status[end + 1] === motion.status[first]) end++;
+    const code = worst(first);
+    const name = motion.report.statuses[code];
+    let end = Math.min(motion.frames, first + piece) - 1;
+    while (end + 1 < motion.frames && worst(end + 1) === code) end = Math.min(motion.frames, end + 1 + piece) - 1;
     const from = Math.max(0, first - 0.5);
     const to = Math.min(last, end + 0.5);
     const height = HIGHER[name] ?? BAND;

@@ -7,12 +7,16 @@ import { setText } from '../ui/dom.js';
 import { onKeys } from '../ui/keys.js';
 import { html, nothing, render } from '../ui/render.js';
 import { allTimes, keyFrameFrames } from '../core/playhead.js';
+import { spreadOver } from '../core/spread.js';
 import { drawStrip } from './strip.js';
 import { countStatuses, frameSentence, partSentence, largestGaps, statusName, statusWords } from '../core/status-words.js';
 
 const PAGE = 10;
 /** Least share of the track beside a key frame in which its name is written. */
 const ROOM = 0.12;
+
+/** At most so many key frames have a tick, evenly spread. */
+const TICKS = 61;
 
 /** @param {Pick<import('../element/workbench.js').App, 'find' | 'store'>} app @param {(frame: number) => void} goTo */
 export function createTrack({ find, store }, goTo) {
@@ -92,20 +96,23 @@ export function createTrack({ find, store }, goTo) {
     const { doc } = store.result;
     const { selected, hovered } = store.view;
     if (!doc) return;
-    const names = doc.motion.key_frames.map(({ name }, i) => name || `key frame ${i + 1}`);
+    const own = Number(/^motion\.key_frames\[(\d+)]/.exec(selected)?.[1] ?? -1);
+    const some = spreadOver(keys.length, TICKS, own);
     render(
-      keys.map((frame, i) => {
+      some.map((i, at) => {
+        const frame = keys[i];
+        const name = doc.motion.key_frames[i].name || `key frame ${i + 1}`;
         const place = `motion.key_frames[${i}]`;
-        const room = Math.min(...[keys[i - 1], keys[i + 1]].filter((other) => other !== undefined).map((other) => Math.abs(other - frame))) / last();
+        const room = Math.min(...[keys[some[at - 1]], keys[some[at + 1]]].filter((other) => other !== undefined).map((other) => Math.abs(other - frame))) / last();
         // By a screen reader; a pointer has gone there when it went down.
         const click = (/** @type {MouseEvent} */ event) => event.detail === 0 && goTo(frame);
         const leave = () => store.view.hovered === place && store.setView({ hovered: '' });
         return html`<button
           class=${place === selected || place === hovered ? 'tick marked' : 'tick'}
-          tabindex="-1" title=${`${names[i]}, frame ${frame + 1}`} aria-label=${`To key frame ${names[i]}, frame ${frame + 1}`}
+          tabindex="-1" title=${`${name}, frame ${frame + 1}`} aria-label=${`To key frame ${name}, frame ${frame + 1}`}
           data-frame=${frame} data-place=${place} .style=${`left: ${share(frame)}; --room: ${room}`}
           @click=${click} @pointerenter=${() => store.setView({ hovered: place })} @pointerleave=${leave}
-        >${room >= ROOM ? html`<span>${names[i]}</span>` : nothing}</button>`;
+        >${room >= ROOM ? html`<span>${name}</span>` : nothing}</button>`;
       }),
       ticks,
     );

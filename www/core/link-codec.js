@@ -9,7 +9,10 @@ import { Refusal } from './refusal.js';
 const VERSION = '1';
 
 /** Bytes of text that a link may unfold to: a few bytes of payload can hold gigabytes of blanks. */
-const MAX_TEXT = 4_000_000;
+export const MAX_TEXT = 4_000_000;
+
+/** Letters of a payload that a link can have: Chromium opens no address of more than 2 MB, and Firefox of 1 MB. */
+export const MAX_PAYLOAD = 1_000_000;
 
 /** The payload is not what was sent; the message is a sentence for a person. */
 export class DamagedLink extends Refusal {}

@@ -22,7 +22,8 @@ export function sizeOf({ chains, motion }) {
   const numbers = (part, names) => names.map((name) => Math.abs(Number(/** @type {any} */ (part)?.[name]) || 0));
   const frames = [...chains.flatMap(({ base, gripper }) => [base, gripper]), ...motion.key_frames];
   const rows = chains.flatMap(({ joints }) => joints.flatMap(({ rows: own }) => own ?? []));
-  return Math.max(...frames.flatMap((frame) => numbers(frame, ['x', 'y', 'z'])), ...rows.flatMap((row) => numbers(row, ['a', 'd']))) || 1;
+  const lengths = [...frames.flatMap((frame) => numbers(frame, ['x', 'y', 'z'])), ...rows.flatMap((row) => numbers(row, ['a', 'd']))];
+  return lengths.reduce((most, length) => Math.max(most, length), 0) || 1;
 }
 
 /** What a start value or a limit is of: `theta` or `d`. @param {MechanismDocument} doc @param {string} path */

@@ -15,6 +15,8 @@
  * @typedef {ReturnType<typeof createStore>} Store
  */
 
+import { same } from './spread.js';
+
 /** Steps that undo keeps; a document is a few kilobytes and shares most of them with its neighbours. */
 const MAX_UNDO = 500;
 
@@ -223,6 +225,3 @@ export function createStore(first) {
     },
   };
 }
-
-/** @param {MechanismDocument | undefined} a @param {MechanismDocument} b */
-const same = (a, b) => JSON.stringify(a) === JSON.stringify(b);

@@ -45,11 +45,12 @@ export async function createPanels(bare, banners) {
   };
   const places = { root: find('tables'), mechanism: find('mechanism'), motion: find('motion') };
   const compareMetrics = (/** @type {string} */ text, /** @type {AbortSignal} */ signal) => ask(() => planner.compareMetrics(text, signal), 'compare the metrics');
+  const readPoses = (/** @type {string} */ table, /** @type {import('../core/types.js').PoseTableRequest} */ request) => ask(() => planner.readPoses(table, request), 'read the table');
   const check = async (/** @type {import('../core/types.js').MechanismDocument} */ doc) => {
     const read = await ask(() => planner.normalise(textOf(doc)), 'read the document');
     return read.is === 'fault' ? read.fault : null;
   };
-  const tables = createTables(places, store, defaults, { markFault: tabs.mark, findStart, goToKey, compareMetrics, check, bringOut: (target) => bringOut(target, app), say });
+  const tables = createTables(places, store, defaults, { markFault: tabs.mark, findStart, goToKey, compareMetrics, readPoses, check, bringOut: (target) => bringOut(target, app), say });
   const selection = createSelection(places.root, [places.mechanism, places.motion], app);
   places.root.addEventListener('focusin', ({ target }) => bringOut(/** @type {Element} */ (target), app));
   createTree(/** @type {HTMLDetailsElement} */ (find('objects')), app, selection.enter);

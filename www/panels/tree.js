@@ -10,6 +10,14 @@ import { chainName } from '../core/chain-name.js';
 import { html, nothing, render, repeat } from '../ui/render.js';
 import { JOINT_TYPES, chainType } from '../core/joint-types.js';
 
+/** At most so many key frames are listed. */
+const MOST = 100;
+/** The path of the item that stands for the others. */
+const MORE = 'motion.key_frames';
+
+/** Whether an item stands for several things, none of which it is. @param {string} path */
+const isNoThing = (path) => path === 'motion' || path === MORE;
+
 /** @param {import('../core/types.js').MechanismDocument} doc @returns {Item[]} */
 function itemsOf({ chains, motion }) {
   return [
@@ -31,9 +39,16 @@ function itemsOf({ chains, motion }) {
       path: 'motion',
       name: 'motion',
       more: `${motion.key_frames.length} key frames`,
-      children: motion.key_frames.map((key, k) => ({ path: `motion.key_frames[${k}]`, name: key.name || `key frame ${k + 1}` })),
+      children: keyFramesOf(motion.key_frames),
     },
   ];
+}
+
+/** The first ones, and how many more there are: all are in the table. @param {import('../core/types.js').KeyFrame[]} keys @returns {Item[]} */
+function keyFramesOf(keys) {
+  const first = keys.slice(0, keys.length > MOST ? MOST - 1 : MOST).map((key, k) => ({ path: `motion.key_frames[${k}]`, name: key.name || `key frame ${k + 1}` }));
+  const more = keys.length - first.length;
+  return more ? [...first, { path: MORE, name: `${more} more`, more: 'in the table of key frames' }] : first;
 }
 
 /**
@@ -113,7 +128,7 @@ export function createTree(place, { store, narrow }, enter) {
   /** @param {string} path */
   function select(path) {
     stop = path;
-    store.setView({ selected: path === 'motion' ? '' : path });
+    store.setView({ selected: isNoThing(path) ? '' : path });
     draw();
   }
 
@@ -126,7 +141,7 @@ export function createTree(place, { store, narrow }, enter) {
   });
   tree.addEventListener('pointerover', ({ target, pointerType }) => {
     const path = pathOf(target);
-    if (pointerType === 'mouse') store.setView({ hovered: path === undefined || path === 'motion' ? '' : path });
+    if (pointerType === 'mouse') store.setView({ hovered: path === undefined || isNoThing(path) ? '' : path });
   });
   tree.addEventListener('pointerleave', () => store.setView({ hovered: '' }));
   /** On an item, and then for nobody else. @param {(path: string, arrow: number) => void} act @returns {import('../ui/keys.js').Handler} */

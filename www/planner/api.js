@@ -287,6 +287,17 @@ export async function make(request) {
   return JSON.parse(await ask('make', JSON.stringify(request)));
 }
 
+/**
+ * Key frames from a table of poses: CSV, or fields parted by tabs, semicolons or blanks. What cannot be taken over is listed
+ * by its row.
+ * @param {string} table its text
+ * @param {import('../core/types.js').PoseTableRequest} [request] what is known of it; the rest is told from its headings and columns
+ * @returns {Promise<import('../core/types.js').PoseTable>}
+ */
+export async function readPoses(table, request = {}) {
+  return JSON.parse(await ask('read_poses', table, JSON.stringify(request)));
+}
+
 /** The JSON Schema of a document. @returns {Promise<Record<string, unknown>>} */
 export async function schema() {
   return JSON.parse(await ask('schema'));

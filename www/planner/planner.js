@@ -120,6 +120,14 @@ export class Planner {
     return this.#queue.ask({ asker: this, latest: true, call: 'make', args: [request] });
   }
 
+  /**
+   * Key frames from a table of poses.
+   * @param {string} table its text @param {import('../core/types.js').PoseTableRequest} request @returns {Promise<import('../core/types.js').PoseTable>}
+   */
+  async readPoses(table, request) {
+    return JSON.parse(await this.#queue.ask({ asker: this, latest: true, call: 'read_poses', args: [table, JSON.stringify(request)] }));
+  }
+
   /** Tables 2 and 3. @returns {Promise<import('../core/types.js').Enumeration>} */
   enumeration() {
     return this.#askNoDocument('enumeration');

@@ -173,7 +173,7 @@ pub struct Planning {
 #[derive(Args)]
 pub struct KeyFrames {
     /// Take the key frames from a table, in place of the document's: CSV, or fields parted by tabs, semicolons or blanks;
-    /// without --frames, with a frame for each of them. Rows that cannot be taken over are told
+    /// the motion gets a frame for each of them where it has fewer. Rows that cannot be taken over are told
     #[arg(long, value_name = "TABLE", value_hint = ValueHint::FilePath)]
     pub key_frames: Option<PathBuf>,
     /// What is known of the table, as JSON: convention, order, angles, time, scale

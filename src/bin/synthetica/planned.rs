@@ -36,8 +36,9 @@ pub fn planned(
     let file = files::name(file);
     let posed = text::parse(&text).and_then(|mut document| {
         if let Some(key_frames) = table {
-            // So that each of them falls on a frame where they are evenly spaced.
-            document.motion.frames = u32::try_from(key_frames.len().max(2)).unwrap_or(u32::MAX);
+            // A frame for each of them: a tool path would be cut short between them.
+            let count = u32::try_from(key_frames.len()).unwrap_or(u32::MAX);
+            document.motion.frames = document.motion.frames.max(count);
             document.motion.key_frames = key_frames;
         }
         change(&mut document, planning);

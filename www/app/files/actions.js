@@ -5,7 +5,7 @@
  * @typedef {import('../../element/workbench.js').App} App
  */
 import { ask } from '../../core/ask.js';
-import { encode } from '../../core/link-codec.js';
+import { MAX_PAYLOAD, MAX_TEXT, encode } from '../../core/link-codec.js';
 import { readText, RefusedFile } from './reading.js';
 import { fileName, saveFile } from '../../export/save.js';
 import { openShare } from './share.js';
@@ -97,7 +97,13 @@ export function createActions(app, chooser) {
     if (read.is === 'trouble') say(`No link was made. ${read.message}`, { label: 'Try again', act: share, stays: true });
     if (read.is !== 'answer') return;
     const text = JSON.stringify(read.value);
-    openShare(app, text, await encode(text));
+    const payload = await encode(text);
+    if (text.length > MAX_TEXT || payload.length > MAX_PAYLOAD) {
+      const size = `The document has ${(text.length / 1e6).toFixed(1)} MB, its link would have ${(payload.length / 1e6).toFixed(1)} million characters`;
+      say(`${size}: too large for a link, which browsers take up to ${MAX_PAYLOAD / 1e6} million characters. Save it to a file and send that.`, { label: 'Save to a file', act: () => save(true), stays: true });
+      return;
+    }
+    openShare(app, text, payload);
   }
 
   return { fresh, pick, save, share, take };

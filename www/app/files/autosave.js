@@ -2,6 +2,11 @@
  * Keeps the work in the browser while it is edited, and says when that cannot be done.
  */
 
+import { textOf } from '../../core/document-text.js';
+
+/** Characters beyond which the size is the reason: what the storage of most browsers holds. */
+const LARGE = 5_000_000;
+
 /** Milliseconds without an edit after which the work is kept: while one types or drags it would be kept needlessly often. */
 const PAUSE = 400;
 
@@ -23,7 +28,9 @@ export function createAutosave({ store, say }, keeper) {
     kept = keeper.save({ ...store.history, good, title: origin.title, unsaved });
     if (kept || told) return;
     told = true;
-    say('This document cannot be kept in this browser: its storage is full or switched off. Save it to a file before you leave the page.', { stays: true });
+    const size = textOf(store.doc).length;
+    const why = size > LARGE ? `it has ${(size / 1e6).toFixed(1)} MB, more than browsers keep` : 'its storage is full or switched off';
+    say(`This document cannot be kept in this browser: ${why}. Save it to a file before you leave the page.`, { stays: true });
   }
 
   const soon = () => {

@@ -13,6 +13,9 @@
  *   document, where it cannot be read
  */
 
+import { textOf } from '../../core/document-text.js';
+import { same } from '../../core/spread.js';
+
 /** The 1 is the version of the form. */
 const KEPT = 'synthetica.work.1';
 const SHELF = 'synthetica.earlier.1';
@@ -21,6 +24,9 @@ const BROKEN = 'synthetica.broken';
 
 /** Undo steps that are kept, fewer where they do not fit. */
 const STEPS = [60, 8, 0];
+
+/** Characters that no browser's storage holds; most hold half of it. */
+export const LARGEST = 10_000_000;
 
 /** Pieces of earlier work on the shelf. */
 export const MAX_EARLIER = 6;
@@ -118,7 +124,10 @@ export function createKeeper(storage, page) {
       const present = read(KEPT);
       if (present && stampOf(present) !== known && !shelve(present)) return false;
       const stamp = `${page} ${++writes}`;
-      for (const steps of STEPS) {
+      const room = LARGEST / Math.max(1, textOf(work.doc).length);
+      for (const steps of STEPS.filter((many) => many === 0 || 1 + 2 * many <= room)) {
+        // No browser keeps so much: its text is not even made.
+        if (room < 1) return false;
         const { past, future } = work;
         const kept = { ...work, past: steps ? past.slice(-steps) : [], future: future.slice(0, steps) };
         if (write(KEPT, `${stamp}\n${JSON.stringify(toStored(kept))}`)) {
@@ -160,6 +169,3 @@ const isDocument = (value) =>
   typeof value === 'object' && value !== null && Array.isArray(value.chains) &&
   value.chains.every((/** @type {any} */ chain) => Array.isArray(chain?.joints) && chain.joints.every((/** @type {any} */ joint) => typeof joint?.type === 'string')) &&
   Array.isArray(value.motion?.key_frames) && value.motion.key_frames.every((/** @type {any} */ key) => typeof key === 'object' && key !== null);
-
-/** @param {unknown} a @param {unknown} b */
-const same = (a, b) => JSON.stringify(a) === JSON.stringify(b);

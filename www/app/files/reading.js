@@ -3,8 +3,8 @@
  */
 import { Refusal } from '../../core/refusal.js';
 
-/** Bytes of the largest file that is looked at; no document needs a quarter of it. */
-const MAX_BYTES = 4_000_000;
+/** Bytes of the largest file that is looked at: as many as a document may have. */
+const MAX_BYTES = 32_000_000;
 
 /** The file is not read; the message is a sentence for a person. */
 export class RefusedFile extends Refusal {}

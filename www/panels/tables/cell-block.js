@@ -19,6 +19,8 @@ import { placed } from './paste.js';
 const ARROWS = [[0, -1], [0, 1], [-1, 0], [1, 0]];
 
 const KEY_FRAMES = 'motion.key_frames';
+/** Rows that a pasted block may add: each is written cell by cell. */
+const MOST_ROWS = 1_000;
 const TIME = /^motion\.key_frames\[(\d+)\]\.time$/;
 
 /**
@@ -100,6 +102,11 @@ export function gridBlock(root, store, cells, say) {
     // In rows that are not there yet, cells have the names of those above them.
     const place = (/** @type {import('./paste.js').Pasted} */ { row, column }) =>
       at.rows[row]?.[column].dataset.path ?? (own[column].dataset.path ?? '').replace(/\[\d+\]/, `[${row}]`);
+    // Only a part of many rows is in the table.
+    if (path.startsWith(KEY_FRAMES) && (plan.more > MOST_ROWS || (plan.more > 0 && store.doc.motion.key_frames.length > at.rows.length))) {
+      say(`The pasted block has ${plural(plan.rows, 'row')}, and from this cell on there is room for ${at.rows.length - at.row} in the table. Nothing was written: use From a table…, below the key frames.`);
+      return;
+    }
     const { doc: former } = store;
     store.edit((doc) => written(withMoreKeys(doc, plan.more), plan.cells.map((cell) => [place(cell), cell.text])));
     const added = plan.more ? ` ${plural(plan.more, 'key frame')} added.` : '';

@@ -1,14 +1,15 @@
 /**
- * Dialogs that are opened from the tables, loaded when they are asked for: a frame's turn in other forms, and copies of a
- * chain around an axis.
+ * Dialogs that are opened from the tables, loaded when they are asked for: a frame's turn in other forms, copies of a
+ * chain around an axis, and key frames from a table.
  */
 
 /**
  * @param {HTMLElement} root holds the tables
  * @param {import('../../core/store.js').Store} store
  * @param {import('../../ui/notice.js').Say} say
+ * @param {import('./pose-table-form.js').ReadPoses} readPoses asks the planner
  */
-export function createForms(root, store, say) {
+export function createForms(root, store, say, readPoses) {
   /** @param {string} what @param {() => Promise<void>} open */
   const asked = (what, open) => {
     open().catch((error) => say(`${what} could not be opened (${error instanceof Error ? error.message : error}). Try again.`));
@@ -16,6 +17,7 @@ export function createForms(root, store, say) {
   return {
     /** @param {string} path of a frame @param {string} name "key frame 2", "base frame of chain 1" */
     turn: (path, name) => asked(`The turn of ${name}`, async () => (await import('./turn-form.js')).openTurnForm(root, store, path, name)),
+    poseTable: () => asked('The key frames from a table', async () => (await import('./pose-table-form.js')).openPoseTable(root, { store, say }, readPoses)),
     /** @param {number} chain */
     copies: (chain) => asked('The copies around an axis', async () => (await import('./copies-form.js')).openCopiesForm(root, store, chain)),
   };

@@ -7,7 +7,8 @@
 import * as edits from '../../core/edits.js';
 import { addKeyFrame, duplicateKeyFrame, removeKeyFrame, setTime } from '../../core/key-frame-edits.js';
 import { lengthUnit, plural } from '../../core/format.js';
-import { html, renderRows, repeat } from '../../ui/render.js';
+import { keyFrameIn, PAGE, pageWith } from '../../core/row-window.js';
+import { html, nothing, renderRows, repeat } from '../../ui/render.js';
 import { shownFrame } from '../../core/shown-frame.js';
 import { coordinateCells, coordinateHeads } from './frame-table.js';
 import { createMetricComparison } from './metric-comparison.js';
@@ -30,10 +31,16 @@ export function createMotionTables(panel, store, cells, defaults, arrange, { goT
   // Times stay where they are when poses change places.
   const rowKeys = createRowKeys((/** @type {import('../../core/types.js').KeyFrame} */ { time: _, ...pose }) => pose);
 
+  /** The first key frame that is shown. */
+  let first = 0;
+
   function keyTable() {
     const keys = store.doc.motion.key_frames;
-    const places = rowKeys(keys);
-    const rows = keys.map((_, index) => {
+    first = pageWith(keys.length, first);
+    const page = keys.slice(first, first + PAGE);
+    const places = rowKeys(page);
+    const rows = page.map((_, row) => {
+      const index = first + row;
       const path = `motion.key_frames[${index}]`;
       const label = `key frame ${index + 1}`;
       const name = cells.input({ path: `${path}.name`, column: 'name', label: `name of ${label}`, text: true });
@@ -52,7 +59,7 @@ export function createMotionTables(panel, store, cells, defaults, arrange, { goT
         { label: 'Remove', disabled: keys.length <= 2 ? 'A motion has at least two key frames' : '', act: () => store.edit((doc) => removeKeyFrame(doc, index)) },
       ]);
       return {
-        key: places[index],
+        key: places[row],
         body: html`<tbody data-path=${path} class="key">
           <tr>
             <th scope="rowgroup" colspan="2">${name}</th>
@@ -67,8 +74,42 @@ export function createMotionTables(panel, store, cells, defaults, arrange, { goT
       <caption class="sr">Key frames</caption>
       <thead><tr>${coordinateHeads(unit())}</tr></thead>
       ${repeat(rows, ({ key }) => key, ({ body }) => body)}
-    </table></div>`;
+    </table></div>${keys.length > PAGE ? pager(keys.length) : nothing}`;
   }
+
+  /** The way to the other pages of key frames. @param {number} count */
+  function pager(count) {
+    const last = Math.min(count, first + PAGE);
+    const turn = (/** @type {string} */ label, /** @type {string} */ name, /** @type {number} */ to) =>
+      html`<button class="quiet" aria-label=${name} title=${name} ?disabled=${pageWith(count, to) === first} @click=${() => turnTo(to)}>${label}</button>`;
+    const go = (/** @type {Event} */ { target }) => {
+      const field = /** @type {HTMLInputElement} */ (target);
+      const wanted = Number(field.value);
+      if (Number.isInteger(wanted) && wanted >= 1 && wanted <= count) turnTo(wanted - 1);
+      field.value = '';
+    };
+    return html`<div class="pager" role="group" aria-label="Pages of key frames">
+      ${turn('«', 'First page', 0)}${turn('‹', 'Page before', first - PAGE)}
+      <span>${first + 1} to ${last} of ${count}</span>
+      ${turn('›', 'Next page', first + PAGE)}${turn('»', 'Last page', count - 1)}
+      <label>to <input class="cell" inputmode="numeric" autocomplete="off" placeholder="number" aria-label=${`Show key frame, 1 to ${count}`} @change=${go} /></label>
+    </div>`;
+  }
+
+  /** @param {number} key that is on the page then */
+  function turnTo(key) {
+    const next = pageWith(store.doc.motion.key_frames.length, key);
+    if (next === first) return;
+    first = next;
+    draw();
+  }
+
+  /** Shows the page with a place of the document. @param {string} path */
+  function reveal(path) {
+    const key = keyFrameIn(path);
+    if (key >= 0) turnTo(key);
+  }
+  store.select(({ view }) => view.selected, reveal);
 
   function goalSettings() {
     const lengths = lengthUnit(unit());
@@ -104,24 +145,25 @@ export function createMotionTables(panel, store, cells, defaults, arrange, { goT
 
   const comparison = createMetricComparison(store, compareMetrics);
 
-  return {
-    draw() {
-      renderRows(
-        html`<div class="title"><h2>Key frames</h2><span>${plural(store.doc.motion.key_frames.length, 'pose')}</span></div>
-          ${keyTable()}
-          <div class="adders">
-            <button class="wide" title="A key frame where the workpiece is now" @click=${() => addShown('pose')}>+ at the shown pose</button>
-            <button class="wide" title="A key frame where the goal is now" @click=${() => addShown('goal')}>+ at the shown goal</button>
-            <button class="wide" title="A copy of the last key frame, to be changed" @click=${() => store.edit((doc) => addKeyFrame(doc, lastKey()))}>+ like the last</button>
-          </div>
-          <div class="title"><h2>Goal motion</h2></div>
-          ${goalSettings()}
-          <div class="title"><h2>Planner</h2></div>
-          ${plannerSettings(store, cells, defaults)}${comparison}`,
-        panel,
-      );
-    },
-  };
+  function draw() {
+    renderRows(
+      html`<div class="title"><h2>Key frames</h2><span>${plural(store.doc.motion.key_frames.length, 'pose')}</span></div>
+        ${keyTable()}
+        <div class="adders">
+          <button class="wide" title="A key frame where the workpiece is now" @click=${() => addShown('pose')}>+ at the shown pose</button>
+          <button class="wide" title="A key frame where the goal is now" @click=${() => addShown('goal')}>+ at the shown goal</button>
+          <button class="wide" title="Key frames from a CSV file, or from cells of a spreadsheet" @click=${() => forms.poseTable()}>From a table…</button>
+          <button class="wide" title="A copy of the last key frame, to be changed" @click=${() => store.edit((doc) => addKeyFrame(doc, lastKey()))}>+ like the last</button>
+        </div>
+        <div class="title"><h2>Goal motion</h2></div>
+        ${goalSettings()}
+        <div class="title"><h2>Planner</h2></div>
+        ${plannerSettings(store, cells, defaults)}${comparison}`,
+      panel,
+    );
+  }
+
+  return { draw, reveal };
 
   /** @param {'pose' | 'goal'} which @param {number} [at] */
   function addShown(which, at) {

@@ -30,14 +30,19 @@ export function createRowKeys(identity = (item) => item) {
     // An edit keeps the objects that it does not change; what it writes anew may say the same; else a row that is changed
     // stays where it is.
     match((item, index) => (items[index] === item ? index : undefined));
-    match((item) => [...free].find((at) => items[at] === item));
-    if (free.size) {
-      const texts = new Map([...free].map((at) => [at, JSON.stringify(identity(items[at]))]));
-      match((item) => {
-        const text = JSON.stringify(identity(item));
-        return [...free].find((at) => texts.get(at) === text);
-      });
-    }
+    const finder = (/** @type {(item: T) => unknown} */ nameOf) => {
+      /** The free rows of each name, in their order. @type {Map<unknown, number[]>} */
+      const named = new Map();
+      for (const at of free) {
+        const name = nameOf(items[at]);
+        const others = named.get(name);
+        if (others) others.push(at);
+        else named.set(name, [at]);
+      }
+      return (/** @type {T} */ item) => named.get(nameOf(item))?.shift();
+    };
+    match(finder((item) => item));
+    if (free.size) match(finder((item) => JSON.stringify(identity(item))));
     match((_, index) => index);
     [items, keys] = [next, found.map((key) => key ?? ++made)];
     return keys;

@@ -22,16 +22,18 @@ import { createMotionTables } from './motion-tables.js';
  * @param {import('../../core/types.js').Defaults} defaults
  * @param {{markFault: (panel: HTMLElement | null) => void, findStart: () => void, goToKey: (key: number) => void,
  *   compareMetrics: Parameters<typeof import('./metric-comparison.js').createMetricComparison>[1],
+ *   readPoses: import('./pose-table-form.js').ReadPoses,
  *   check: (doc: import('../../core/types.js').MechanismDocument) => Promise<Fault | null>,
  *   bringOut: (target: Element) => void, say: import('../../ui/notice.js').Say}} outside
  *   `markFault` is told which panel holds the fault; `findStart` asks the planner for start values; `goToKey` takes
- *   the playhead to a key frame; `compareMetrics` asks the planner for both metrics' gaps, `check` for a document's fault;
+ *   the playhead to a key frame; `compareMetrics` asks the planner for both metrics' gaps, `readPoses` for a table's key frames, `check` for a document's
+ *   fault;
  *   `bringOut` brings what has the focus out from under the view
  */
-export function createTables({ root, mechanism, motion }, store, defaults, { markFault, findStart, goToKey, compareMetrics, check, bringOut, say }) {
+export function createTables({ root, mechanism, motion }, store, defaults, { markFault, findStart, goToKey, compareMetrics, readPoses, check, bringOut, say }) {
   const arrange = createArrange(root, store, bringOut);
   const cells = createCells(store);
-  const forms = createForms(root, store, say);
+  const forms = createForms(root, store, say, readPoses);
   const chains = createChainTables(mechanism, store, cells, defaults, arrange, findStart, forms, say);
   const keys = createMotionTables(motion, store, cells, defaults, arrange, { goTo: goToKey, compareMetrics }, forms);
   const note = createFaultNote(root);
@@ -56,6 +58,7 @@ export function createTables({ root, mechanism, motion }, store, defaults, { mar
   /** @param {Fault[]} faults @param {import('../../core/types.js').MechanismDocument} doc */
   function mark(faults, doc) {
     told = { faults, doc };
+    if (faults.length) keys.reveal(faults[0].where);
     culprit = note.show(faults, doc);
     const fold = culprit?.closest('details');
     if (fold) fold.open = true;

@@ -5,6 +5,7 @@
  */
 import { BufferGeometry, InstancedMesh, Matrix4, Vector3 } from 'three';
 import { frameMatrix, originOf, turnOf } from '../../core/poses.js';
+import { spreadOver } from '../../core/spread.js';
 
 /** Ghosts spread over a motion, about so many. */
 const SPREAD = 8;
@@ -25,10 +26,13 @@ export const ghostStep = (frames) => Math.max(1, Math.round((frames - 1) / SPREA
 export function ghostFrames(ghosts, motion, doc) {
   const { frames } = motion;
   if (ghosts === 'none') return [];
-  if (ghosts === 'keys') return [...new Set(doc.motion.key_frames.map((key) => nearestFrame(motion, key)))].slice(0, MOST);
+  if (ghosts === 'keys') return ghostsOfKeys(motion, doc.motion.key_frames);
   if (ghosts === 'spread') return Array.from({ length: Math.floor((frames - 1) / ghostStep(frames)) + 1 }, (_, i) => i * ghostStep(frames));
   return ghosts.filter((frame) => frame < frames).slice(0, MOST);
 }
+
+/** Of many key frames some, evenly spread. @param {Motion} motion @param {import('../../core/types.js').KeyFrame[]} keys */
+const ghostsOfKeys = (motion, keys) => [...new Set(spreadOver(keys.length, MOST).map((key) => nearestFrame(motion, keys[key])))];
 
 /** The frame whose goal is nearest to a key frame: a shift by a length counts as a turn by 1 rad. @param {Motion} motion @param {import('../../core/types.js').KeyFrame} key */
 function nearestFrame({ goal, frames }, key) {

@@ -4,6 +4,7 @@
  */
 import { Box3, Vector3 } from 'three';
 import { POSE } from '../../core/poses.js';
+import { spreadOver } from '../../core/spread.js';
 
 /** How much the scene may grow, shrink or move by, in its own sizes, before its bodies are drawn in new proportions. */
 const KEEP_SIZE = 1.5;
@@ -24,6 +25,9 @@ const BODY = 7;
  * asks for, the start, the goal and the key frames. A linkage of fixed links that follows its goal never comes so far.
  */
 const RUNAWAY = 10;
+
+/** At most so many frames, and key frames, are measured, evenly spread: neighbours lie close in longer motions. */
+const FRAMES = 5_000;
 
 /** Below this share of its distance from the origin a size is rounding. */
 const ROUNDING = 1e-9;
@@ -78,7 +82,11 @@ function radiusOf(box) {
  */
 function boxesOf({ rows, pose, goal, frames }, doc) {
   const number = (/** @type {unknown} */ value) => (typeof value === 'number' ? value : 0);
-  const keys = Float64Array.from(doc.motion.key_frames.flatMap(({ x, y, z }) => [number(x), number(y), number(z), 0, 0, 0, 1]));
+  const all = doc.motion.key_frames;
+  const keys = Float64Array.from(spreadOver(all.length, FRAMES).flatMap((key) => [number(all[key].x), number(all[key].y), number(all[key].z), 0, 0, 0, 1]));
+  const some = (/** @type {Float64Array} */ column) => thinned(column, frames);
+  [rows, pose, goal] = [rows, pose, goal].map(some);
+  frames = Math.min(frames, FRAMES);
   const start = [rows.subarray(0, rows.length / frames), pose.subarray(0, POSE)];
   const asked = new Box3();
   walk([...start, goal, keys], (point) => asked.expandByPoint(point));
@@ -97,6 +105,15 @@ function boxesOf({ rows, pose, goal, frames }, doc) {
       walk([goal, keys], visit);
     },
   };
+}
+
+/** Of a column with many frames those that are measured. @param {Float64Array} column @param {number} frames */
+function thinned(column, frames) {
+  if (frames <= FRAMES) return column;
+  const width = column.length / frames;
+  const some = new Float64Array(FRAMES * width);
+  spreadOver(frames, FRAMES).forEach((frame, i) => some.set(column.subarray(frame * width, (frame + 1) * width), i * width));
+  return some;
 }
 
 /** Visits the origins of all poses that are numbers. @param {Float64Array[]} columns @param {(point: Vector3) => void} visit */

@@ -9,6 +9,7 @@
  */
 import { BufferGeometry, Group, Mesh, SphereGeometry, Vector3 } from 'three';
 import { frameMatrix, moveTo } from '../../core/poses.js';
+import { spreadOver } from '../../core/spread.js';
 import { GapLines } from './gap-lines.js';
 import { Ghosts } from './ghosts.js';
 import { layRod, rod, shared, triad } from './solids.js';
@@ -20,6 +21,10 @@ const GAP = 0.3;
 const KEY = 7;
 const KEY_BALL = 0.85;
 const AXES = 6;
+
+/** At most so many key frames are marked, and so many of them named where some are left out: each is five bodies. */
+const MARKS = 61;
+const NAMES = 11;
 
 export class MotionPaths {
   group = new Group();
@@ -37,6 +42,9 @@ export class MotionPaths {
   #gap;
   #gaps;
   #ghosts;
+  #link = 1;
+  /** The key frame that is marked in any case. */
+  #own = -1;
 
   /** @param {PathMaterials} materials */
   constructor(materials) {
@@ -81,23 +89,40 @@ export class MotionPaths {
     shaft.scale.set(GAP * r, 1, GAP * r);
     for (const end of ends) end.scale.setScalar(GAP * r);
 
-    const keys = doc.motion.key_frames;
-    while (this.#keys.length > keys.length) this.#keys.pop()?.removeFromParent();
-    this.labels = keys.map((key, index) => {
-      const mark = (this.#keys[index] ??= this.#addKey(index));
-      frameMatrix(key).decompose(mark.position, mark.quaternion, mark.scale);
-      mark.scale.setScalar(KEY * r);
-      return { at: mark.position, text: key.name || `key ${index + 1}`, place: mark.userData.place };
+    this.#link = r;
+    this.#markKeys(doc.motion.key_frames);
+  }
+
+  /** Marks a key frame that was left out among many. @param {string} place @param {import('../../core/types.js').MechanismDocument} doc @returns {boolean} whether it was */
+  keep(place, { motion: { key_frames: keys } }) {
+    const own = Number(/^motion\.key_frames\[(\d+)]/.exec(place)?.[1] ?? -1);
+    if (own === this.#own || keys.length <= MARKS) return false;
+    this.#own = own;
+    this.#markKeys(keys);
+    return true;
+  }
+
+  /** All key frames, or some of many, evenly spread. @param {import('../../core/types.js').KeyFrame[]} keys */
+  #markKeys(keys) {
+    const some = spreadOver(keys.length, MARKS, this.#own);
+    const named = some.length < keys.length ? new Set(spreadOver(keys.length, NAMES, this.#own)) : null;
+    while (this.#keys.length > some.length) this.#keys.pop()?.removeFromParent();
+    this.labels = some.flatMap((index, slot) => {
+      const mark = (this.#keys[slot] ??= this.#addKey());
+      const place = `motion.key_frames[${index}]`;
+      mark.userData.place = place;
+      frameMatrix(keys[index]).decompose(mark.position, mark.quaternion, mark.scale);
+      mark.scale.setScalar(KEY * this.#link);
+      const text = keys[index].name || `key ${index + 1}`;
+      return named && !named.has(index) ? [] : [{ at: mark.position, text, place }];
     });
   }
 
-  /** @param {number} index */
-  #addKey(index) {
+  #addKey() {
     const mark = triad(1, this.#materials.keyAxes);
     // Wider than the motion that passes through, so that it can be pointed at.
     const ball = new Mesh(shared('key ball', () => new SphereGeometry(KEY_BALL / KEY, 20, 14)), this.#materials.key);
     mark.add(ball);
-    mark.userData.place = `motion.key_frames[${index}]`;
     mark.userData.anchor = mark;
     this.group.add(mark);
     return mark;

@@ -205,7 +205,13 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
      * @param {{place: string, text: string}} point
      */
     highlight(select, point) {
-      if (!built || !marks.set(select, point)) return;
+      if (!built) return;
+      // An outline is of a body, which must be there first.
+      const other = shown.doc && paths.keep(select.place, shown.doc);
+      if (!marks.set(select, point)) {
+        if (!other) return;
+        marks.outline();
+      }
       name();
       changed();
     },

@@ -4,6 +4,7 @@
  */
 import { BufferAttribute, BufferGeometry, DynamicDrawUsage, Mesh, Sphere, Vector3 } from 'three';
 import { POSE } from '../../core/poses.js';
+import { spreadOver } from '../../core/spread.js';
 
 /** Corners of the tube's section. */
 const SIDES = 7;
@@ -11,6 +12,9 @@ const SIDES = 7;
 /** A curve with fewer frames is rounded between them, so many pieces to each. */
 const SMOOTH_BELOW = 64;
 const PIECES = 6;
+
+/** Of a longer motion so many points are drawn, evenly spread: no screen shows more. */
+const MOST = 20_000;
 
 export class Tube {
   /** @type {Mesh<BufferGeometry>} */
@@ -31,6 +35,7 @@ export class Tube {
    */
   lay(column, frames, radius) {
     const smooth = frames < SMOOTH_BELOW ? PIECES : 1;
+    if (frames > MOST) [column, frames] = [thinned(column, frames), MOST];
     this.#reserve((frames - 1) * smooth + 1);
     this.mesh.position.fromArray(column);
     const count = spread(column, frames, smooth, radius * 0.1, this.#points);
@@ -92,6 +97,13 @@ export class Tube {
     geometry.setDrawRange(0, 6 * SIDES * (count - 1));
     bound(geometry, points, count, radius);
   }
+}
+
+/** @param {Float64Array} column @param {number} frames */
+function thinned(column, frames) {
+  const some = new Float64Array(POSE * MOST);
+  spreadOver(frames, MOST).forEach((frame, i) => some.set(column.subarray(POSE * frame, POSE * (frame + 1)), POSE * i));
+  return some;
 }
 
 const AXES = { x: 0, y: 1, z: 2 };
