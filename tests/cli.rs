@@ -353,6 +353,52 @@ fn a_file_that_is_not_there_gives_no_answer() {
     assert_eq!(err.lines().count(), 2, "{err}");
 }
 
+/// In place of the document's, with a frame for each; the rows that cannot be taken over are told, and the rest is planned.
+#[test]
+fn key_frames_come_from_a_table() {
+    let name = format!("synthetica-{}.csv", std::process::id());
+    let path = std::env::temp_dir().join(name);
+    let rows: String = (0..40).map(|i| format!("{i} 0 0 {}\n", 600 + i)).collect();
+    fs::write(&path, format!("t x y z\n{rows}39 0 0 what\n")).expect("a file");
+    let table = path.to_str().expect("a path");
+    let asked = ["plan", "3rps.json", "--frames", "2", "--key-frames", table];
+    let (out, err, code) =
+        run(&[&asked[..], &["--quiet", "--table", "{\"scale\": 0.001}"]].concat());
+    assert_eq!((out.lines().count(), code), (3, 0), "{err}");
+    assert!(
+        err.contains("row 42: \u{201c}what\u{201d} in column 4 is no number"),
+        "{err}"
+    );
+    let last: Vec<&str> = out.lines().last().expect("a line").split(',').collect();
+    let goal = out
+        .lines()
+        .next()
+        .expect("headings")
+        .split(',')
+        .position(|h| h == "goal_z[m]");
+    assert_eq!(last[goal.expect("a column")], "0.639");
+    // Without --frames the document's are raised to the number of key frames, and never lowered.
+    let own = printed(&["plan", "3rps.json", "--quiet"]).lines().count();
+    let (out, _, _) = run(&[
+        "plan",
+        "3rps.json",
+        "--quiet",
+        "--key-frames",
+        table,
+        "--table",
+        "{\"scale\": 0.001}",
+    ]);
+    assert_eq!(out.lines().count(), own.max(41));
+    let (_, err, code) = run(&[&asked[..], &["--table", "{\"order\": \"abc\"}"]].concat());
+    assert!(
+        code == 1 && err.contains("abc") && err.contains("zyz"),
+        "{err}"
+    );
+    let (_, err, code) = run(&["plan", "3rps.json", "--table", "{}"]);
+    assert!(code == 2 && err.contains("--key-frames"), "{err}");
+    fs::remove_file(&path).expect("it was there");
+}
+
 #[test]
 fn a_wrong_command_line_says_what_would_be_accepted() {
     for (arguments, accepted) in [

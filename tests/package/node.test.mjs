@@ -9,7 +9,7 @@ import { installed } from './installed.mjs';
 
 const sample = (name) => readFileSync(new URL(`samples/${name}.json`, dist), 'utf8');
 const readme = readFileSync(new URL('README.md', dist), 'utf8');
-const { open, plan, check, normalise, findStart, pull, drive, explain, trace, matrix, compareMetrics, exportMotion, schema, enumeration, chainByIndex, assemblyByIndex, assemble, make, at, DocumentFault } = await import(
+const { open, plan, check, normalise, findStart, pull, drive, explain, trace, matrix, compareMetrics, exportMotion, schema, enumeration, chainByIndex, assemblyByIndex, assemble, make, readPoses, at, DocumentFault } = await import(
   new URL('index.node.js', dist)
 );
 
@@ -63,6 +63,8 @@ test('every question has its answer', async () => {
   assert.equal((await schema()).$id, JSON.parse(readFileSync(new URL('document.schema.json', dist), 'utf8')).$id);
   assert.ok((await enumeration()).classes.length > 10);
   assert.deepEqual((await plan(await assemble('3RRS'))).report.chains.map(({ type }) => type), ['RRS', 'RRS', 'RRS']);
+  const poses = await readPoses('x,y,z\n1000,0,0\n2000,0,no\n', { scale: 0.001 });
+  assert.deepEqual([poses.key_frames.map(({ x }) => x), poses.skipped.map(({ row }) => row), poses.understood.convention], [[1], [3], 'positions']);
   assert.equal((await make({ type: '3-PRS', base_radius: 350, platform_radius: 150, leg_length: 600, length_unit: 'mm' })).chains.length, 3);
   await assert.rejects(make({ type: '3-PRS', base_radius: -1 }), (error) => error instanceof DocumentFault && error.where === 'base_radius');
   assert.equal((await assemblyByIndex(3, 0)).length > 0, true);
