@@ -514,12 +514,15 @@ const COMMANDS: [&str; 7] = [
     "completions",
 ];
 
-/// Runs lines of a shell, in a new folder with the samples.
+/// Runs lines of a shell, in a new folder with the samples and a table of poses.
 fn run_in_shell(folder_name: &str, lines: &[&str]) {
     let folder = folder(folder_name);
     for name in samples() {
         fs::copy(format!("{SAMPLES}/{name}"), folder.join(name)).expect("a copy");
     }
+    // A tool path in another program's table, for the examples that take one.
+    let path = "x,y,z,qw,qx,qy,qz\n0,0,600,1,0,0,0\n10,0,600,1,0,0,0\n";
+    fs::write(folder.join("path.csv"), path).expect("a file");
     let built = PathBuf::from(env!("CARGO_BIN_EXE_synthetica"));
     let built = built.parent().expect("a folder").display().to_string();
     let path = format!("{built}:{}", std::env::var("PATH").unwrap_or_default());

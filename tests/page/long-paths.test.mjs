@@ -8,6 +8,7 @@ import { sizeOf } from '../../www/core/number-steps.js';
 import { keyFrameIn, PAGE, pageWith } from '../../www/core/row-window.js';
 import { same, spreadOver } from '../../www/core/spread.js';
 import { createStore } from '../../www/core/store.js';
+import { textOf } from '../../www/core/document-text.js';
 import { createRowKeys } from '../../www/panels/tables/row-keys.js';
 import { ghostFrames } from '../../www/view3d/scene/ghosts.js';
 import { createMaterials } from '../../www/view3d/scene/materials.js';
@@ -120,4 +121,17 @@ test('behind others they have times where those have, and later ones', () => {
   assert.deepEqual(timesOf(takeKeyFrames(timed, taken(2, true), true)), [0, 4, 5, 6]);
   const later = taken(2, true).map((key) => ({ ...key, time: key.time + 10 }));
   assert.deepEqual(timesOf(takeKeyFrames(timed, later, true)), [0, 4, 10, 11]);
+});
+
+test('of the long texts only the last few are kept, though undo keeps their documents', () => {
+  let written = 0;
+  const large = () => ({ about: 'x'.repeat(300_000), toJSON() { written++; return { about: this.about }; } });
+  const docs = [large(), large(), large(), large()];
+  for (const doc of docs) textOf(doc);
+  assert.equal(written, 4);
+  textOf(docs[3]);
+  textOf(docs[1]);
+  assert.equal(written, 4, 'the last ones are not written again');
+  textOf(docs[0]);
+  assert.equal(written, 5, 'the first one is');
 });

@@ -6,14 +6,13 @@
 /** How many documents the worker keeps open: those of some elements, or those that undo and redo go through. */
 const MAX_OPEN = 4;
 
+/** @typedef {{asker: object, text: string, doc: number}} Open */
+
 export class OpenDocuments {
   #close;
-  /** The one last asked about at the end. @type {Map<string, number>} */
-  #numbers = new Map();
+  /** The one last asked about at the end. A list, since a key made of a long text would copy it. @type {Open[]} */
+  #open = [];
   #last = 0;
-  /** @type {WeakMap<object, number>} */
-  #askers = new WeakMap();
-  #lastAsker = 0;
 
   /** @param {(doc: number) => void} close frees a document in the worker */
   constructor(close) {
@@ -25,46 +24,36 @@ export class OpenDocuments {
    * @param {object} asker @param {string} text
    */
   about(asker, text) {
-    const doc = this.#numbers.get(this.#keyOf(asker, text));
-    return doc === undefined ? { doc: ++this.#last, text } : { doc };
+    const known = this.#open.find((one) => one.asker === asker && one.text === text);
+    return known ? { doc: known.doc } : { doc: ++this.#last, text };
   }
 
   /** It is open, and asked about last. @param {object} asker @param {string} text @param {number} doc */
   keep(asker, text, doc) {
-    const key = this.#keyOf(asker, text);
-    this.#numbers.delete(key);
-    this.#numbers.set(key, doc);
-    const [oldest] = this.#numbers.keys();
-    if (this.#numbers.size > MAX_OPEN) this.#free(oldest);
+    this.#open = [...this.#open.filter((one) => one.doc !== doc), { asker, text, doc }];
+    if (this.#open.length > MAX_OPEN) this.#free(([oldest]) => oldest);
   }
 
   /** @param {object} asker @param {string} text */
   close(asker, text) {
-    this.#free(this.#keyOf(asker, text));
+    this.#free((open) => open.find((one) => one.asker === asker && one.text === text));
   }
 
   /** @param {object} asker */
   closeAllOf(asker) {
-    const own = this.#keyOf(asker, '');
-    for (const key of [...this.#numbers.keys()]) if (key.startsWith(own)) this.#free(key);
+    const own = this.#open.filter((one) => one.asker === asker);
+    for (const one of own) this.#free(() => one);
   }
 
   /** The worker that had them is no more. */
   forget() {
-    this.#numbers.clear();
+    this.#open = [];
   }
 
-  /** @param {string} key */
-  #free(key) {
-    const doc = this.#numbers.get(key);
-    this.#numbers.delete(key);
-    if (doc !== undefined) this.#close(doc);
-  }
-
-  /** @param {object} asker @param {string} text */
-  #keyOf(asker, text) {
-    const number = this.#askers.get(asker) ?? ++this.#lastAsker;
-    this.#askers.set(asker, number);
-    return `${number} ${text}`;
+  /** @param {(open: Open[]) => Open | undefined} choose */
+  #free(choose) {
+    const gone = choose(this.#open);
+    this.#open = this.#open.filter((one) => one !== gone);
+    if (gone) this.#close(gone.doc);
   }
 }

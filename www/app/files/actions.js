@@ -97,10 +97,9 @@ export function createActions(app, chooser) {
     if (read.is === 'trouble') say(`No link was made. ${read.message}`, { label: 'Try again', act: share, stays: true });
     if (read.is !== 'answer') return;
     const text = JSON.stringify(read.value);
-    const payload = await encode(text);
-    if (text.length > MAX_TEXT || payload.length > MAX_PAYLOAD) {
-      const size = `The document has ${(text.length / 1e6).toFixed(1)} MB, its link would have ${(payload.length / 1e6).toFixed(1)} million characters`;
-      say(`${size}: too large for a link, which browsers take up to ${MAX_PAYLOAD / 1e6} million characters. Save it to a file and send that.`, { label: 'Save to a file', act: () => save(true), stays: true });
+    const payload = text.length > MAX_TEXT ? '' : await encode(text);
+    if (!payload || payload.length > MAX_PAYLOAD) {
+      say(`The document has ${(text.length / 1e6).toFixed(1)} MB, which is too large for a link. Save it to a file and send that.`, { label: 'Save to a file', act: () => save(true), stays: true });
       return;
     }
     openShare(app, text, payload);
