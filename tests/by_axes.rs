@@ -585,7 +585,7 @@ fn a_ball_joint_suits_its_neighbours() {
     let joints = [
         at(JointKind::R, [0.0; 3], [0.0, 0.0, 1.0]),
         ball([3.0, 4.0, 0.0]),
-        at(JointKind::R, [9.0, 4.0, 1.0], [1.0, 0.0, 0.0]),
+        at(JointKind::R, [3.0, 9.0, 1.0], [0.0, 1.0, 0.0]),
     ];
     let chain = made(&joints, &Pose::identity()).chain;
     let row = |joint: usize| chain.joints()[joint].rows()[0];
