@@ -88,7 +88,7 @@ pub enum AxesFault {
 /// Numbers of the rows that are rounding are exactly 0, ±90° or 180°. The base is on the first axis, at its point.
 ///
 /// # Errors
-/// See [`AxesFault`]; the first joint with a fault is told.
+/// See [`AxesFault`]; the first joint with a fault is told, one of points and directions before one of limits.
 pub fn chain_by_axes(name: String, joints: &[JointAxis], home: &Pose) -> Result<ByAxes, AxesFault> {
     let freedoms = joints.iter().map(|j| j.kind.freedoms()).sum();
     if joints.is_empty() {
