@@ -193,6 +193,19 @@ fn the_3_upu_of_tsai_only_translates() {
 }
 
 #[test]
+fn the_3_upu_of_tsai_is_loose_on_a_cylinder() {
+    // With outer axes t and legs l the forbidden turns are l - (l t) t; they are in one plane where the middle is aside by
+    // twice the difference of the radii.
+    let mut document: Value = serde_json::from_str(&made("3-upu-tsai", &[], "mm").text()).expect("its text");
+    document["motion"] = serde_json::json!({"frames": 61, "key_frames": [{"z": "height"}, {"x": 350, "y": 410, "z": "height"}]});
+    let t = Session::open(&document.to_string()).expect("a document").plan();
+    let aside = |frame: usize| t.poses[frame].translation.vector.xy().norm() / 180.0;
+    let loosest = (0..t.frames()).min_by(|&a, &b| t.sigma_min[a].total_cmp(&t.sigma_min[b])).expect("frames");
+    assert!(aside(t.frames() - 1) > 2.9 && aside(0) == 0.0);
+    near("loose at", aside(loosest), 2.0, 0.06);
+}
+
+#[test]
 fn the_3_upu_of_snu_has_five_freedoms_at_home_and_three_beside_it() {
     let (session, t) = planned("3-upu-snu", &[]);
     let rank = |frame: usize| {
@@ -341,7 +354,7 @@ fn tune() {
     for name in ["3-rps", "3-prs", "3-upu-tsai", "3-upu-snu", "linear-delta", "tripteron", "orthoglide", "exechon", "hexapod"] {
         let maker = load(name);
         let mut n = 0; let mut tried = 0;
-        while n < 40 {
+        while n < 400 {
             tried += 1;
             let mut given: Vec<(String, String)> = vec![];
             let mut ps: Vec<(String, f64)> = vec![];
@@ -365,7 +378,7 @@ fn tune() {
             let bad = t.status.iter().filter(|s| !s.is_certified()).count();
             let reached = t.status.iter().filter(|s| **s == Status::Reached).count();
             let w: Vec<String> = t.warnings.iter().map(|w| format!("{w:?}").chars().take(100).collect()).collect();
-            if n == 1 || bad > 0 || !w.is_empty() || i64::try_from(t.mobility_rank).unwrap() != maker["mobility"].as_i64().unwrap() {
+            if n == 1 || bad > 0 || w.iter().any(|w| !w.starts_with("Mobility")) && name != "3-upu-snu" || i64::try_from(t.mobility_rank).unwrap() != maker["mobility"].as_i64().unwrap() {
                 println!("{name} {g:?} rank {} bad {bad} reached {reached}/{} closure {:e} {w:?}", t.mobility_rank, t.frames(), t.closure[0]);
             }
         }
