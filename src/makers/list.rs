@@ -4,7 +4,18 @@ use crate::makers::maker::Maker;
 use std::sync::OnceLock;
 
 /// Their files, in the order in which they are listed.
-const FILES: [&str; 1] = [include_str!("delta.json")];
+const FILES: [&str; 10] = [
+    include_str!("delta.json"),
+    include_str!("linear-delta.json"),
+    include_str!("orthoglide.json"),
+    include_str!("tripteron.json"),
+    include_str!("3-rps.json"),
+    include_str!("3-prs.json"),
+    include_str!("3-upu-tsai.json"),
+    include_str!("3-upu-snu.json"),
+    include_str!("exechon.json"),
+    include_str!("hexapod.json"),
+];
 
 /// All makers.
 ///
