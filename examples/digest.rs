@@ -32,7 +32,10 @@ fn digests(text: &str) -> Result<Value, synthetica::document::fault::Fault> {
         };
         digests.insert(column.name.to_owned(), words.into());
     }
-    let rows = floats(&placed(&problem.row_frames(&motion)));
+    let rows: Vec<_> = (0..motion.frames())
+        .flat_map(|frame| problem.frames_at(motion.joints_at(frame)))
+        .collect();
+    let rows = floats(&placed(&rows));
     digests.insert("rows".to_owned(), rows.into());
     Ok(digests.into())
 }
