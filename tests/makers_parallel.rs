@@ -395,3 +395,18 @@ fn each_locked_leg_of_the_hexapod_takes_one_freedom_and_keeps_its_length() {
         assert_eq!(moves > 1.0, legs.len() < 6, "{locked}: {moves}");
     }
 }
+
+#[test]
+fn a_hexapod_locks_legs_that_it_has_each_once_and_at_least_one() {
+    let hexapod = named("hexapod").expect("the maker");
+    for (locked, part) in [
+        ("7", "7 is out of range"),
+        ("2,2", "2 is out of range"),
+        ("1.5", "1.5 is out of range"),
+        ("", "there is no chain"),
+    ] {
+        let given = ("locked".to_owned(), locked.to_owned());
+        let fault = make(hexapod, &[given], None).expect_err(locked);
+        assert!(fault.message.contains(part), "{locked}: {fault}");
+    }
+}
