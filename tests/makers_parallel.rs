@@ -38,7 +38,7 @@ fn near(what: &str, got: f64, wanted: f64, within: f64) {
 /// A radial unit vector, at so many thirds of a turn.
 fn radial(third: usize) -> Vector3<f64> {
     let angle = (third as f64) * 120.0_f64.to_radians();
-    Vector3::new(angle.cos(), angle.sin(), 0.0)
+    Vector3::new(libm::cos(angle), libm::sin(angle), 0.0)
 }
 
 /// The point of the workpiece that is at `point` in its frame.
@@ -49,14 +49,14 @@ fn moved(pose: &Pose, point: &Vector3<f64>) -> Vector3<f64> {
 /// Azimuth and angle of the tilt and the torsion of an orientation Rz(azimuth) Ry(tilt) Rz(torsion - azimuth).
 fn tilt_and_torsion(pose: &Pose) -> (f64, f64, f64) {
     let r = pose.rotation.to_rotation_matrix();
-    let azimuth = r[(1, 2)].atan2(r[(0, 2)]);
-    let tilt = r[(0, 2)].hypot(r[(1, 2)]).atan2(r[(2, 2)]);
+    let azimuth = libm::atan2(r[(1, 2)], r[(0, 2)]);
+    let tilt = libm::atan2(libm::hypot(r[(0, 2)], r[(1, 2)]), r[(2, 2)]);
     let level = Rotation3::from_axis_angle(
-        &nalgebra::Unit::new_normalize(Vector3::new(-azimuth.sin(), azimuth.cos(), 0.0)),
+        &nalgebra::Unit::new_normalize(Vector3::new(-libm::sin(azimuth), libm::cos(azimuth), 0.0)),
         tilt,
     );
     let rest = level.inverse() * r;
-    (azimuth, tilt, rest[(1, 0)].atan2(rest[(0, 0)]))
+    (azimuth, tilt, libm::atan2(rest[(1, 0)], rest[(0, 0)]))
 }
 
 /// I. A. Bonev, Direct kinematics of zero-torsion parallel mechanisms (2008): the platform has no torsion, and its middle is
@@ -65,19 +65,19 @@ fn has_parasitic_motion(name: &str, t: &Trajectory, radius: f64) {
     let mut most = 0.0_f64;
     for (frame, pose) in t.poses.iter().enumerate() {
         let (azimuth, tilt, torsion) = tilt_and_torsion(pose);
-        let aside = radius / 2.0 * (1.0 - tilt.cos());
+        let aside = radius / 2.0 * (1.0 - libm::cos(tilt));
         let what = |which: &str| format!("{name}, frame {frame}, {which}");
         near(&what("torsion"), torsion, 0.0, 1e-9);
         near(
             &what("x"),
             pose.translation.x,
-            -aside * (2.0 * azimuth).cos(),
+            -aside * libm::cos(2.0 * azimuth),
             1e-7,
         );
         near(
             &what("y"),
             pose.translation.y,
-            aside * (2.0 * azimuth).sin(),
+            aside * libm::sin(2.0 * azimuth),
             1e-7,
         );
         most = most.max(tilt);
@@ -121,7 +121,7 @@ fn the_3_rps_has_its_parasitic_motion_and_leg_lengths() {
         has_parasitic_motion("3-rps", &t, h);
         let length =
             |pose: &Pose, leg| (moved(pose, &(radial(leg) * h)) - radial(leg) * 350.0).norm();
-        let home = (h - 350.0).hypot(600.0);
+        let home = libm::hypot(h - 350.0, 600.0);
         for (frame, pose) in t.poses.iter().enumerate() {
             for leg in 0..3 {
                 near(
@@ -168,7 +168,7 @@ fn the_3_prs_has_its_parasitic_motion_and_carriages() {
         for leg in 0..3 {
             let ball = moved(pose, &(radial(leg) * 250.0));
             let across = (radial(leg) * 350.0 - ball).xy().norm();
-            let carriage = ball.z - (500.0_f64.powi(2) - across.powi(2)).sqrt();
+            let carriage = ball.z - (500.0_f64 * 500.0 - across * across).sqrt();
             near("carriage", t.joints_at(frame)[5 * leg], carriage, 1e-7);
         }
     }
@@ -184,7 +184,7 @@ fn the_3_upu_of_tsai_only_translates() {
     for (frame, pose) in t.poses.iter().enumerate() {
         for leg in 0..3 {
             let length = (pose.translation.vector + radial(leg) * (120.0 - 300.0)).norm();
-            let home = 180.0_f64.hypot(400.0);
+            let home = libm::hypot(180.0, 400.0);
             near("leg", t.joints_at(frame)[5 * leg + 2], length - home, 1e-7);
         }
     }
@@ -245,7 +245,7 @@ fn the_linear_delta_has_its_carriages_where_the_rods_reach() {
         let at = pose.translation.vector;
         for column in 0..3 {
             let across = (at + radial(column) * (60.0 - 195.0)).xy().norm();
-            let carriage = at.z + (241.0_f64.powi(2) - across.powi(2)).sqrt();
+            let carriage = at.z + (241.0_f64 * 241.0 - across * across).sqrt();
             near("carriage", t.joints_at(frame)[5 * column], carriage, 1e-7);
         }
     }
@@ -297,8 +297,8 @@ fn the_orthoglides_carriages_follow_from_its_rods() {
     for (frame, pose) in t.poses.iter().enumerate() {
         let at = pose.translation.vector;
         for axis in 0..3 {
-            let across = at.norm_squared() - at[axis].powi(2);
-            let carriage = at[axis] - (300.0_f64.powi(2) - across).sqrt() + 300.0;
+            let across = at.norm_squared() - at[axis] * at[axis];
+            let carriage = at[axis] - (300.0_f64 * 300.0 - across).sqrt() + 300.0;
             near("carriage", t.joints_at(frame)[5 * axis], carriage, 1e-7);
         }
     }
@@ -342,15 +342,15 @@ fn the_exechon_has_its_leg_lengths_and_leans_as_its_third_leg_says() {
         // Rx(swing) Ry(lean): in the plane of legs A and C, which holds their common axis, the platform is at x and at the
         // distance `up` of it; leg B is at right angles to its hinge, which is the platform's x axis.
         let r = pose.rotation.to_rotation_matrix();
-        let swing = r[(2, 1)].atan2(r[(1, 1)]);
+        let swing = libm::atan2(r[(2, 1)], r[(1, 1)]);
         let at = pose.translation.vector;
-        let up = at.z * swing.cos() - at.y * swing.sin();
-        let lean = at.x.atan2(up + front * swing.sin());
+        let up = at.z * libm::cos(swing) - at.y * libm::sin(swing);
+        let lean = libm::atan2(at.x, up + front * libm::sin(swing));
         let swung = Rotation3::from_axis_angle(&Vector3::x_axis(), swing);
         let wanted = swung * Rotation3::from_axis_angle(&Vector3::y_axis(), lean);
         near(
             "in the plane",
-            at.y * swing.cos() + at.z * swing.sin(),
+            at.y * libm::cos(swing) + at.z * libm::sin(swing),
             0.0,
             1e-7,
         );
@@ -374,7 +374,7 @@ fn each_locked_leg_of_the_hexapod_takes_one_freedom_and_keeps_its_length() {
         assert_eq!(t.mobility_rank, 6 - legs.len(), "{locked}");
         let point = |radius: f64, angle: f64, z: f64| {
             let angle = angle.to_radians();
-            Vector3::new(radius * angle.cos(), radius * angle.sin(), z)
+            Vector3::new(radius * libm::cos(angle), radius * libm::sin(angle), z)
         };
         // Pairs at 0°, 120° and 240° on the base, and at 60°, 180° and 300° on the platform; each leg goes to the nearer one.
         let base = [-20.0, 20.0, 100.0, 140.0, 220.0, 260.0];
@@ -403,7 +403,7 @@ fn a_hexapod_locks_legs_that_it_has_each_once_and_at_least_one() {
         ("7", "7 is out of range"),
         ("2,2", "2 is out of range"),
         ("1.5", "1.5 is out of range"),
-        ("", "there is no chain"),
+        ("", "is no number"),
     ] {
         let given = ("locked".to_owned(), locked.to_owned());
         let fault = make(hexapod, &[given], None).expect_err(locked);

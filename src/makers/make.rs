@@ -163,9 +163,6 @@ fn read(input: &Input, text: &str) -> Result<Vec<f64>, Fault> {
     let accepted = accepted(input);
     let mut values = Vec::new();
     for part in text.split(',').map(str::trim) {
-        if part.is_empty() && input.is == Kind::List && text.trim().is_empty() {
-            break;
-        }
         let number = part.replace('\u{2212}', "-").parse::<f64>().ok();
         // What Rust takes for a number too, but is none: inf, nan.
         let Some(number) = number.filter(|number| number.is_finite()) else {
