@@ -337,6 +337,8 @@ fn a_guess_is_told() {
         read("x,y,z,qw,qx,qy,qz\n1,2,3,1,0,0,0").understood.assumed,
         [""; 0]
     );
+    let unread = read("x;y;z;a;b;c\n1;2;3;4;5;6");
+    assert!(unread.understood.assumed[0].contains("No headings of rotations"));
     let nearly = read("x,y,z,qw,qx,qy,qz\n1,2,3,1.0005,0,0,0");
     assert!(
         nearly.understood.assumed[0].contains("5.0e-4"),

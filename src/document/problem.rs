@@ -90,6 +90,13 @@ impl Problem {
         )
     }
 
+    /// The frames of all rows, frame by frame; see [`Self::frames_at`].
+    pub fn row_frames(&self, trajectory: &Trajectory) -> Vec<Pose> {
+        (0..trajectory.frames())
+            .flat_map(|i| self.frames_at(trajectory.joints_at(i)))
+            .collect()
+    }
+
     /// For drawing: each table row's frame before its joint and behind it, at these joint values.
     pub fn frames_at(&self, joints: &[f64]) -> Vec<Pose> {
         let chains = self.mechanism.split(joints);

@@ -249,7 +249,9 @@ fn layout(
         if request.time == Some(false) {
             layout.time = None;
         }
-        return Ok((layout, Vec::new()));
+        let said = "No headings of rotations: they stay 0.".to_owned();
+        let is_left = layout.convention == Convention::Positions && request.convention.is_none();
+        return Ok((layout, if is_left { vec![said] } else { Vec::new() }));
     }
     let is_number = |row: &Vec<String>, column: usize| {
         row.get(column)
