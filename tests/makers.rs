@@ -422,6 +422,44 @@ fn a_name_makes_a_maker_or_a_type() {
 }
 
 #[test]
+fn names_are_understood_or_answered() {
+    let rps = from_type("3RPS").expect("a type");
+    for text in [
+        "3-RPS",
+        "3 RPS",
+        "3xRPS",
+        "3-rps",
+        "3\u{d7}RPS",
+        "RPS+RPS+RPS",
+    ] {
+        assert_eq!(from_type(text).expect(text), rps, "{text}");
+    }
+    for (text, same) in [("3UPU", "3TPT"), ("3-upu", "3TPT"), ("CC+RC", "cc + rc")] {
+        assert_eq!(from_type(text).expect(text), from_type(same).expect(same));
+    }
+    for (text, part) in [
+        (
+            "RSSR",
+            "it names a loop from base to base: its chains to the coupler are RS + RS. Accepted: ",
+        ),
+        ("RCCC", "are RC + CC. "),
+        ("RSSP", "are RS + PS. "),
+        ("4R", "are RR + RR. "),
+        (
+            "6-SPS",
+            "a leg with 7 freedoms takes none from the workpiece, and can be left out; with its slider locked it is a TS leg. ",
+        ),
+        ("6-UPS", "a leg with 6 freedoms takes none"),
+        ("6-RUS", "with its hinge locked it is a TS leg"),
+    ] {
+        let fault = from_type(text).expect_err(text);
+        assert_eq!(fault.place, "type");
+        assert!(fault.message.contains(part), "{fault}");
+        assert!(!fault.message.contains("may be meant"), "{fault}");
+    }
+}
+
+#[test]
 fn a_page_gives_inputs_as_json() {
     let made = |inputs: &str, unit| make_named("Delta", inputs, unit);
     let expected = from_type("delta?base=400&platform=50&arms=300,580&unit=cm").expect("a delta");

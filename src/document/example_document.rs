@@ -60,6 +60,10 @@ fn fault(no_type: &NoType) -> Fault {
                 "the joints have {found} freedoms together (R and P have 1, C and T 2, S and E 3)"
             )
         }
+        Why::Loop(chains) => {
+            format!("it names a loop from base to base: its chains to the coupler are {chains}")
+        }
+        Why::Leg { freedoms, locked } => leg(*freedoms, locked.as_ref()),
         Why::Count => format!("it does not have 1 to {MAX_CHAINS} chains"),
         Why::NoChain => "there is no chain behind the number".to_owned(),
     };
@@ -72,6 +76,24 @@ fn fault(no_type: &NoType) -> Fault {
         &format!("{what}: {why}"),
         &accepted,
     )
+}
+
+/// What is said of a leg with so many freedoms.
+fn leg(freedoms: usize, locked: Option<&(JointKind, String)>) -> String {
+    let free = format!(
+        "a leg with {freedoms} freedoms takes none from the workpiece, and can be left out"
+    );
+    match locked {
+        Some((drive, left)) => {
+            let drive = if *drive == JointKind::P {
+                "slider"
+            } else {
+                "hinge"
+            };
+            format!("{free}; with its {drive} locked it is a {left} leg")
+        }
+        None => free,
+    }
 }
 
 /// The place of the type in what is asked for.

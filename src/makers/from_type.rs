@@ -7,6 +7,7 @@ use crate::document::text::not_json;
 use crate::makers::list::{key, list, named, names};
 use crate::makers::make::make;
 use crate::source::nearest::nearest;
+use crate::types::notation::{NoType, Why, chains_of};
 
 /// Types that people often name: one of them is proposed for a text that is nearly it.
 const OFTEN: [&str; 12] = [
@@ -113,6 +114,10 @@ pub fn no_maker(name: &str) -> Fault {
 
 /// A fault of a text that is no type, with the maker or the type that may be meant.
 fn proposed(text: &str, fault: Fault) -> Fault {
+    let understood = |no_type: NoType| matches!(no_type.why, Why::Loop(_) | Why::Leg { .. });
+    if chains_of(text).is_err_and(understood) {
+        return fault;
+    }
     let meant = close_maker(text).or_else(|| {
         let signs = |c: char| c.is_alphanumeric() || c == '+';
         let wanted: String = text.chars().filter(|c| signs(*c)).collect();

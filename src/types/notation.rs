@@ -19,7 +19,7 @@ pub struct NoType {
 }
 
 /// Why a text names no type.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Why {
     /// There is no chain in it.
     Empty,
@@ -27,6 +27,16 @@ pub enum Why {
     Letter(char),
     /// A chain whose joints have more freedoms together than a chain of a linkage may have.
     Freedoms(usize),
+    /// A closed loop named by its joints all round, from base to base, such as RSSR: the chains from the base to its
+    /// coupler, RS + RS.
+    Loop(String),
+    /// A leg with 6 freedoms or more, such as UPS, which takes none from the workpiece.
+    Leg {
+        /// The freedoms of its joints together.
+        freedoms: usize,
+        /// The joint that its drive moves, and the leg that is left where that one is locked.
+        locked: Option<(JointKind, String)>,
+    },
     /// A number of chains that is 0 or more than [`MAX_CHAINS`].
     Count,
     /// A number without a chain behind it.
@@ -38,6 +48,9 @@ pub enum Why {
 /// # Errors
 /// Where the text is no type.
 pub fn chains_of(text: &str) -> Result<Vec<Vec<JointKind>>, NoType> {
+    if let Some(chains) = loop_of_hinges(text) {
+        return Err(no_type(text, Why::Loop(chains)));
+    }
     let mut chains = Vec::new();
     let mut rest = text.trim();
     while !rest.is_empty() {
@@ -126,9 +139,9 @@ fn read(term: &str) -> Result<(usize, Vec<JointKind>), NoType> {
     if kinds.is_empty() {
         return Err(no_type(term, Why::NoChain));
     }
-    let freedoms = kinds.iter().map(|kind| kind.freedoms()).sum();
+    let freedoms: usize = kinds.iter().map(|kind| kind.freedoms()).sum();
     if freedoms > MAX_FREEDOMS {
-        return Err(no_type(term, Why::Freedoms(freedoms)));
+        return Err(no_type(term, too_free(&kinds, digits.is_empty())));
     }
     match count {
         Some(count @ 1..=MAX_CHAINS) => Ok((count, kinds)),
@@ -136,9 +149,66 @@ fn read(term: &str) -> Result<(usize, Vec<JointKind>), NoType> {
     }
 }
 
+/// What a term of more than [`MAX_FREEDOMS`] freedoms is: a leg where it is counted or has up to three joints, as SPS and
+/// RUS have; else a loop.
+fn too_free(kinds: &[JointKind], once: bool) -> Why {
+    let freedoms = kinds.iter().map(|kind| kind.freedoms()).sum();
+    if once && kinds.len() > LONGEST_LEG {
+        return halves(kinds).map_or(Why::Freedoms(freedoms), Why::Loop);
+    }
+    let locked = locked(kinds);
+    Why::Leg { freedoms, locked }
+}
+
+/// Most joints of a leg with 6 freedoms that is named once; the loops that people name have more.
+const LONGEST_LEG: usize = 3;
+
+/// The two chains from the base to the coupler of a loop that is named from base to base: the coupler is the link in the
+/// middle, or next to it.
+fn halves(kinds: &[JointKind]) -> Option<String> {
+    let most = |kinds: &[JointKind]| kinds.iter().map(|kind| kind.freedoms()).sum::<usize>();
+    let half = kinds.len().div_ceil(2);
+    let cuts = (0..half).flat_map(|away| [half - away, (half + away).min(kinds.len() - 1)]);
+    cuts.map(|cut| kinds.split_at(cut))
+        .find(|(there, back)| most(there) <= MAX_FREEDOMS && most(back) <= MAX_FREEDOMS)
+        .map(|(there, back)| {
+            let back: Vec<JointKind> = back.iter().rev().copied().collect();
+            format!("{} + {}", letters(there), letters(&back))
+        })
+}
+
+/// 4R to 7R alone: the loops of hinges. As four chains of one hinge each it would be no linkage that moves.
+fn loop_of_hinges(text: &str) -> Option<String> {
+    let text = text.trim();
+    let hinges = text.trim_start_matches(|c: char| c.is_ascii_digit());
+    let count: usize = text[..text.len() - hinges.len()].parse().ok()?;
+    let hinges = hinges.trim_start_matches(is_times);
+    if !hinges.eq_ignore_ascii_case("R") || !(4..=7).contains(&count) {
+        return None;
+    }
+    halves(&vec![JointKind::R; count])
+}
+
+/// The first slider of a leg, or its first hinge, and the leg without it; two spherical joints alone are TS, for the leg's
+/// turn about itself does not move the workpiece.
+fn locked(kinds: &[JointKind]) -> Option<(JointKind, String)> {
+    let first = |wanted: JointKind| kinds.iter().position(|kind| *kind == wanted);
+    let drive = first(JointKind::P).or_else(|| first(JointKind::R))?;
+    let mut left = kinds.to_vec();
+    let drive = left.remove(drive);
+    if left == [JointKind::S, JointKind::S] {
+        left[0] = JointKind::T;
+    }
+    let freedoms: usize = left.iter().map(|kind| kind.freedoms()).sum();
+    (1..=MAX_FREEDOMS)
+        .contains(&freedoms)
+        .then(|| (drive, letters(&left)))
+}
+
 #[cfg(test)]
 mod tests {
     use super::{Why, chains_of, type_name};
+    use crate::model::joint::JointKind;
     use crate::types::enumerate::letters;
 
     fn names(text: &str) -> Vec<String> {
@@ -188,7 +258,7 @@ mod tests {
             ("3+RPS", "3+", Why::Letter('+')),
             ("3RXS", "3RXS", Why::Letter('X')),
             ("R3PS", "R3PS", Why::Letter('3')),
-            ("6-SPS", "6-SPS", Why::Freedoms(7)),
+            ("SSSS", "SSSS", Why::Freedoms(12)),
             ("0RPS", "0RPS", Why::Count),
             ("25R", "25R", Why::Count),
             ("13R+13R", "13R+13R", Why::Count),
@@ -196,6 +266,50 @@ mod tests {
         ] {
             let found = chains_of(text).expect_err(text);
             assert_eq!((found.text.as_str(), found.why), (part, why), "{text}");
+        }
+    }
+
+    #[test]
+    fn loops_are_told_by_their_chains() {
+        for (text, chains) in [
+            ("RSSR", "RS + RS"),
+            ("rssr", "RS + RS"),
+            ("RCCC", "RC + CC"),
+            ("RSSP", "RS + PS"),
+            ("RSRRR", "RSR + RR"),
+            ("RRSRR", "RRS + RR"),
+            ("RRRRRR", "RRR + RRR"),
+            ("RRRRRRR", "RRRR + RRR"),
+            ("RUUR", "RT + RT"),
+            ("4R", "RR + RR"),
+            ("5-r", "RRR + RR"),
+            ("6 R", "RRR + RRR"),
+        ] {
+            let found = chains_of(text).expect_err(text);
+            assert_eq!(found.why, Why::Loop(chains.into()), "{text}");
+            assert!(chains_of(chains).is_ok(), "{chains}");
+        }
+        for text in ["RRRR", "RRRRR", "RPPR", "3R", "2R", "4R + RPS", "RCC"] {
+            assert!(chains_of(text).is_ok(), "{text}");
+        }
+    }
+
+    #[test]
+    fn legs_that_take_no_freedom_are_told() {
+        for (text, freedoms, locked) in [
+            ("6-SPS", 7, Some((JointKind::P, "TS"))),
+            ("6-UPS", 6, Some((JointKind::P, "TS"))),
+            ("ups", 6, Some((JointKind::P, "TS"))),
+            ("6-RUS", 6, Some((JointKind::R, "TS"))),
+            ("6PSS", 7, Some((JointKind::P, "TS"))),
+            ("6-RSS", 7, Some((JointKind::R, "TS"))),
+            ("6-PRRS", 6, Some((JointKind::P, "RRS"))),
+            ("6-SS", 6, None),
+            ("3-SPSS", 10, None),
+        ] {
+            let why = chains_of(text).expect_err(text).why;
+            let locked = locked.map(|(drive, left)| (drive, left.to_owned()));
+            assert_eq!(why, Why::Leg { freedoms, locked }, "{text}");
         }
     }
 }
