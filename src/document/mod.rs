@@ -4,6 +4,8 @@ pub mod bounds;
 pub mod chain_report;
 pub mod comparison;
 pub mod defaults;
+#[cfg(feature = "study")]
+mod drivers;
 pub mod example_document;
 pub mod fault;
 pub mod make;

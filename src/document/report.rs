@@ -16,6 +16,10 @@ pub struct Report {
     pub statuses: Vec<&'static str>,
     /// The chains, in the document's order.
     pub chains: Vec<ChainReport>,
+    /// Of a motion without goals: the driven joint variables, counted from 0 through all chains.
+    #[cfg(feature = "study")]
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub drivers: Vec<usize>,
     /// Mobility by Eq. 10.
     pub mobility_count: isize,
     /// n − rank \[A\] at the start.
@@ -62,6 +66,8 @@ impl Report {
         Self {
             statuses: Status::ALL.map(Status::name).to_vec(),
             chains: mechanism.chains().iter().map(chain).collect(),
+            #[cfg(feature = "study")]
+            drivers: trajectory.drivers.clone(),
             mobility_count: trajectory.mobility_count,
             mobility_rank: trajectory.mobility_rank,
             metric: MetricReport {

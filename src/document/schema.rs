@@ -2,6 +2,8 @@
 
 use crate::math::metric::MetricKind;
 use crate::model::joint::JointKind;
+#[cfg(feature = "study")]
+use crate::motion::drivers::Ramp;
 use crate::motion::goal::Interpolation;
 use crate::plan::settings::{Method, Settings};
 #[cfg(feature = "schema")]
@@ -181,14 +183,23 @@ pub struct FrameEntry {
     pub roll: f64,
 }
 
-/// The goal motion: key frames and what is between them.
+/// The motion: key frames and what is between them, or driven joints.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct MotionEntry {
     /// Two or more poses of the workpiece.
     #[cfg_attr(feature = "schema", schemars(length(min = 2, max = MAX_KEY_FRAMES)))]
+    #[cfg_attr(
+        feature = "study",
+        serde(default, skip_serializing_if = "Vec::is_empty")
+    )]
     pub key_frames: Vec<KeyFrameEntry>,
+    /// In place of key frames: joint variables whose values over time are given. The workpiece's path is then the result.
+    #[cfg(feature = "study")]
+    #[cfg_attr(feature = "schema", schemars(length(min = 1)))]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub drivers: Vec<DriverEntry>,
     /// The paper's double-quaternion spline, steady screw motions, or straight lines.
     #[serde(default, with = "InterpolationName")]
     #[cfg_attr(feature = "schema", schemars(with = "InterpolationName"))]
@@ -210,6 +221,59 @@ pub struct MotionEntry {
     #[cfg_attr(feature = "schema", schemars(range(min = 0.0, max = MAX_LENGTH)))]
     #[serde(default)]
     pub radius: Option<f64>,
+}
+
+/// A driven joint variable. Chain, joint and freedom are counted from 1.
+#[cfg(feature = "study")]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct DriverEntry {
+    /// The chain.
+    #[cfg_attr(feature = "schema", schemars(range(min = 1, max = MAX_CHAINS)))]
+    pub chain: u32,
+    /// The joint of that chain.
+    #[cfg_attr(feature = "schema", schemars(range(min = 1, max = MAX_FREEDOMS)))]
+    pub joint: u32,
+    /// The freedom of that joint: of a C the turn is 1 and the shift 2.
+    #[cfg_attr(feature = "schema", schemars(range(min = 1, max = 3)))]
+    #[serde(default = "first_freedom")]
+    pub freedom: u32,
+    /// Two or more values, at times that increase; before the first and after the last the joint rests.
+    #[cfg_attr(feature = "schema", schemars(length(min = 2, max = MAX_KEY_FRAMES)))]
+    pub values: Vec<DriverValueEntry>,
+    /// Between two values: at constant speed, or smoothly from rest to rest.
+    #[serde(default, with = "RampName")]
+    #[cfg_attr(feature = "schema", schemars(with = "RampName"))]
+    pub ramp: Ramp,
+}
+
+#[cfg(feature = "study")]
+fn first_freedom() -> u32 {
+    1
+}
+
+/// The value of a driven joint variable at a time.
+#[cfg(feature = "study")]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct DriverValueEntry {
+    /// When.
+    #[cfg_attr(feature = "schema", schemars(range(min = -MAX_TIME, max = MAX_TIME)))]
+    pub time: f64,
+    /// The value of the joint variable itself, degrees or a length: as in `start`, and beyond one turn where it goes on.
+    pub value: f64,
+}
+
+/// The ramps by name.
+#[cfg(feature = "study")]
+#[derive(Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(remote = "Ramp", rename_all = "lowercase")]
+enum RampName {
+    Linear,
+    Smooth,
 }
 
 /// As many as the paper's figures have; two key frames with one between fall on frames.

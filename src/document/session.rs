@@ -10,7 +10,7 @@ use crate::document::questions::{FRAMES, Posture, VARIABLE};
 use crate::document::schema::Document;
 use crate::document::text;
 use crate::motion::trajectory::Trajectory;
-use crate::plan::follow::Planning;
+use crate::plan::Planning;
 use crate::study::why::Insight;
 use std::cell::OnceCell;
 
@@ -131,7 +131,7 @@ impl Session {
     /// # Errors
     /// When it is no whole number from 0 to the last frame.
     pub fn frame(&self, number: f64) -> Result<usize, Fault> {
-        below(number, self.problem.goals.len(), &FRAMES)
+        below(number, self.problem.frames(), &FRAMES)
     }
 
     /// The same for a joint variable, counted through all chains.

@@ -3,7 +3,11 @@
 use crate::document::fault::{Fault, FaultCode, Place};
 use crate::document::number::{typed, written};
 use crate::document::reader::Node;
+#[cfg(feature = "study")]
+use crate::document::refusal::Refusal;
 use crate::document::schema::{Document, VERSION};
+#[cfg(feature = "study")]
+use serde::de::Error;
 use serde::{Deserialize, Serialize};
 
 /// Bytes of the longest text that is read at all: ten times what 500 key frames with names take.
@@ -39,6 +43,8 @@ pub fn parse(text: &str) -> Result<Document, Fault> {
     let node = serde_json::from_str(text).map_err(|error| not_json(&error))?;
     check_version(&node)?;
     let mut document = Document::deserialize(&node).map_err(|refusal| refusal.fault(&whole))?;
+    #[cfg(feature = "study")]
+    check_motion(&node, &document)?;
     for (i, chain) in document.chains.iter_mut().enumerate() {
         if chain.name.is_empty() {
             chain.name = format!("chain {}", i + 1);
@@ -82,6 +88,18 @@ fn check_version(node: &Node) -> Result<(), Fault> {
         ));
     }
     // What else may be wrong with it is said where it is read.
+    Ok(())
+}
+
+/// Key frames may be missing only where there are drivers.
+#[cfg(feature = "study")]
+fn check_motion(node: &Node, document: &Document) -> Result<(), Fault> {
+    const MOTION: Place<'static> = Place::WHOLE.field("motion");
+    let motion = node.field("motion");
+    if document.motion.drivers.is_empty() && motion.is_some_and(|m| m.field("key_frames").is_none())
+    {
+        return Err(Refusal::missing_field("key_frames").fault(&MOTION));
+    }
     Ok(())
 }
 
