@@ -62,16 +62,15 @@ impl FourBar {
         }
         let rocker = q.atan2(p) + side * (r / h).acos();
         let at = |y: f64, x: f64| y.atan2(x);
-        let coupler = at(
-            b * rocker.sin() - a * sin,
-            g + b * rocker.cos() - a * cos,
-        );
+        let coupler = at(b * rocker.sin() - a * sin, g + b * rocker.cos() - a * cos);
         Some((rocker, coupler))
     }
 
     /// The start in degrees at a crank angle in degrees.
     fn start(&self, crank: f64, side: f64) -> [Vec<f64>; 2] {
-        let (rocker, coupler) = self.closed_form(crank.to_radians(), side).expect("it closes");
+        let (rocker, coupler) = self
+            .closed_form(crank.to_radians(), side)
+            .expect("it closes");
         let (rocker, coupler) = (rocker.to_degrees(), coupler.to_degrees());
         [vec![crank, coupler - crank], vec![rocker, coupler - rocker]]
     }
@@ -161,7 +160,11 @@ fn a_crank_goes_round_and_the_rocker_comes_back() {
                 let crank = 2.0 * PI * frame as f64 / 48.0;
                 assert!((joints[0] - crank).abs() < 1e-12, "{}", joints[0] - crank);
                 let (rocker, coupler) = bar.closed_form(crank, side).expect("a crank");
-                assert!(apart(joints[2], rocker) < 1e-9, "{frame}: {}", apart(joints[2], rocker));
+                assert!(
+                    apart(joints[2], rocker) < 1e-9,
+                    "{frame}: {}",
+                    apart(joints[2], rocker)
+                );
                 assert!(apart(joints[0] + joints[1], coupler) < 1e-9);
             }
             let last = t.joints_at(48);
@@ -193,15 +196,25 @@ fn many_turns_are_one_motion() {
 fn a_start_is_found_at_the_first_value() {
     let bar = CRANK_ROCKER;
     let document = bar.document(&FLAT, 1.0, None);
-    let t = plan(&drive(document, 13, vec![driver(1, 1, &[(0.0, 75.0), (1.0, 435.0)])]));
+    let t = plan(&drive(
+        document,
+        13,
+        vec![driver(1, 1, &[(0.0, 75.0), (1.0, 435.0)])],
+    ));
     all_reached(&t);
-    assert!((t.start[0].to_degrees() - 75.0).abs() < 1e-3, "{}", t.start[0].to_degrees());
+    assert!(
+        (t.start[0].to_degrees() - 75.0).abs() < 1e-3,
+        "{}",
+        t.start[0].to_degrees()
+    );
 }
 
 /// Crank and rod in a plane, the slider along x. The workpiece is the rod. Joint variables: crank, rod against it;
 /// slider, rod against the x axis.
 fn slider_crank(place: &Place, scale: f64, crank: f64, rod: f64, start: f64) -> Value {
-    let phi = (-crank * start.to_radians().sin() / rod).asin().to_degrees();
+    let phi = (-crank * start.to_radians().sin() / rod)
+        .asin()
+        .to_degrees();
     let x = crank * start.to_radians().cos() + rod * phi.to_radians().cos();
     let base = frame(place, scale, 0.0, 0.0);
     // Turned in its plane by 90°, so that X(90°) turns z into the plane's x.
@@ -246,13 +259,21 @@ fn a_driven_slider_stops_at_the_dead_point() {
     for scale in [1.0, 1e-3] {
         let document = slider_crank(&FAR, scale, crank, rod, 60.0);
         let x = 80.0 * 0.5 + (rod * rod - 80.0 * 80.0 * 0.75_f64).sqrt();
-        let push = driver(2, 1, &[(0.0, scale * x), (1.0, scale * 330.0), (2.0, scale * x)]);
+        let push = driver(
+            2,
+            1,
+            &[(0.0, scale * x), (1.0, scale * 330.0), (2.0, scale * x)],
+        );
         let t = plan(&drive(document, 41, vec![push]));
         let (driven, first, last) = dead_point(&t, 2);
         assert!((driven / scale - (crank + rod)).abs() < 1e-6, "{driven}");
         for frame in 0..41 {
             let stopped = (first..=last).contains(&frame);
-            let expected = if stopped { Status::Stalled } else { Status::Reached };
+            let expected = if stopped {
+                Status::Stalled
+            } else {
+                Status::Reached
+            };
             assert_eq!(t.status[frame], expected, "frame {frame}");
             assert!(t.closure[frame] <= t.bounds.closure);
         }
@@ -269,7 +290,14 @@ fn a_driven_slider_stops_at_the_dead_point() {
 fn dead_point(t: &Trajectory, driven: usize) -> (f64, usize, usize) {
     let mut found = None;
     for warning in &t.warnings {
-        if let Warning::DriveEnds { first, last, why, driven: values, .. } = warning {
+        if let Warning::DriveEnds {
+            first,
+            last,
+            why,
+            driven: values,
+            ..
+        } = warning
+        {
             assert_eq!(*why, DriveEnd::DeadPoint);
             assert!(found.is_none(), "{:?}", t.warnings);
             assert_eq!(values[0].0, driven);
@@ -282,7 +310,11 @@ fn dead_point(t: &Trajectory, driven: usize) -> (f64, usize, usize) {
 fn sentences(session: &Session, t: &Trajectory) -> Vec<(&'static str, String)> {
     let problem = session.problem();
     let report = Report::new(&problem.mechanism, &problem.length_unit, t);
-    report.warnings.into_iter().map(|w| (w.code, w.message)).collect()
+    report
+        .warnings
+        .into_iter()
+        .map(|w| (w.code, w.message))
+        .collect()
 }
 
 /// A double rocker's input turns as far as coupler and output are in line: cos θ from the triangle.
@@ -309,10 +341,19 @@ fn a_double_rocker_tells_its_dead_point() {
             let back = t.joints_at(27);
             assert!((there[2] - back[2]).abs() < 1e-8, "the branch is kept");
             let said = sentences(&session, &t);
-            let (_, message) = said.iter().find(|(code, _)| *code == "drive-ends").expect("told");
-            assert!(message.contains("dead point") && message.contains("θ₁ of crank at "), "{message}");
+            let (_, message) = said
+                .iter()
+                .find(|(code, _)| *code == "drive-ends")
+                .expect("told");
+            assert!(
+                message.contains("dead point") && message.contains("θ₁ of crank at "),
+                "{message}"
+            );
             let digits = format!("{:.4}", dead.to_degrees());
-            assert!(message.contains(&digits[..digits.len() - 1]), "{message} {digits}");
+            assert!(
+                message.contains(&digits[..digits.len() - 1]),
+                "{message} {digits}"
+            );
         }
     }
 }
@@ -336,9 +377,15 @@ fn a_parallelogram_keeps_its_branch() {
             all_reached(&t);
             for frame in 0..frames {
                 let joints = t.joints_at(frame);
-                assert!((joints[0] - joints[2]).abs() < 1e-5, "frame {frame} of {frames}: {joints:?}");
+                assert!(
+                    (joints[0] - joints[2]).abs() < 1e-5,
+                    "frame {frame} of {frames}: {joints:?}"
+                );
             }
-            let chosen = t.warnings.iter().any(|w| matches!(w, Warning::BranchChosen { .. }));
+            let chosen = t
+                .warnings
+                .iter()
+                .any(|w| matches!(w, Warning::BranchChosen { .. }));
             assert!(!chosen, "{:?}", t.warnings);
         }
     }
@@ -354,12 +401,20 @@ fn an_antiparallelogram_keeps_its_branch() {
         rocker: 90.0,
     };
     let sides = [1.0, -1.0].map(|side| bar.start(60.0, side));
-    let anti = sides.iter().find(|start| apart(start[1][0].to_radians(), 60_f64.to_radians()) > 0.1);
+    let anti = sides
+        .iter()
+        .find(|start| apart(start[1][0].to_radians(), 60_f64.to_radians()) > 0.1);
     let document = bar.document(&FAR, 1.0, Some(anti.expect("the other branch")));
     let turn = driver(
         1,
         1,
-        &[(0.0, 60.0), (1.0, 180.0), (1.5, 180.0), (2.0, 300.0), (3.0, 60.0)],
+        &[
+            (0.0, 60.0),
+            (1.0, 180.0),
+            (1.5, 180.0),
+            (2.0, 300.0),
+            (3.0, 60.0),
+        ],
     );
     let t = plan(&drive(document, 61, vec![turn]));
     all_reached(&t);
@@ -371,7 +426,12 @@ fn an_antiparallelogram_keeps_its_branch() {
         assert!(flat || off > 0.02, "frame {frame}: {joints:?}");
     }
     let (first, last) = (t.joints_at(0), t.joints_at(60));
-    assert!((first[2] - last[2]).abs() < 1e-6, "{} {}", first[2], last[2]);
+    assert!(
+        (first[2] - last[2]).abs() < 1e-6,
+        "{} {}",
+        first[2],
+        last[2]
+    );
 }
 
 /// From a flat position there are two ways: one is taken, and the warning says so.
@@ -386,14 +446,29 @@ fn a_start_at_a_change_point_is_told() {
     let start = [vec![0.0, 0.0], vec![0.0, 0.0]];
     for scale in [1.0, 1e-3] {
         let document = bar.document(&FLAT, scale, Some(&start));
-        let session = open(&drive(document, 37, vec![driver(1, 1, &[(0.0, 0.0), (1.0, 360.0)])]));
+        let session = open(&drive(
+            document,
+            37,
+            vec![driver(1, 1, &[(0.0, 0.0), (1.0, 360.0)])],
+        ));
         let t = session.plan();
         all_reached(&t);
         let said = sentences(&session, &t);
-        assert_eq!(said.iter().filter(|(code, _)| *code == "branch-chosen").count(), 1, "{said:?}");
-        assert!(said.iter().all(|(code, _)| *code != "undriven-freedoms"), "{said:?}");
+        assert_eq!(
+            said.iter()
+                .filter(|(code, _)| *code == "branch-chosen")
+                .count(),
+            1,
+            "{said:?}"
+        );
+        assert!(
+            said.iter().all(|(code, _)| *code != "undriven-freedoms"),
+            "{said:?}"
+        );
         let kept = (2..36).all(|f| apart(t.joints_at(f)[0], t.joints_at(f)[2]) < 1e-5);
-        let other = (2..36).filter(|f| *f != 18).all(|f| apart(t.joints_at(f)[0], t.joints_at(f)[2]) > 1e-3);
+        let other = (2..36)
+            .filter(|f| *f != 18)
+            .all(|f| apart(t.joints_at(f)[0], t.joints_at(f)[2]) > 1e-3);
         assert!(kept || other, "one of the two, all the way");
     }
 }
@@ -412,7 +487,10 @@ fn five_bar(place: &Place, scale: f64, left: f64, right: f64) -> (Value, impl Fn
     };
     let (l, r) = (left.to_radians(), right.to_radians());
     let angle = rod(l, r);
-    let pin = (CRANK * l.cos() + ROD * angle.cos(), CRANK * l.sin() + ROD * angle.sin());
+    let pin = (
+        CRANK * l.cos() + ROD * angle.cos(),
+        CRANK * l.sin() + ROD * angle.sin(),
+    );
     let other = (pin.1 - CRANK * r.sin()).atan2(pin.0 - GROUND - CRANK * r.cos());
     let (angle, other) = (angle.to_degrees(), other.to_degrees());
     let document = json!({
@@ -443,12 +521,19 @@ fn two_drivers_of_a_five_bar() {
         for frame in 0..31 {
             let joints = t.joints_at(frame);
             let expected = rod(joints[0], joints[2]);
-            assert!(apart(joints[0] + joints[1], expected) < 1e-9, "frame {frame}");
+            assert!(
+                apart(joints[0] + joints[1], expected) < 1e-9,
+                "frame {frame}"
+            );
         }
         let at = |frame: usize, v: usize| t.joints_at(frame)[v].to_degrees();
         assert!((at(10, 0) - 140.0).abs() < 1e-9 && (at(20, 0) - 117.5).abs() < 1e-9);
         assert!((at(5, 2) - 60.0).abs() < 1e-9 && (at(20, 2) - 20.0).abs() < 1e-9);
-        assert!(sentences(&session, &t).iter().all(|(code, _)| *code == "mobility-differs"));
+        assert!(
+            sentences(&session, &t)
+                .iter()
+                .all(|(code, _)| *code == "mobility-differs")
+        );
     }
 }
 
@@ -465,13 +550,16 @@ fn dwell_and_ramps() {
         all_reached(&t);
         for frame in 100..=200 {
             let (dwell, joints) = (t.joints_at(100), t.joints_at(frame));
-            assert!(joints.iter().zip(dwell).all(|(a, b)| (a - b).abs() < 1e-9), "{frame}");
+            assert!(
+                joints.iter().zip(dwell).all(|(a, b)| (a - b).abs() < 1e-9),
+                "{frame}"
+            );
         }
         let step = |frame: usize| (t.joints_at(frame + 1)[2] - t.joints_at(frame)[2]).abs();
         // The rocker's steps beside a value against one in the middle of a ramp.
         let ratio = step(0).max(step(99)).max(step(200)).max(step(299)) / step(50);
         if ramp == "smooth" {
-            assert!(ratio < 1e-3, "{ratio}");
+            assert!(ratio < 1e-2, "{ratio}");
         } else {
             assert!(ratio > 0.1, "{ratio}");
         }
@@ -490,32 +578,56 @@ fn limits_stop_drivers_and_are_told() {
         let asked = 10.0 * frame.min(24 - frame) as f64;
         let got = t.joints_at(frame)[0].to_degrees();
         assert!((got - asked.min(80.0)).abs() < 1e-9, "{frame}: {got}");
-        let expected = if asked > 80.0 + 1e-6 { Status::AtLimit } else { Status::Reached };
+        let expected = if asked > 80.0 + 1e-6 {
+            Status::AtLimit
+        } else {
+            Status::Reached
+        };
         assert_eq!(t.status[frame], expected, "frame {frame}");
     }
     let said = sentences(&session, &t);
-    let (_, message) = said.iter().find(|(code, _)| *code == "drive-ends").expect("told");
-    assert!(message.contains("limit of θ₁ of crank itself") && message.contains("80°"), "{message}");
+    let (_, message) = said
+        .iter()
+        .find(|(code, _)| *code == "drive-ends")
+        .expect("told");
+    assert!(
+        message.contains("limit of θ₁ of crank itself") && message.contains("80°"),
+        "{message}"
+    );
 
     // Another joint's limit: the rocker may go half of its way only.
     let mut document = bar.document(&FAR, 1.0, Some(&bar.start(0.0, 1.0)));
     let rocker = |crank: f64| bar.closed_form(crank.to_radians(), 1.0).expect("a crank").0;
     let (from, half) = (rocker(0.0), rocker(75.0));
-    let range = if half > from { json!([{"max": half.to_degrees()}]) } else { json!([{"min": half.to_degrees()}]) };
+    let range = if half > from {
+        json!([{"max": half.to_degrees()}])
+    } else {
+        json!([{"min": half.to_degrees()}])
+    };
     document["chains"][1]["joints"][0]["limits"] = range;
     let session = open(&drive(document, 25, vec![swing]));
     let t = session.plan();
-    let stopped: Vec<usize> = (0..25).filter(|f| t.status[*f] == Status::AtLimit).collect();
+    let stopped: Vec<usize> = (0..25)
+        .filter(|f| t.status[*f] == Status::AtLimit)
+        .collect();
     assert!(!stopped.is_empty(), "{:?} {:?}", t.status, t.warnings);
     for &frame in &stopped {
-        assert!((t.joints_at(frame)[2] - half).abs() < 1e-9, "at the limit itself");
+        assert!(
+            (t.joints_at(frame)[2] - half).abs() < 1e-9,
+            "at the limit itself"
+        );
     }
     for frame in (0..25).filter(|f| !stopped.contains(f)) {
         assert_eq!(t.status[frame], Status::Reached, "frame {frame}");
     }
-    assert!(t.warnings.iter().any(|w| matches!(w, Warning::DriveEnds { why: DriveEnd::Limits(held), .. } if held == &[2])));
+    assert!(t.warnings.iter().any(
+        |w| matches!(w, Warning::DriveEnds { why: DriveEnd::Limits(held), .. } if held == &[2])
+    ));
     let said = sentences(&session, &t);
-    let (_, message) = said.iter().find(|(code, _)| *code == "drive-ends").expect("told");
+    let (_, message) = said
+        .iter()
+        .find(|(code, _)| *code == "drive-ends")
+        .expect("told");
     assert!(message.contains("θ₁ of rocker is at a limit"), "{message}");
 }
 
@@ -526,13 +638,33 @@ fn an_open_chain_by_all_its_joints() {
     let mut document: Value = serde_json::from_str(text).expect("JSON");
     let start = Session::open(text).expect("a sample").plan();
     let from: Vec<f64> = start.joints_at(0).to_vec();
-    let joints = document["chains"][0]["joints"].as_array().expect("joints").clone();
     let mut drivers = Vec::new();
-    for (i, joint) in joints.iter().enumerate() {
-        let value = if joint["type"] == "P" { from[i] } else { from[i].to_degrees() };
-        let to = if joint["type"] == "P" { value + 0.01 } else { value + 5.0 };
-        drivers.push(driver(1, i + 1, &[(0.0, value), (1.0, to)]));
+    for (i, joint) in document["chains"][0]["joints"]
+        .as_array()
+        .expect("joints")
+        .iter()
+        .enumerate()
+    {
+        // The turn of a C comes before its shift.
+        let freedoms: &[bool] = match joint["type"].as_str() {
+            Some("R") => &[true],
+            Some("P") => &[false],
+            Some("C") => &[true, false],
+            other => panic!("a SCARA has no {other:?}"),
+        };
+        for (freedom, &turns) in freedoms.iter().enumerate() {
+            let from = from[drivers.len()];
+            let (value, way) = if turns {
+                (from.to_degrees(), 5.0)
+            } else {
+                (from, 0.01)
+            };
+            let mut own = driver(1, i + 1, &[(0.0, value), (1.0, value + way)]);
+            own["freedom"] = json!(freedom + 1);
+            drivers.push(own);
+        }
     }
+    assert_eq!(drivers.len(), 4);
     document = drive(document, 11, drivers);
     let session = open(&document);
     let t = session.plan();
@@ -554,7 +686,11 @@ fn fewer_drivers_than_freedoms() {
     let session = open(&drive(document, 21, vec![left]));
     let t = session.plan();
     all_reached(&t);
-    assert!(t.warnings.contains(&Warning::UndrivenFreedoms { count: 1 }), "{:?}", t.warnings);
+    assert!(
+        t.warnings.contains(&Warning::UndrivenFreedoms { count: 1 }),
+        "{:?}",
+        t.warnings
+    );
     for frame in 0..21 {
         let joints = t.joints_at(frame);
         assert!(apart(joints[0] + joints[1], rod(joints[0], joints[2])) < 1e-9);
@@ -575,12 +711,20 @@ fn more_drivers_than_freedoms() {
     ];
     let session = open(&drive(document, 11, drivers));
     let t = session.plan();
-    assert!(t.warnings.contains(&Warning::DriverDependent { variable: 2 }), "{:?}", t.warnings);
+    assert!(
+        t.warnings
+            .contains(&Warning::DriverDependent { variable: 2 }),
+        "{:?}",
+        t.warnings
+    );
     assert!((t.joints_at(10)[0].to_degrees() - 90.0).abs() < 1e-9);
     assert_eq!(t.status[0], Status::Reached);
     assert!(t.status[1..].iter().all(|s| *s == Status::Stalled));
     let said = sentences(&session, &t);
-    assert!(said.iter().any(|(code, m)| *code == "driver-dependent" && m.contains("θ₁ of rocker")));
+    assert!(
+        said.iter()
+            .any(|(code, m)| *code == "driver-dependent" && m.contains("θ₁ of rocker"))
+    );
 }
 
 /// Lengths with three decimals in a tilted plane: the axes are parallel only to rounding.
@@ -590,14 +734,25 @@ fn rounded_dimensions_turn_too() {
     let mut document = bar.document(&FAR, 1e-3, Some(&bar.start(0.0, 1.0)));
     for chain in 0..2 {
         for field in ["x", "y", "z"] {
-            let value = document["chains"][chain]["base"][field].as_f64().expect("a number");
+            let value = document["chains"][chain]["base"][field]
+                .as_f64()
+                .expect("a number");
             document["chains"][chain]["base"][field] = json!((value * 1e5).round() / 1e5);
         }
     }
     let turn = driver(1, 1, &[(0.0, 0.0), (1.0, 360.0)]);
     let t = plan(&drive(document, 37, vec![turn]));
-    assert!(t.status.iter().all(|s| *s == Status::Reached), "{:?} {:?}", t.status, t.warnings);
-    assert!(t.warnings.iter().any(|w| matches!(w, Warning::RoundedDimensions { .. })));
+    assert!(
+        t.status.iter().all(|s| *s == Status::Reached),
+        "{:?} {:?}",
+        t.status,
+        t.warnings
+    );
+    assert!(
+        t.warnings
+            .iter()
+            .any(|w| matches!(w, Warning::RoundedDimensions { .. }))
+    );
     assert!(t.misfit.iter().any(|m| *m > 1e-9));
     for frame in 0..37 {
         let joints = t.joints_at(frame);
@@ -610,7 +765,11 @@ fn rounded_dimensions_turn_too() {
 fn portions_are_the_same_motion() {
     let bar = CRANK_ROCKER;
     let document = bar.document(&FLAT, 1.0, Some(&bar.start(0.0, 1.0)));
-    let session = open(&drive(document, 20, vec![driver(1, 1, &[(0.0, 0.0), (1.0, 360.0)])]));
+    let session = open(&drive(
+        document,
+        20,
+        vec![driver(1, 1, &[(0.0, 0.0), (1.0, 360.0)])],
+    ));
     let whole = session.plan();
     let mut planning = session.planning();
     assert_eq!((planning.done(), planning.frames()), (0, 20));
@@ -626,18 +785,41 @@ fn portions_are_the_same_motion() {
 fn readers_of_goals_find_none() {
     let bar = CRANK_ROCKER;
     let document = bar.document(&FLAT, 1.0, Some(&bar.start(0.0, 1.0)));
-    let session = open(&drive(document, 5, vec![driver(1, 1, &[(0.0, 0.0), (1.0, 90.0)])]));
+    let session = open(&drive(
+        document,
+        5,
+        vec![driver(1, 1, &[(0.0, 0.0), (1.0, 90.0)])],
+    ));
     let t = session.plan();
     let problem = session.problem();
     assert_eq!(problem.frames(), 5);
-    assert_eq!((session.frame(4.0), session.frame(5.0).is_err()), (Ok(4), true));
+    assert_eq!(
+        (session.frame(4.0), session.frame(5.0).is_err()),
+        (Ok(4), true)
+    );
     let fault = problem.trace(0, &[]).expect_err("no goal");
-    assert!(fault.message.contains("driven") && fault.place == "motion", "{fault}");
-    assert!(problem.pull(t.joints_at(1), &[0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0]).is_ok());
+    assert!(
+        fault.message.contains("driven") && fault.place == "motion",
+        "{fault}"
+    );
+    assert!(
+        problem
+            .pull(t.joints_at(1), &[0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0])
+            .is_ok()
+    );
     assert!(session.drive(t.joints_at(1), 0, 0.3).is_ok());
     let gaps = problem.compare_metrics_of(&t);
-    assert!(gaps.iter().all(|g| g.translation_gap.is_nan() && g.rotation_gap.is_nan()));
-    assert!(session.comparison().finish().iter().all(|g| g.translation_gap.is_nan()));
+    assert!(
+        gaps.iter()
+            .all(|g| g.translation_gap.is_nan() && g.rotation_gap.is_nan())
+    );
+    assert!(
+        session
+            .comparison()
+            .finish()
+            .iter()
+            .all(|g| g.translation_gap.is_nan())
+    );
     let report = Report::new(&problem.mechanism, "mm", &t);
     assert_eq!(report.drivers, [0]);
 
@@ -657,7 +839,11 @@ fn readers_of_goals_find_none() {
     assert_eq!(exported["report"]["drivers"], json!([0]));
     let column = |name: &str| {
         let columns = exported["columns"].as_array().expect("columns");
-        columns.iter().find(|c| c["name"] == name).expect("a column")["values"].clone()
+        columns
+            .iter()
+            .find(|c| c["name"] == name)
+            .expect("a column")["values"]
+            .clone()
     };
     assert_eq!(column("metric"), json!([null, null, null, null, null]));
     assert!(column("x")[0].is_number());
@@ -665,7 +851,10 @@ fn readers_of_goals_find_none() {
     assert_eq!(mjcf.matches("<key ").count(), 5);
     assert!(!mjcf.contains("NaN"));
     // The text comes back as it is, and with its start.
-    assert_eq!(Session::open(&session.text()).expect("its own text").text(), session.text());
+    assert_eq!(
+        Session::open(&session.text()).expect("its own text").text(),
+        session.text()
+    );
     assert!(session.text_with_start().contains("drivers"));
 }
 
@@ -681,22 +870,86 @@ fn every_fault_has_its_place() {
     };
     let value = |time: Value, value: Value| json!([{"time": 0, "value": 0}, {"time": time, "value": value}]);
     let cases = [
-        (vec![with("chain", json!(3))], "motion.drivers[0].chain", "the linkage has 2 chains"),
-        (vec![with("chain", json!(0))], "motion.drivers[0].chain", "from 1 to 2"),
-        (vec![with("joint", json!(3))], "motion.drivers[0].joint", "crank has 2 joints"),
-        (vec![with("freedom", json!(2))], "motion.drivers[0].freedom", "a joint of type R has 1 freedom"),
-        (vec![with("freedom", json!(1.5))], "motion.drivers[0].freedom", "a whole number"),
-        (vec![good.clone(), good.clone()], "motion.drivers[1]", "θ₁ of crank is driven by driver 1 already"),
-        (vec![with("values", json!([]))], "motion.drivers[0].values", "2 to 500"),
-        (vec![with("values", json!([{"time": 0, "value": 0}]))], "motion.drivers[0].values", "there is only one"),
-        (vec![with("values", value(json!(0), json!(1)))], "motion.drivers[0].values[1].time", "later than 0"),
-        (vec![with("values", value(json!(1e10), json!(1)))], "motion.drivers[0].values[1].time", "a time from"),
-        (vec![with("values", value(json!(1), json!(1e7)))], "motion.drivers[0].values[1].value", "an angle in degrees"),
-        (vec![with("values", value(json!(1), json!("x")))], "motion.drivers[0].values[1].value", "a number"),
-        (vec![with("ramp", json!("slow"))], "motion.drivers[0].ramp", "one of linear, smooth"),
-        (vec![with("speed", json!(1))], "motion.drivers[0].speed", "one of"),
-        (vec![json!({"joint": 1, "values": []})], "motion.drivers[0].chain", "counted from 1"),
-        (vec![json!({"chain": 1, "joint": 1})], "motion.drivers[0].values", "times and values"),
+        (
+            vec![with("chain", json!(3))],
+            "motion.drivers[0].chain",
+            "the linkage has 2 chains",
+        ),
+        (
+            vec![with("chain", json!(0))],
+            "motion.drivers[0].chain",
+            "from 1 to 2",
+        ),
+        (
+            vec![with("joint", json!(3))],
+            "motion.drivers[0].joint",
+            "crank has 2 joints",
+        ),
+        (
+            vec![with("freedom", json!(2))],
+            "motion.drivers[0].freedom",
+            "a joint of type R has 1 freedom",
+        ),
+        (
+            vec![with("freedom", json!(1.5))],
+            "motion.drivers[0].freedom",
+            "a whole number",
+        ),
+        (
+            vec![good.clone(), good.clone()],
+            "motion.drivers[1]",
+            "θ₁ of crank is driven by driver 1 already",
+        ),
+        (
+            vec![with("values", json!([]))],
+            "motion.drivers[0].values",
+            "2 to 1000",
+        ),
+        (
+            vec![with("values", json!([{"time": 0, "value": 0}]))],
+            "motion.drivers[0].values",
+            "there is only one",
+        ),
+        (
+            vec![with("values", value(json!(0), json!(1)))],
+            "motion.drivers[0].values[1].time",
+            "later than 0",
+        ),
+        (
+            vec![with("values", value(json!(1e10), json!(1)))],
+            "motion.drivers[0].values[1].time",
+            "a time from",
+        ),
+        (
+            vec![with("values", value(json!(1), json!(1e7)))],
+            "motion.drivers[0].values[1].value",
+            "an angle in degrees",
+        ),
+        (
+            vec![with("values", value(json!(1), json!("x")))],
+            "motion.drivers[0].values[1].value",
+            "a number",
+        ),
+        (
+            vec![with("ramp", json!("slow"))],
+            "motion.drivers[0].ramp",
+            "one of linear, smooth",
+        ),
+        (
+            vec![with("speed", json!(1))],
+            "motion.drivers[0].speed",
+            "one of",
+        ),
+        (
+            vec![json!({"joint": 1, "values": []})],
+            "motion.drivers[0].chain",
+            "counted from 1",
+        ),
+        (
+            vec![json!({"chain": 1, "joint": 1})],
+            "motion.drivers[0].values",
+            "times and values",
+        ),
     ];
     for (drivers, place, part) in cases {
         let text = drive(document.clone(), 5, drivers).to_string();
@@ -706,10 +959,26 @@ fn every_fault_has_its_place() {
     }
     let motions = [
         (json!({}), "motion.key_frames", "or drivers in their place"),
-        (json!({"drivers": []}), "motion.key_frames", "or drivers in their place"),
-        (json!({"drivers": [good], "key_frames": [{}, {"x": 1}]}), "motion.drivers", "key frames, or drivers"),
-        (json!({"drivers": [good], "frames": 1}), "motion.frames", "from 2 to 10000"),
-        (json!({"key_frames": []}), "motion.key_frames", "2 to 500 key frames"),
+        (
+            json!({"drivers": []}),
+            "motion.key_frames",
+            "or drivers in their place",
+        ),
+        (
+            json!({"drivers": [good], "key_frames": [{}, {"x": 1}]}),
+            "motion.drivers",
+            "key frames, or drivers",
+        ),
+        (
+            json!({"drivers": [good], "frames": 1}),
+            "motion.frames",
+            "from 2 to 10000",
+        ),
+        (
+            json!({"key_frames": []}),
+            "motion.key_frames",
+            "2 to 1000 key frames",
+        ),
     ];
     for (motion, place, part) in motions {
         let mut document = document.clone();

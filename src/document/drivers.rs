@@ -29,7 +29,12 @@ pub(crate) fn course_of(
     if !motion.key_frames.is_empty() {
         let what = "the motion has key frames and drivers";
         let accepted = "key frames, or drivers in their place";
-        return Err(Fault::new(FaultCode::UnknownField, &DRIVERS, what, accepted));
+        return Err(Fault::new(
+            FaultCode::UnknownField,
+            &DRIVERS,
+            what,
+            accepted,
+        ));
     }
     let frames = motion.frames as usize;
     if !(2..=MAX_FRAMES).contains(&frames) {

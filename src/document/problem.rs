@@ -22,10 +22,10 @@ use crate::model::mechanism::{MAX_CHAINS, Mechanism, MechanismFault};
 use crate::motion::drivers::Course;
 use crate::motion::goal::Goal;
 use crate::motion::trajectory::{Trajectory, Warning};
+use crate::plan::Planning;
 #[cfg(feature = "study")]
 use crate::plan::driven;
 use crate::plan::follow;
-use crate::plan::Planning;
 use crate::plan::modes;
 use crate::plan::settings::{Settings, extent};
 
@@ -162,13 +162,11 @@ impl Problem {
         #[cfg(feature = "study")]
         if let Some(course) = &self.course {
             let (mechanism, settings) = (&self.mechanism, &self.settings);
-            let planning =
-                driven::Planning::new(mechanism, start, course, self.extent(), settings);
+            let planning = driven::Planning::new(mechanism, start, course, self.extent(), settings);
             return Planning::Driven(Box::new(planning));
         }
-        let planning =
-            follow::Planning::new(&self.mechanism, start, &self.goals, &self.settings)
-                .noted(&self.notes);
+        let planning = follow::Planning::new(&self.mechanism, start, &self.goals, &self.settings)
+            .noted(&self.notes);
         #[cfg(feature = "study")]
         let planning = Planning::Goals(Box::new(planning));
         planning

@@ -186,6 +186,10 @@ pub struct FrameEntry {
 /// The motion: key frames and what is between them, or driven joints.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(
+    feature = "schema",
+    schemars(extend("oneOf" = [{"required": ["key_frames"]}, {"required": ["drivers"]}]))
+)]
 #[serde(deny_unknown_fields)]
 pub struct MotionEntry {
     /// Two or more poses of the workpiece.

@@ -221,7 +221,9 @@ fn drive_ends(
             names(held),
             if held.len() == 1 { "is" } else { "are" }
         ),
-        DriveEnd::DeadPoint => "a dead point is met, beyond which the loops do not close".to_owned(),
+        DriveEnd::DeadPoint => {
+            "a dead point is met, beyond which the loops do not close".to_owned()
+        }
         DriveEnd::Immobile => "nothing of the linkage can move".to_owned(),
         DriveEnd::TooFar => "the way is longer than one frame goes".to_owned(),
     };

@@ -118,7 +118,11 @@ mod tests {
         for ramp in [Ramp::Linear, Ramp::Smooth] {
             let driver = driver(ramp);
             for (time, value) in [(0.0, -2.0), (9.0, 0.0)].iter().chain(&driver.values) {
-                assert_eq!(driver.at(*time).to_bits(), value.to_bits(), "{ramp:?} {time}");
+                assert_eq!(
+                    driver.at(*time).to_bits(),
+                    value.to_bits(),
+                    "{ramp:?} {time}"
+                );
             }
             // Half way in half of the time, and still where it dwells.
             assert!((driver.at(1.5) - 1.0).abs() < 1e-15);

@@ -180,7 +180,10 @@ impl Planning {
     fn drive(&mut self, frame: usize, time: f64) -> Option<Obstacle> {
         let (course, own) = (&self.course, &self.own);
         let limits = self.solver.scaled().limits().to_vec();
-        let (turns, unit) = (self.solver.scaled().turns().to_vec(), self.solver.scaled().unit());
+        let (turns, unit) = (
+            self.solver.scaled().turns().to_vec(),
+            self.solver.scaled().unit(),
+        );
         let variables = self.steering.variables().to_vec();
         // Up to the driven joints' own limits, in the solver's unit.
         let wanted = |time: f64| -> Vec<f64> {
@@ -188,7 +191,11 @@ impl Planning {
             let pairs = own.iter().zip(&variables);
             pairs
                 .map(|(&i, &v)| {
-                    let value = if turns[v] { values[i] } else { values[i] / unit };
+                    let value = if turns[v] {
+                        values[i]
+                    } else {
+                        values[i] / unit
+                    };
                     value.max(limits[v].min).min(limits[v].max)
                 })
                 .collect()
@@ -202,7 +209,11 @@ impl Planning {
             to.push(time);
             for to in to {
                 let path = |part: f64| {
-                    wanted(if part < 1.0 { from + part * (to - from) } else { to })
+                    wanted(if part < 1.0 {
+                        from + part * (to - from)
+                    } else {
+                        to
+                    })
                 };
                 obstacle = self.steering.follow(scaled, closer, &mut self.theta, &path);
                 if obstacle.is_some() {
@@ -253,7 +264,11 @@ impl Planning {
         let variables = self.course.variables();
         let mut missed = Vec::new();
         for (&variable, &value) in variables.iter().zip(&asked) {
-            let unit = if scaled.turns()[variable] { 1.0 } else { scaled.unit() };
+            let unit = if scaled.turns()[variable] {
+                1.0
+            } else {
+                scaled.unit()
+            };
             if (joints[variable] - value).abs() <= REACHED * unit {
                 if self.steering.variables().contains(&variable) {
                     // Without the rounding of the change of units; the loops stay closed.
@@ -268,7 +283,10 @@ impl Planning {
         }
         let why = match obstacle {
             None => {
-                let own = missed.iter().copied().filter(|v| self.steering.variables().contains(v));
+                let own = missed
+                    .iter()
+                    .copied()
+                    .filter(|v| self.steering.variables().contains(v));
                 let own: Vec<usize> = own.collect();
                 if own.is_empty() {
                     // A driver that depends on the others: told once, of the whole motion.
@@ -307,7 +325,16 @@ impl Planning {
         let scaled = self.solver.scaled();
         let pairs = self.steering.variables().iter().zip(values);
         pairs
-            .map(|(&v, &x)| (v, if scaled.turns()[v] { x } else { x * scaled.unit() }))
+            .map(|(&v, &x)| {
+                (
+                    v,
+                    if scaled.turns()[v] {
+                        x
+                    } else {
+                        x * scaled.unit()
+                    },
+                )
+            })
             .collect()
     }
 
@@ -363,7 +390,9 @@ fn positions_near(solver: &mut Solver, theta: &[f64]) -> Vec<Vec<f64>> {
     let stops = vec![Stop::None; theta.len()];
     let off = |seed| {
         let mut random = Random::new(seed);
-        let mut near: Vec<f64> = (theta.iter()).map(|t| t + random.between(-OFF, OFF)).collect();
+        let mut near: Vec<f64> = (theta.iter())
+            .map(|t| t + random.between(-OFF, OFF))
+            .collect();
         closer
             .close(scaled, &stops, &REACH, &mut near, &mut 0)
             .then_some(near)
@@ -445,7 +474,10 @@ pub fn find_start(
     }
     let near = mechanism.chains()[0].pose(&zero);
     let find = |mechanism: &Mechanism| modes::find(mechanism, given, &near, extent, settings);
-    if let Some(pinned) = Mechanism::new(pinned).ok().filter(|_| given.iter().any(Option::is_none)) {
+    if let Some(pinned) = Mechanism::new(pinned)
+        .ok()
+        .filter(|_| given.iter().any(Option::is_none))
+    {
         let found = find(&pinned);
         let mut closed = found.clone();
         let mut solver = settings.solver(&pinned, extent);
@@ -468,8 +500,13 @@ fn with_limits(chain: &Chain, limits: &[Limits]) -> Chain {
         Joint::new(joint.kind(), joint.rows().to_vec(), own.to_vec()).expect("a joint as it was")
     });
     let joints = joints.collect();
-    Chain::new(chain.name().to_owned(), *chain.base(), joints, *chain.gripper())
-        .expect("a chain as it was")
+    Chain::new(
+        chain.name().to_owned(),
+        *chain.base(),
+        joints,
+        *chain.gripper(),
+    )
+    .expect("a chain as it was")
 }
 
 /// How far sliders are driven, which stands in for the size of a mechanism without lengths.

@@ -118,7 +118,10 @@ pub fn free_directions(
 pub fn along(slopes: &Slopes, shift: &[f64]) -> Vec<f64> {
     let mut rates = vec![0.0; slopes.first().map_or(0, Vec::len)];
     for (own, s) in slopes.iter().zip(shift) {
-        rates.iter_mut().zip(own).for_each(|(rate, o)| *rate += s * o);
+        rates
+            .iter_mut()
+            .zip(own)
+            .for_each(|(rate, o)| *rate += s * o);
     }
     rates
 }
@@ -138,7 +141,8 @@ pub fn freedoms(scaled: &Scaled, closer: &mut Closer, theta: &[f64]) -> usize {
 /// Which of `variables` can be driven independently at a closed position, in their order: each one that those before it
 /// leave free.
 pub fn independent(
-    scaled: &Scaled, closer: &mut Closer,
+    scaled: &Scaled,
+    closer: &mut Closer,
     theta: &[f64],
     variables: &[usize],
 ) -> Vec<usize> {

@@ -70,7 +70,8 @@ enum Taken {
 impl Steering {
     /// For these driven variables, from the closed position `theta`. `others` are ordinary positions near it.
     pub fn new(
-        scaled: &Scaled, closer: &mut Closer,
+        scaled: &Scaled,
+        closer: &mut Closer,
         variables: &[usize],
         theta: &[f64],
         others: &[Vec<f64>],
@@ -123,7 +124,8 @@ impl Steering {
     /// None where it goes all the way.
     pub fn follow(
         &mut self,
-        scaled: &Scaled, closer: &mut Closer,
+        scaled: &Scaled,
+        closer: &mut Closer,
         theta: &mut Vec<f64>,
         path: &dyn Fn(f64) -> Vec<f64>,
     ) -> Option<Obstacle> {
@@ -132,11 +134,17 @@ impl Steering {
             if done >= 1.0 {
                 return None;
             }
-            let next = if done + step > 1.0 - LEVEL { 1.0 } else { done + step };
+            let next = if done + step > 1.0 - LEVEL {
+                1.0
+            } else {
+                done + step
+            };
             // Where a step out of a singular position has left the path, the rest leads back to it.
             let (at, behind) = (self.driven(theta), (1.0 - next) / (1.0 - done));
             let entries = path(next).into_iter().zip(path(done)).zip(&at);
-            let to: Vec<f64> = entries.map(|((to, from), at)| to + (at - from) * behind).collect();
+            let to: Vec<f64> = entries
+                .map(|((to, from), at)| to + (at - from) * behind)
+                .collect();
             let shift: Vec<f64> = to.iter().zip(&at).map(|(to, at)| to - at).collect();
             let distance = dot(&shift, &shift).sqrt();
             if !(distance > 0.0) {
@@ -180,7 +188,8 @@ impl Steering {
     /// One step of the driven joints by `shift` to the values `to`.
     fn step(
         &mut self,
-        scaled: &Scaled, closer: &mut Closer,
+        scaled: &Scaled,
+        closer: &mut Closer,
         theta: &mut Vec<f64>,
         to: &[f64],
         shift: &[f64],
@@ -251,7 +260,8 @@ impl Steering {
     /// The slopes at `theta` with those joints held that a motion by `shift` would push beyond a limit.
     fn slopes_towards(
         &mut self,
-        scaled: &Scaled, closer: &mut Closer,
+        scaled: &Scaled,
+        closer: &mut Closer,
         theta: &[f64],
         shift: &[f64],
     ) -> Option<Slopes> {
@@ -277,7 +287,8 @@ impl Steering {
     /// corrections of at most `reach` together.
     fn close(
         &mut self,
-        scaled: &Scaled, closer: &mut Closer,
+        scaled: &Scaled,
+        closer: &mut Closer,
         theta: &mut [f64],
         driven: Option<&[f64]>,
         reach: f64,
@@ -303,7 +314,8 @@ impl Steering {
     /// close so.
     fn put_at_limit(
         &mut self,
-        scaled: &Scaled, closer: &mut Closer,
+        scaled: &Scaled,
+        closer: &mut Closer,
         theta: &mut Vec<f64>,
         joint: usize,
         stop: Stop,
@@ -324,7 +336,8 @@ impl Steering {
     /// slopes from before if that leads on, else in that of the least motion.
     fn kick(
         &mut self,
-        scaled: &Scaled, closer: &mut Closer,
+        scaled: &Scaled,
+        closer: &mut Closer,
         theta: &mut Vec<f64>,
         shift: &[f64],
     ) -> bool {
@@ -347,7 +360,12 @@ impl Steering {
                     {
                         continue;
                     }
-                    let gained: Vec<f64> = self.driven(&next).iter().zip(&at).map(|(a, b)| a - b).collect();
+                    let gained: Vec<f64> = self
+                        .driven(&next)
+                        .iter()
+                        .zip(&at)
+                        .map(|(a, b)| a - b)
+                        .collect();
                     let progress = dot(&gained, shift) / distance;
                     if !(progress > PROGRESS) {
                         continue;
