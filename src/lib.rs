@@ -137,7 +137,7 @@ pub use math::metric::MetricKind;
 pub use math::pose::Pose;
 pub use model::mechanism::Mechanism;
 pub use motion::trajectory::{Status, Trajectory, Warning};
-pub use plan::Planning;
+pub use plan::planning::Planning;
 pub use plan::settings::{Method, Settings};
 
 /// The README's Rust, as a documentation test.

@@ -12,7 +12,7 @@ use crate::document::session;
 use crate::document::text::{self, Digits};
 use crate::motion::columns::{COLUMNS, Column, Kind, placed};
 use crate::motion::trajectory::Trajectory;
-use crate::plan::Planning;
+use crate::plan::planning::Planning;
 use js_sys::{Float64Array, Object, Reflect, Uint8Array, Uint32Array};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;

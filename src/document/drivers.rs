@@ -2,10 +2,11 @@
 //! and what is wrong with them.
 
 use crate::document::bounds::{MAX_TIME, bounded, joint_value, out_of_range, wrong_count};
+use crate::document::driver_schema::{DriverEntry, DriverValueEntry};
 use crate::document::fault::{Fault, FaultCode, Place};
 use crate::document::number::typed;
 use crate::document::parts::each;
-use crate::document::schema::{DriverEntry, DriverValueEntry, MotionEntry};
+use crate::document::schema::MotionEntry;
 use crate::document::wording::Wording;
 use crate::model::mechanism::Mechanism;
 use crate::motion::drivers::{Course, Driver};

@@ -5,6 +5,8 @@ pub mod chain_report;
 pub mod comparison;
 pub mod defaults;
 #[cfg(feature = "study")]
+pub mod driver_schema;
+#[cfg(feature = "study")]
 mod drivers;
 pub mod example_document;
 pub mod fault;
@@ -12,6 +14,7 @@ pub mod make;
 mod motion;
 pub mod number;
 mod parts;
+mod planner;
 pub mod problem;
 pub mod questions;
 mod reader;

@@ -2,16 +2,16 @@
 //! rule of the model told as a fault with its place.
 
 use crate::document::bounds::{
-    MAX_ABOUT, MAX_DIMENSION_TOLERANCE, MAX_ITERATIONS, MAX_LENGTH, MAX_NAME, MAX_ROW_FRAMES,
-    MAX_SCHEMA, MAX_UNIT, MIN_METRIC_LENGTH, angle, check_text, joint_value, length, not_finite,
-    out_of_range, wrong_count,
+    MAX_ABOUT, MAX_NAME, MAX_ROW_FRAMES, MAX_SCHEMA, MAX_UNIT, angle, check_text, joint_value,
+    length, not_finite, out_of_range, wrong_count,
 };
 #[cfg(feature = "study")]
 use crate::document::drivers::course_of;
 use crate::document::fault::{Fault, FaultCode, Place};
 use crate::document::motion::goal_of;
 use crate::document::number::typed;
-use crate::document::parts::{each, frame, point};
+use crate::document::parts::{each, frame};
+use crate::document::planner::settings;
 use crate::document::schema::{ChainEntry, Document, JointEntry, LimitsEntry, RowEntry};
 use crate::math::pose::Pose;
 use crate::model::chain::{Chain, ChainFault, MAX_FREEDOMS};
@@ -22,12 +22,12 @@ use crate::model::mechanism::{MAX_CHAINS, Mechanism, MechanismFault};
 use crate::motion::drivers::Course;
 use crate::motion::goal::Goal;
 use crate::motion::trajectory::{Trajectory, Warning};
-use crate::plan::Planning;
-#[cfg(feature = "study")]
-use crate::plan::driven;
 use crate::plan::follow;
 use crate::plan::modes;
+use crate::plan::planning::Planning;
 use crate::plan::settings::{Settings, extent};
+#[cfg(feature = "study")]
+use crate::plan::{driven, driven_start};
 
 /// What the planner needs, in radians.
 ///
@@ -87,7 +87,7 @@ impl Problem {
         } else {
             goal_of(&document.motion)?
         };
-        let settings = settings(document)?;
+        let settings = settings(&document.planner)?;
         let problem = Self {
             mechanism,
             start,
@@ -116,7 +116,7 @@ impl Problem {
     pub fn find_start(&self) -> Vec<f64> {
         #[cfg(feature = "study")]
         if let Some(course) = &self.course {
-            return driven::find_start(&self.mechanism, &self.start, course, &self.settings);
+            return driven_start::find_start(&self.mechanism, &self.start, course, &self.settings);
         }
         modes::find(
             &self.mechanism,
@@ -147,7 +147,7 @@ impl Problem {
     pub fn extent(&self) -> f64 {
         #[cfg(feature = "study")]
         if let Some(course) = &self.course {
-            return driven::extent(&self.mechanism, course);
+            return driven_start::extent(&self.mechanism, course);
         }
         extent(&self.goals)
     }
@@ -326,48 +326,6 @@ fn given_start(
             joint_value(value, turns[k], &list.item(k))
         })
         .map(Some)
-    })
-}
-
-fn settings(document: &Document) -> Result<Settings, Fault> {
-    const PLACE: Place<'static> = Place::WHOLE.field("planner");
-    let entry = &document.planner;
-    if let Some(length) = entry
-        .metric_length
-        .filter(|length| !(MIN_METRIC_LENGTH..=MAX_LENGTH).contains(length))
-    {
-        let (least, most) = (typed(MIN_METRIC_LENGTH), typed(MAX_LENGTH));
-        let accepted = format!("a length from {least} to {most}");
-        let place = PLACE.field("metric_length");
-        return Err(out_of_range(&place, typed(length), &accepted).or_null());
-    }
-    let tolerance = entry.dimension_tolerance;
-    if !(0.0..=MAX_DIMENSION_TOLERANCE).contains(&tolerance) {
-        let accepted = format!(
-            "a share of the size from 0 to {}",
-            typed(MAX_DIMENSION_TOLERANCE)
-        );
-        let place = PLACE.field("dimension_tolerance");
-        return Err(out_of_range(&place, typed(tolerance), &accepted));
-    }
-    if let Some(most) = entry
-        .max_iterations
-        .filter(|most| !(1..=MAX_ITERATIONS).contains(most))
-    {
-        let accepted = format!("a whole number from 1 to {MAX_ITERATIONS}");
-        return Err(out_of_range(&PLACE.field("max_iterations"), most, &accepted).or_null());
-    }
-    let origin = point(
-        entry.metric_origin.as_deref(),
-        &PLACE.field("metric_origin"),
-    )?;
-    Ok(Settings {
-        method: entry.method,
-        metric: entry.metric,
-        metric_length: entry.metric_length,
-        metric_origin: origin,
-        dimension_tolerance: tolerance,
-        max_iterations: entry.max_iterations.map(|most| most as usize),
     })
 }
 

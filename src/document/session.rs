@@ -10,7 +10,7 @@ use crate::document::questions::{FRAMES, Posture, VARIABLE};
 use crate::document::schema::Document;
 use crate::document::text;
 use crate::motion::trajectory::Trajectory;
-use crate::plan::Planning;
+use crate::plan::planning::Planning;
 use crate::study::why::Insight;
 use std::cell::OnceCell;
 

@@ -1,10 +1,13 @@
 //! A plan in portions, of either kind of motion: towards goals, or with driven joints.
 
-use crate::motion::trajectory::Trajectory;
-use crate::plan::driven;
-use crate::plan::follow;
+#[cfg(not(feature = "study"))]
+pub use crate::plan::follow::Planning;
+
+#[cfg(feature = "study")]
+use crate::{motion::trajectory::Trajectory, plan::driven, plan::follow};
 
 /// A plan in portions: frame by frame, and at any time what there is so far.
+#[cfg(feature = "study")]
 #[derive(Clone, Debug)]
 pub enum Planning {
     /// Towards goals.
@@ -13,6 +16,7 @@ pub enum Planning {
     Driven(Box<driven::Planning>),
 }
 
+#[cfg(feature = "study")]
 impl Planning {
     /// Frames in all.
     pub fn frames(&self) -> usize {

@@ -12,6 +12,9 @@ const DEAD: f64 = 1e-8;
 /// 1e-11 leave the position itself uncertain by 1e-8 there, and the slopes by 1e-5.
 const NEAR: f64 = 1e-3;
 
+/// Difference of two directions of unit length above which they are two branches.
+pub const APART: f64 = 0.05;
+
 /// The rates of all joints by each driven one.
 pub type Slopes = Vec<Vec<f64>>;
 
@@ -170,4 +173,15 @@ pub fn independent(
         }
     }
     found
+}
+
+/// The one with less motion first; of two that are equal the one in which the first joint that differs moves up more.
+pub fn less(a: &(f64, Vec<f64>, Vec<f64>), b: &(f64, Vec<f64>, Vec<f64>)) -> std::cmp::Ordering {
+    /// Relative difference that is rounding, or the curvature of a short step.
+    const EQUAL: f64 = 0.05;
+    if (a.0 - b.0).abs() > EQUAL * a.0.max(b.0) {
+        return a.0.total_cmp(&b.0);
+    }
+    let differing = a.1.iter().zip(&b.1).find(|(x, y)| (*x - *y).abs() > APART);
+    differing.map_or(std::cmp::Ordering::Equal, |(x, y)| y.total_cmp(x))
 }

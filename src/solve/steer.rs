@@ -15,7 +15,9 @@ use crate::model::scaled::{SOLVED, Scaled};
 use crate::solve::close::{Closer, Reach, Shortest};
 use crate::solve::drive::Obstacle;
 use crate::solve::limits::Holding;
-use crate::solve::slopes::{Slopes, along, free_directions, freedoms, near_dependence, slopes_at};
+use crate::solve::slopes::{
+    APART, Slopes, along, free_directions, freedoms, less, near_dependence, slopes_at,
+};
 
 /// Longest step, the root of the joints' squared motions: 0.1 still resembles its tangent.
 const STEP: f64 = 0.1;
@@ -32,8 +34,6 @@ const KICKS: [f64; 2] = [1e-2, 1e-3];
 const PROGRESS: f64 = 1e-9;
 /// How often that is done on one path.
 const MOST_KICKS: usize = 8;
-/// Difference of two directions of unit length above which they are two branches.
-const APART: f64 = 0.05;
 /// How far out a slider may move on a side on which it has no limit, in units of the size.
 const FARTHEST: f64 = 20.0;
 /// Steps of one path: a hundred turns of a linkage that moves as its crank does.
@@ -387,7 +387,7 @@ impl Steering {
                 }
             }
             self.chose |= found.len() > 1;
-            if let Some((.., next)) = found.into_iter().min_by(|a, b| before(a, b)) {
+            if let Some((.., next)) = found.into_iter().min_by(|a, b| less(a, b)) {
                 *theta = next;
                 (self.slopes, self.before) = (None, None);
                 return true;
@@ -395,15 +395,4 @@ impl Steering {
         }
         false
     }
-}
-
-/// The one with less motion first; of two that are equal the one in which the first joint that differs moves up more.
-fn before(a: &(f64, Vec<f64>, Vec<f64>), b: &(f64, Vec<f64>, Vec<f64>)) -> std::cmp::Ordering {
-    /// Relative difference that is rounding, or the curvature of a short step.
-    const EQUAL: f64 = 0.05;
-    if (a.0 - b.0).abs() > EQUAL * a.0.max(b.0) {
-        return a.0.total_cmp(&b.0);
-    }
-    let differing = a.1.iter().zip(&b.1).find(|(x, y)| (*x - *y).abs() > APART);
-    differing.map_or(std::cmp::Ordering::Equal, |(x, y)| y.total_cmp(x))
 }
