@@ -765,7 +765,7 @@ fn rounded_dimensions_turn_too() {
 #[test]
 fn driven_as_it_was_planned() {
     let samples = [
-        // The three sliders of the legs.
+        // The three sliders of the legs; later they would come to a dead point, from which they could go either way.
         (
             include_str!("../www/mechanisms/3rps.json"),
             &[(1, 2), (2, 2), (3, 2)][..],
@@ -787,8 +787,8 @@ fn driven_as_it_was_planned() {
                 .collect();
             document["chains"][i]["start"] = json!(start);
         }
+        let frames = planned.frames().min(120);
         let mut drivers = Vec::new();
-        let mut driven = Vec::new();
         for &(chain, joint) in joints {
             let before: usize = mechanism.chains()[..chain - 1]
                 .iter()
@@ -800,8 +800,7 @@ fn driven_as_it_was_planned() {
                 .map(|j| j.kind().freedoms())
                 .sum();
             let turns = own.turns().nth(inside).expect("a joint");
-            driven.push(before + inside);
-            let values: Vec<(f64, f64)> = (0..planned.frames())
+            let values: Vec<(f64, f64)> = (0..frames)
                 .map(|frame| {
                     let value = planned.joints_at(frame)[before + inside];
                     (frame as f64, if turns { value.to_degrees() } else { value })
@@ -809,7 +808,7 @@ fn driven_as_it_was_planned() {
                 .collect();
             drivers.push(driver(chain, joint, &values));
         }
-        let session = open(&drive(document, planned.frames(), drivers));
+        let session = open(&drive(document, frames, drivers));
         let t = session.plan();
         let name = &session.document().name;
         all_reached(&t);

@@ -68,7 +68,7 @@ export interface Progress {
 export interface Report {
   statuses: ["reached", "closest", "at_limit", "stalled", "closure_lost"];
   chains: ChainReport[];
-  /** Of a motion without goals: the driven joint variables, counted from 0 through all chains. */
+  /** The driven joint variables, counted from 0 through all chains: none, or not there, where the motion has goals. */
   drivers?: number[];
   /** Eq. 10. */
   mobility_count: number;

@@ -8,6 +8,7 @@ use crate::document::number::typed;
 use crate::document::parts::each;
 use crate::document::schema::MotionEntry;
 use crate::document::wording::Wording;
+use crate::model::chain::Chain;
 use crate::model::mechanism::Mechanism;
 use crate::motion::drivers::{Course, Driver};
 use crate::motion::goal::MAX_FRAMES;
@@ -86,7 +87,7 @@ fn driver(entry: &DriverEntry, mechanism: &Mechanism, place: &Place<'_>) -> Resu
         let many = if freedoms == 1 { "freedom" } else { "freedoms" };
         format!("a joint of type {} has {freedoms} {many}", kind.letter())
     })?;
-    let before: usize = chains[..chain].iter().map(|chain| chain.freedoms()).sum();
+    let before: usize = chains[..chain].iter().map(Chain::freedoms).sum();
     let inside: usize = joints[..joint].iter().map(|j| j.kind().freedoms()).sum();
     let turns = chains[chain].turns().nth(inside + freedom) == Some(true);
     let list = place.field("values");

@@ -16,9 +16,8 @@ pub struct Report {
     pub statuses: Vec<&'static str>,
     /// The chains, in the document's order.
     pub chains: Vec<ChainReport>,
-    /// Of a motion without goals: the driven joint variables, counted from 0 through all chains.
+    /// The driven joint variables, counted from 0 through all chains; none where the motion has goals.
     #[cfg(feature = "study")]
-    #[serde(skip_serializing_if = "Vec::is_empty")]
     pub drivers: Vec<usize>,
     /// Mobility by Eq. 10.
     pub mobility_count: isize,

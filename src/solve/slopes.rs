@@ -185,3 +185,24 @@ pub fn less(a: &(f64, Vec<f64>, Vec<f64>), b: &(f64, Vec<f64>, Vec<f64>)) -> std
     let differing = a.1.iter().zip(&b.1).find(|(x, y)| (*x - *y).abs() > APART);
     differing.map_or(std::cmp::Ordering::Equal, |(x, y)| y.total_cmp(x))
 }
+
+/// Adds to a step what the change of the slopes in the step before it suggests, whose slopes and motion of
+/// the driven joints are given.
+pub fn bend(
+    (before, last): &(Slopes, Vec<f64>),
+    slopes: &Slopes,
+    shift: &[f64],
+    moves: &mut [f64],
+) {
+    /// A change is not carried on further than over this many steps of the same length.
+    const FAR: f64 = 4.0;
+    let ratio = dot(shift, last) / dot(last, last);
+    if !(ratio.abs() <= FAR) {
+        return;
+    }
+    for ((own, old), &s) in slopes.iter().zip(before).zip(shift) {
+        for ((m, a), b) in moves.iter_mut().zip(own).zip(old) {
+            *m += 0.5 * ratio * s * (a - b);
+        }
+    }
+}

@@ -16,7 +16,7 @@ use crate::solve::close::{Closer, Reach, Shortest};
 use crate::solve::drive::Obstacle;
 use crate::solve::limits::Holding;
 use crate::solve::slopes::{
-    APART, Slopes, along, free_directions, freedoms, less, near_dependence, slopes_at,
+    APART, Slopes, along, bend, free_directions, freedoms, less, near_dependence, slopes_at,
 };
 
 /// Longest step, the root of the joints' squared motions: 0.1 still resembles its tangent.
@@ -172,7 +172,14 @@ impl Steering {
             }
             let held = self.holding.held();
             kicks += 1;
-            if kicks <= MOST_KICKS && self.kick(scaled, closer, theta, &shift) {
+            // A dead point that was come to step by step has slopes, and no other way on.
+            let stands = matches!(taken, Taken::Blocked)
+                || near_dependence(scaled, closer, theta) > self.usual;
+            if stands
+                && held.is_empty()
+                && kicks <= MOST_KICKS
+                && self.kick(scaled, closer, theta, &shift)
+            {
                 step = 1.0 - done;
                 continue;
             }
@@ -206,7 +213,9 @@ impl Steering {
             return Taken::Blocked;
         };
         let mut moves = along(&slopes, shift);
-        self.bend(&slopes, shift, &mut moves);
+        if let Some(before) = &self.before {
+            bend(before, &slopes, shift, &mut moves);
+        }
         let length = dot(&moves, &moves).sqrt();
         if length > STEP {
             return Taken::Shorter((0.9 * STEP / length).max(1e-3));
@@ -237,24 +246,6 @@ impl Steering {
         self.before = Some((slopes, shift.to_vec()));
         *theta = next;
         Taken::Whole
-    }
-
-    /// Adds to a step what the change of the slopes in the step before it suggests.
-    fn bend(&self, slopes: &Slopes, shift: &[f64], moves: &mut [f64]) {
-        /// A change is not carried on further than over this many steps of the same length.
-        const FAR: f64 = 4.0;
-        let Some((before, last)) = &self.before else {
-            return;
-        };
-        let ratio = dot(shift, last) / dot(last, last);
-        if !(ratio.abs() <= FAR) {
-            return;
-        }
-        for ((own, old), &s) in slopes.iter().zip(before).zip(shift) {
-            for ((m, a), b) in moves.iter_mut().zip(own).zip(old) {
-                *m += 0.5 * ratio * s * (a - b);
-            }
-        }
     }
 
     /// The slopes at `theta` with those joints held that a motion by `shift` would push beyond a limit.
@@ -367,7 +358,9 @@ impl Steering {
                         .map(|(a, b)| a - b)
                         .collect();
                     let progress = dot(&gained, shift) / distance;
-                    if !(progress > PROGRESS) {
+                    // Aside is not along.
+                    if !(progress > PROGRESS && dot(&gained, &gained) <= 2.0 * progress * progress)
+                    {
                         continue;
                     }
                     if i < kept && side > 0.0 {
@@ -387,7 +380,7 @@ impl Steering {
                 }
             }
             self.chose |= found.len() > 1;
-            if let Some((.., next)) = found.into_iter().min_by(|a, b| less(a, b)) {
+            if let Some((.., next)) = found.into_iter().min_by(less) {
                 *theta = next;
                 (self.slopes, self.before) = (None, None);
                 return true;
