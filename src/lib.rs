@@ -139,7 +139,7 @@ pub use math::metric::MetricKind;
 pub use math::pose::Pose;
 pub use model::mechanism::Mechanism;
 pub use motion::trajectory::{Status, Trajectory, Warning};
-pub use plan::follow::Planning;
+pub use plan::planning::Planning;
 pub use plan::settings::{Method, Settings};
 pub use source::session::Session;
 

@@ -593,3 +593,31 @@ fn completions_name_the_commands() {
         .expect("bash");
     assert_eq!(said(checked), (String::new(), String::new(), 0));
 }
+
+/// A document with driven joints: a table without goals, and a verdict without gaps.
+#[test]
+fn driven_joints_are_planned() {
+    let text = fs::read_to_string(format!("{SAMPLES}/four-bar.json")).expect("a sample");
+    let mut document: Value = serde_json::from_str(&text).expect("JSON");
+    let values = serde_json::json!([{"time": 0, "value": 90}, {"time": 1, "value": 110}]);
+    document["motion"] = serde_json::json!({
+        "frames": 5, "drivers": [{"chain": 1, "joint": 1, "values": values}]
+    });
+    let (out, err, code) = fed(&["plan", "-"], &document.to_string());
+    assert_eq!(code, 0, "{err}");
+    assert_eq!(out.lines().count(), 6, "{out}");
+    assert!(
+        out.lines().skip(1).all(|line| line.contains(",reached,")),
+        "{out}"
+    );
+    let (out, err, code) = fed(&["check", "-"], &document.to_string());
+    assert_eq!(code, 0, "{err}");
+    assert!(out.contains("  driven    θ₁ of crank\n"), "{out}");
+    assert!(!out.contains("  gap ") && !out.contains("NaN"), "{out}");
+    let (out, _, _) = fed(&["check", "--json", "-"], &document.to_string());
+    let verdict: Value = serde_json::from_str(&out).expect("JSON");
+    assert_eq!(verdict["report"]["drivers"], serde_json::json!([0]));
+    assert!(
+        verdict["translation_gap"].is_null() && verdict["metrics"][0]["rotation_gap"].is_null()
+    );
+}

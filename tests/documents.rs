@@ -723,6 +723,25 @@ fn the_schema_knows_the_fields() {
         fields(&schema["properties"]),
         with(fields(&document), &typed)
     );
+    let mut driven = document.clone();
+    driven["motion"] = serde_json::json!({"drivers": [
+        {"chain": 1, "joint": 1, "values": [{"time": 0, "value": 0}, {"time": 1, "value": 1}]}
+    ]});
+    let driven: Value =
+        serde_json::from_str(&parse(&driven.to_string()).expect("a document").text())
+            .expect("JSON");
+    for (part, pointer) in [
+        ("DriverEntry", "/motion/drivers/0"),
+        ("DriverValueEntry", "/motion/drivers/0/values/0"),
+    ] {
+        assert_eq!(
+            fields(&schema["$defs"][part]["properties"]),
+            fields(driven.pointer(pointer).expect(pointer))
+        );
+    }
+    // A motion has key frames or drivers.
+    let (mut document, drivers) = (document, driven["motion"]["drivers"].clone());
+    document["motion"]["drivers"] = drivers;
     for (part, pointer, typed) in [
         ("ChainEntry", "/chains/0", &["convention"] as &[&str]),
         (

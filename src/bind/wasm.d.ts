@@ -25,12 +25,13 @@ export interface Parameter {
 }
 
 /** A planned motion. Numbers are copies; groups of several numbers a frame lie frame by frame. Lengths are in the
- * document's unit where nothing else is said. */
+ * document's unit where nothing else is said. Where joints are driven (report.drivers) there is no goal: goal, metric,
+ * translation_gap, rotation_gap and projected_gradient are NaN in all frames. */
 export interface Motion {
   frames: number;
   /** Planning was stopped before the last frame: the columns end where it was. */
   partial: boolean;
-  /** Frames of the goal motion: more than `frames` in a partial motion. */
+  /** Frames of the whole motion: more than `frames` in a partial one. */
   goal_frames: number;
   report: Report;
   /** Of a document with expressions, axes or other conventions: the plain document that it stands for. */
@@ -80,6 +81,8 @@ export interface Progress {
 export interface Report {
   statuses: ["reached", "closest", "at_limit", "stalled", "closure_lost"];
   chains: ChainReport[];
+  /** The driven joint variables, counted from 0 through all chains: none, or not there, where the motion has goals. */
+  drivers?: number[];
   /** Eq. 10. */
   mobility_count: number;
   /** n − rank [A] at the start. */
@@ -271,6 +274,7 @@ export interface MetricGaps {
   metric: MetricReport["kind"];
   /** The metric's characteristic length. */
   length: number;
+  /** NaN, as `rotation_gap`, where joints are driven: there is no goal. */
   translation_gap: number;
   /** In rad. */
   rotation_gap: number;

@@ -12,7 +12,7 @@ use crate::document::report::Report;
 use crate::document::text::{self, Digits};
 use crate::motion::columns::{COLUMNS, Column, Kind, placed};
 use crate::motion::trajectory::Trajectory;
-use crate::plan::follow::Planning;
+use crate::plan::planning::Planning;
 use crate::source::session;
 use js_sys::{Float64Array, Object, Reflect, Uint8Array, Uint32Array};
 use serde::Serialize;
@@ -156,7 +156,7 @@ impl Session {
                 Portions::Done(trajectory) => trajectory.frames(),
             },
         )?;
-        set("frames", self.open.problem().goals.len())?;
+        set("frames", self.open.problem().frames())?;
         Ok(progress.unchecked_into())
     }
 
@@ -225,7 +225,7 @@ fn motion(problem: &Problem, t: &Trajectory, milliseconds: f64) -> Result<Object
     let motion = Object::new();
     let set = |name: &str, value: &JsValue| Reflect::set(&motion, &name.into(), value).map(drop);
     set("frames", &t.frames().into())?;
-    let frames_in_all = problem.goals.len();
+    let frames_in_all = problem.frames();
     set("partial", &(t.frames() < frames_in_all).into())?;
     set("goal_frames", &frames_in_all.into())?;
     let report = Report::new(&problem.mechanism, &problem.length_unit, t);

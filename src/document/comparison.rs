@@ -24,7 +24,11 @@ pub struct MetricGaps {
 impl MetricGaps {
     /// Those of a planned motion.
     pub fn of(motion: &Trajectory) -> Self {
-        let largest = |gaps: &[f64]| gaps.iter().copied().fold(0.0, f64::max);
+        // No number where there are no goals.
+        let largest = |gaps: &[f64]| {
+            let known = gaps.iter().copied().filter(|gap| !gap.is_nan());
+            known.reduce(f64::max).unwrap_or(f64::NAN)
+        };
         Self {
             metric: metric_name(motion.metric_used.kind),
             length: motion.metric_used.length,

@@ -65,6 +65,8 @@ pub fn defaults() -> Defaults {
     };
     let motion = MotionEntry {
         key_frames: vec![key_frame.clone(), turned],
+        #[cfg(feature = "study")]
+        drivers: Vec::new(),
         interpolation: Interpolation::default(),
         frames: default_frames(),
         reference: None,

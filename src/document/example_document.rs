@@ -33,6 +33,8 @@ pub fn example(text: &str) -> Result<Document, Fault> {
         chains: example.mechanism.chains().iter().map(chain).collect(),
         motion: MotionEntry {
             key_frames: vec![key_frame("begin", begin), key_frame("end", end)],
+            #[cfg(feature = "study")]
+            drivers: Vec::new(),
             interpolation: Interpolation::default(),
             frames: FRAMES,
             reference: None,

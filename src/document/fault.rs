@@ -192,6 +192,10 @@ impl<'a> Place<'a> {
                     "limits" => format!("limits of freedom {number}"),
                     "start" => format!("start value {number}"),
                     "key frames" => format!("key frame {number}"),
+                    #[cfg(feature = "study")]
+                    "drivers" => format!("driver {number}"),
+                    #[cfg(feature = "study")]
+                    "values" => format!("value {number}"),
                     _ => format!("{list}, entry {number}"),
                 };
                 // It is clear that key frames belong to the motion.

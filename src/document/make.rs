@@ -106,6 +106,8 @@ pub fn make(request: &Request) -> Result<Document, Fault> {
         chains: made.mechanism.chains().iter().map(chain).collect(),
         motion: MotionEntry {
             key_frames: key_frames.collect(),
+            #[cfg(feature = "study")]
+            drivers: Vec::new(),
             interpolation: Interpolation::default(),
             frames: FRAMES,
             reference: None,

@@ -4,12 +4,17 @@ pub mod bounds;
 pub mod chain_report;
 pub mod comparison;
 pub mod defaults;
+#[cfg(feature = "study")]
+pub mod driver_schema;
+#[cfg(feature = "study")]
+mod drivers;
 pub mod example_document;
 pub mod fault;
 pub mod make;
 mod motion;
 pub mod number;
 pub(crate) mod parts;
+mod planner;
 pub mod problem;
 pub mod questions;
 pub(crate) mod reader;

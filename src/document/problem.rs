@@ -2,25 +2,32 @@
 //! rule of the model told as a fault with its place.
 
 use crate::document::bounds::{
-    MAX_ABOUT, MAX_DIMENSION_TOLERANCE, MAX_ITERATIONS, MAX_LENGTH, MAX_NAME, MAX_ROW_FRAMES,
-    MAX_SCHEMA, MAX_UNIT, MIN_METRIC_LENGTH, angle, check_text, joint_value, length, not_finite,
-    out_of_range, wrong_count,
+    MAX_ABOUT, MAX_NAME, MAX_ROW_FRAMES, MAX_SCHEMA, MAX_UNIT, angle, check_text, joint_value,
+    length, not_finite, out_of_range, wrong_count,
 };
+#[cfg(feature = "study")]
+use crate::document::drivers::course_of;
 use crate::document::fault::{Fault, FaultCode, Place};
 use crate::document::motion::goal_of;
 use crate::document::number::typed;
-use crate::document::parts::{each, frame, point};
+use crate::document::parts::{each, frame};
+use crate::document::planner::settings;
 use crate::document::schema::{ChainEntry, Document, JointEntry, LimitsEntry, RowEntry};
 use crate::math::pose::Pose;
 use crate::model::chain::{Chain, ChainFault, MAX_FREEDOMS};
 use crate::model::dh::DhRow;
 use crate::model::joint::{Joint, JointFault, JointKind, Limits};
 use crate::model::mechanism::{MAX_CHAINS, Mechanism, MechanismFault};
+#[cfg(feature = "study")]
+use crate::motion::drivers::Course;
 use crate::motion::goal::Goal;
 use crate::motion::trajectory::{Trajectory, Warning};
-use crate::plan::follow::Planning;
+use crate::plan::follow;
 use crate::plan::modes;
+use crate::plan::planning::Planning;
 use crate::plan::settings::{Settings, extent};
+#[cfg(feature = "study")]
+use crate::plan::{driven, driven_start};
 
 /// What the planner needs, in radians.
 ///
@@ -42,8 +49,11 @@ pub struct Problem {
     pub mechanism: Mechanism,
     /// The joint values (rad or lengths) of each chain that has a start.
     pub start: Vec<Option<Vec<f64>>>,
-    /// The goal motion, frame by frame.
+    /// The goal motion, frame by frame; empty where joints are driven.
     pub goals: Vec<Goal>,
+    /// What drives the joints, in place of goals.
+    #[cfg(feature = "study")]
+    pub course: Option<Course>,
     /// What the key frames give reason to warn of; a plan's warnings begin with them.
     pub notes: Vec<Warning>,
     /// How to find the closest motion.
@@ -66,21 +76,48 @@ impl Problem {
         check_text(&document.length_unit, MAX_UNIT, &whole.field("length_unit"))?;
         let mechanism = mechanism(&document.chains)?;
         let start = given_start(&document.chains, &mechanism)?;
-        let (goals, notes) = goal_of(&document.motion)?;
-        let settings = settings(document)?;
-        check_size(&mechanism, goals.len())?;
-        Ok(Self {
+        #[cfg(feature = "study")]
+        let course = course_of(&document.motion, &mechanism)?;
+        #[cfg(feature = "study")]
+        let driven = course.is_some();
+        #[cfg(not(feature = "study"))]
+        let driven = false;
+        let (goals, notes) = if driven {
+            (Vec::new(), Vec::new())
+        } else {
+            goal_of(&document.motion)?
+        };
+        let settings = settings(&document.planner)?;
+        let problem = Self {
             mechanism,
             start,
             goals,
+            #[cfg(feature = "study")]
+            course,
             notes,
             settings,
             length_unit: document.length_unit.clone(),
-        })
+        };
+        check_size(&problem.mechanism, problem.frames())?;
+        Ok(problem)
     }
 
-    /// The joint values to start from: the document's, or an assembly found for chains without.
+    /// Frames of the motion.
+    pub fn frames(&self) -> usize {
+        #[cfg(feature = "study")]
+        if let Some(course) = &self.course {
+            return course.frames;
+        }
+        self.goals.len()
+    }
+
+    /// The joint values to start from: the document's, or an assembly found for chains without. Where joints are driven
+    /// it is one with their first values, if there is one.
     pub fn find_start(&self) -> Vec<f64> {
+        #[cfg(feature = "study")]
+        if let Some(course) = &self.course {
+            return driven_start::find_start(&self.mechanism, &self.start, course, &self.settings);
+        }
         modes::find(
             &self.mechanism,
             &self.start,
@@ -106,8 +143,12 @@ impl Problem {
             .collect()
     }
 
-    /// The extent of the goal motion, which stands in for the size of a mechanism without lengths.
+    /// The extent of the motion, which stands in for the size of a mechanism without lengths.
     pub fn extent(&self) -> f64 {
+        #[cfg(feature = "study")]
+        if let Some(course) = &self.course {
+            return driven_start::extent(&self.mechanism, course);
+        }
         extent(&self.goals)
     }
 
@@ -118,7 +159,17 @@ impl Problem {
 
     /// Plans the motion in portions, from these joint values.
     pub fn planning(&self, start: &[f64]) -> Planning {
-        Planning::new(&self.mechanism, start, &self.goals, &self.settings).noted(&self.notes)
+        #[cfg(feature = "study")]
+        if let Some(course) = &self.course {
+            let (mechanism, settings) = (&self.mechanism, &self.settings);
+            let planning = driven::Planning::new(mechanism, start, course, self.extent(), settings);
+            return Planning::Driven(Box::new(planning));
+        }
+        let planning = follow::Planning::new(&self.mechanism, start, &self.goals, &self.settings)
+            .noted(&self.notes);
+        #[cfg(feature = "study")]
+        let planning = Planning::Goals(Box::new(planning));
+        planning
     }
 }
 
@@ -269,48 +320,6 @@ fn given_start(
             joint_value(value, turns[k], &list.item(k))
         })
         .map(Some)
-    })
-}
-
-fn settings(document: &Document) -> Result<Settings, Fault> {
-    const PLACE: Place<'static> = Place::WHOLE.field("planner");
-    let entry = &document.planner;
-    if let Some(length) = entry
-        .metric_length
-        .filter(|length| !(MIN_METRIC_LENGTH..=MAX_LENGTH).contains(length))
-    {
-        let (least, most) = (typed(MIN_METRIC_LENGTH), typed(MAX_LENGTH));
-        let accepted = format!("a length from {least} to {most}");
-        let place = PLACE.field("metric_length");
-        return Err(out_of_range(&place, typed(length), &accepted).or_null());
-    }
-    let tolerance = entry.dimension_tolerance;
-    if !(0.0..=MAX_DIMENSION_TOLERANCE).contains(&tolerance) {
-        let accepted = format!(
-            "a share of the size from 0 to {}",
-            typed(MAX_DIMENSION_TOLERANCE)
-        );
-        let place = PLACE.field("dimension_tolerance");
-        return Err(out_of_range(&place, typed(tolerance), &accepted));
-    }
-    if let Some(most) = entry
-        .max_iterations
-        .filter(|most| !(1..=MAX_ITERATIONS).contains(most))
-    {
-        let accepted = format!("a whole number from 1 to {MAX_ITERATIONS}");
-        return Err(out_of_range(&PLACE.field("max_iterations"), most, &accepted).or_null());
-    }
-    let origin = point(
-        entry.metric_origin.as_deref(),
-        &PLACE.field("metric_origin"),
-    )?;
-    Ok(Settings {
-        method: entry.method,
-        metric: entry.metric,
-        metric_length: entry.metric_length,
-        metric_origin: origin,
-        dimension_tolerance: tolerance,
-        max_iterations: entry.max_iterations.map(|most| most as usize),
     })
 }
 

@@ -124,6 +124,11 @@ impl Problem {
     /// # Errors
     /// When there is no such frame, or not one finite joint value a joint variable.
     pub fn trace(&self, frame: usize, joints: &[f64]) -> Result<Trace, Fault> {
+        if self.goals.is_empty() {
+            let what = "the joints of this motion are driven, and there is no goal to approach";
+            let accepted = "a motion with key frames";
+            return Err(Fault::new(FaultCode::OutOfRange, &MOTION, what, accepted));
+        }
         let Some(goal) = self.goals.get(frame) else {
             return Err(no_index(&FRAMES, frame, self.goals.len()));
         };

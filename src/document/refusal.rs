@@ -103,8 +103,20 @@ impl Error for Refusal {
             "joints" => "a list of joints",
             "type" => "one of R, P, C, T, S, E",
             "rows" => "a list of the joint's rows",
+            #[cfg(not(feature = "study"))]
             "motion" => "an object with key_frames",
+            #[cfg(feature = "study")]
+            "motion" => "an object with key_frames, or with drivers",
+            #[cfg(not(feature = "study"))]
             "key_frames" => "a list of two or more key frames",
+            #[cfg(feature = "study")]
+            "key_frames" => "a list of two or more key frames, or drivers in their place",
+            #[cfg(feature = "study")]
+            "chain" | "joint" => "a whole number, counted from 1",
+            #[cfg(feature = "study")]
+            "values" => "a list of two or more times and values",
+            #[cfg(feature = "study")]
+            "time" | "value" => "a number",
             _ => "a value",
         };
         Self::new(

@@ -16,6 +16,9 @@ pub struct Report {
     pub statuses: Vec<&'static str>,
     /// The chains, in the document's order.
     pub chains: Vec<ChainReport>,
+    /// The driven joint variables, counted from 0 through all chains; none where the motion has goals.
+    #[cfg(feature = "study")]
+    pub drivers: Vec<usize>,
     /// Mobility by Eq. 10.
     pub mobility_count: isize,
     /// n − rank \[A\] at the start.
@@ -62,6 +65,8 @@ impl Report {
         Self {
             statuses: Status::ALL.map(Status::name).to_vec(),
             chains: mechanism.chains().iter().map(chain).collect(),
+            #[cfg(feature = "study")]
+            drivers: trajectory.drivers.clone(),
             mobility_count: trajectory.mobility_count,
             mobility_rank: trajectory.mobility_rank,
             metric: MetricReport {

@@ -1,5 +1,7 @@
 //! The document, version 1: its fields, their units and their defaults.
 
+#[cfg(feature = "study")]
+use crate::document::driver_schema::DriverEntry;
 use crate::math::metric::MetricKind;
 use crate::model::joint::JointKind;
 use crate::motion::goal::Interpolation;
@@ -181,14 +183,27 @@ pub struct FrameEntry {
     pub roll: f64,
 }
 
-/// The goal motion: key frames and what is between them.
+/// The motion: key frames and what is between them, or driven joints.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(
+    feature = "schema",
+    schemars(extend("oneOf" = [{"required": ["key_frames"]}, {"required": ["drivers"]}]))
+)]
 #[serde(deny_unknown_fields)]
 pub struct MotionEntry {
     /// Two or more poses of the workpiece.
     #[cfg_attr(feature = "schema", schemars(length(min = 2, max = MAX_KEY_FRAMES)))]
+    #[cfg_attr(
+        feature = "study",
+        serde(default, skip_serializing_if = "Vec::is_empty")
+    )]
     pub key_frames: Vec<KeyFrameEntry>,
+    /// In place of key frames: joint variables whose values over time are given. The workpiece's path is then the result.
+    #[cfg(feature = "study")]
+    #[cfg_attr(feature = "schema", schemars(length(min = 1)))]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub drivers: Vec<DriverEntry>,
     /// The paper's double-quaternion spline, steady screw motions, or straight lines.
     #[serde(default, with = "InterpolationName")]
     #[cfg_attr(feature = "schema", schemars(with = "InterpolationName"))]

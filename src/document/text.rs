@@ -5,6 +5,8 @@ use crate::document::number::{typed, written};
 use crate::document::reader::Node;
 use crate::document::refusal::Refusal;
 use crate::document::schema::{Document, VERSION};
+#[cfg(feature = "study")]
+use serde::de::Error;
 use serde::{Deserialize, Serialize};
 
 /// Bytes of the longest text that is read at all: 100,000 key frames with names, times and 15 digits a number take 27 MB
@@ -52,6 +54,8 @@ pub(crate) fn node_of(text: &str) -> Result<Node, Fault> {
 pub(crate) fn document_of(node: &Node) -> Result<Document, Fault> {
     let refused = |refusal: Refusal| refusal.fault(&Place::WHOLE);
     let mut document = Document::deserialize(node).map_err(refused)?;
+    #[cfg(feature = "study")]
+    check_motion(node, &document)?;
     for (i, chain) in document.chains.iter_mut().enumerate() {
         if chain.name.is_empty() {
             chain.name = format!("chain {}", i + 1);
@@ -95,6 +99,18 @@ fn check_version(node: &Node) -> Result<(), Fault> {
         ));
     }
     // What else may be wrong with it is said where it is read.
+    Ok(())
+}
+
+/// Key frames may be missing only where there are drivers.
+#[cfg(feature = "study")]
+fn check_motion(node: &Node, document: &Document) -> Result<(), Fault> {
+    const MOTION: Place<'static> = Place::WHOLE.field("motion");
+    let motion = node.field("motion");
+    if document.motion.drivers.is_empty() && motion.is_some_and(|m| m.field("key_frames").is_none())
+    {
+        return Err(Refusal::missing_field("key_frames").fault(&MOTION));
+    }
     Ok(())
 }
 

@@ -3,6 +3,8 @@
 use crate::document::fault::excerpt;
 use crate::document::number::{readable, typed};
 use crate::document::wording::Wording;
+#[cfg(feature = "study")]
+use crate::motion::trajectory::DriveEnd;
 use crate::motion::trajectory::{Neighbours, Suspect, Warning};
 use serde::Serialize;
 
@@ -170,6 +172,41 @@ pub fn warning(warning: &Warning, wording: &Wording<'_>) -> WarningReport {
             format!("{count} more warnings of key frames like these are left out."),
             None,
         ),
+        #[cfg(feature = "study")]
+        Warning::DriveEnds { first, last, time, ref why, ref driven } => say(
+            "drive-ends",
+            drive_ends((first, last), time, why, driven, wording),
+            Some((first, last)),
+        ),
+        #[cfg(feature = "study")]
+        Warning::DriverDependent { variable } => say(
+            "driver-dependent",
+            format!(
+                "{} is not driven: the drivers before it leave it no freedom. Frames count as reached only where they lead to its values as well.",
+                wording.variable(variable)
+            ),
+            None,
+        ),
+        #[cfg(feature = "study")]
+        Warning::UndrivenFreedoms { count } => say(
+            "undriven-freedoms",
+            format!(
+                "{count} {} of the linkage {} not driven: joints that the drivers leave free move as little as they can from frame to frame.",
+                if count == 1 { "freedom" } else { "freedoms" },
+                if count == 1 { "is" } else { "are" }
+            ),
+            None,
+        ),
+        #[cfg(feature = "study")]
+        Warning::BranchChosen { frame, ref driven } => say(
+            "branch-chosen",
+            format!(
+                "On the way to frame {}, with {}, the linkage can go on in several ways; the one with the least motion of the joints was taken. Start values a little way off choose another.",
+                frame + 1,
+                values(driven, wording)
+            ),
+            Some((frame, frame)),
+        ),
         Warning::Runaway { first, last, searched, elsewhere } => say(
             "runaway",
             format!(
@@ -185,6 +222,53 @@ pub fn warning(warning: &Warning, wording: &Wording<'_>) -> WarningReport {
             Some((first, last)),
         ),
     }
+}
+
+#[cfg(feature = "study")]
+fn drive_ends(
+    (first, last): (usize, usize),
+    time: f64,
+    why: &DriveEnd,
+    driven: &[(usize, f64)],
+    wording: &Wording<'_>,
+) -> String {
+    let names = |variables: &[usize]| {
+        let names: Vec<String> = variables.iter().map(|&v| wording.variable(v)).collect();
+        names.join(", ")
+    };
+    let reason = match why {
+        DriveEnd::OwnLimit(own) => format!("the limit of {} itself is met", names(own)),
+        DriveEnd::Limits(held) => format!(
+            "{} {} at a limit",
+            names(held),
+            if held.len() == 1 { "is" } else { "are" }
+        ),
+        DriveEnd::DeadPoint => {
+            "a dead point is met, beyond which the loops do not close".to_owned()
+        }
+        DriveEnd::Immobile => "nothing of the linkage can move".to_owned(),
+        DriveEnd::TooFar => "the way is longer than one frame goes".to_owned(),
+    };
+    format!(
+        "{} the drivers cannot be followed: {reason}. At time {} the linkage stays at {}.",
+        in_frames(first, last),
+        readable(time),
+        values(driven, wording)
+    )
+}
+
+/// Such as: θ₁ of crank at 97.1808°. With the digits that tell where a dead point is.
+#[cfg(feature = "study")]
+fn values(driven: &[(usize, f64)], wording: &Wording<'_>) -> String {
+    let one = |&(variable, value): &(usize, f64)| {
+        format!(
+            "{} at {}",
+            wording.variable(variable),
+            wording.precise(variable, value)
+        )
+    };
+    let all: Vec<String> = driven.iter().map(one).collect();
+    all.join(", ")
 }
 
 fn start_rigid(error: f64, leap: Option<f64>) -> String {

@@ -3,6 +3,8 @@
 use crate::document::chain_report::chain;
 use crate::document::fault::excerpt;
 use crate::document::number::readable;
+#[cfg(feature = "study")]
+use crate::document::number::typed;
 use crate::model::chain::Chain;
 use crate::model::mechanism::Mechanism;
 use crate::motion::trajectory::{Dimension, Suspect};
@@ -50,6 +52,19 @@ impl Wording<'_> {
         }
     }
 
+    /// The same with nine digits, for a place that was searched for.
+    #[cfg(feature = "study")]
+    pub fn precise(&self, variable: usize, value: f64) -> String {
+        let mut turns = self.mechanism.chains().iter().flat_map(Chain::turns);
+        if turns.nth(variable).unwrap_or(false) {
+            format!("{}°", typed(rounded(value.to_degrees())))
+        } else {
+            let value = typed(rounded(value));
+            let space = if self.unit.is_empty() { "" } else { " " };
+            format!("{value}{space}{}", self.unit)
+        }
+    }
+
     /// A length with its unit.
     pub fn length(&self, value: f64) -> String {
         if self.unit.is_empty() {
@@ -77,6 +92,12 @@ impl Wording<'_> {
         let (row, chain) = (suspect.row + 1, self.chain(suspect.chain));
         format!("{what} of row {row} of {chain}, by {amount} {side}")
     }
+}
+
+/// To nine digits.
+#[cfg(feature = "study")]
+fn rounded(value: f64) -> f64 {
+    format!("{value:.8e}").parse().unwrap_or(value)
 }
 
 fn subscript(c: char) -> char {

@@ -2,6 +2,8 @@
 
 pub mod columns;
 mod double_quaternion;
+#[cfg(feature = "study")]
+pub mod drivers;
 pub mod goal;
 pub mod key_frames;
 mod quaternion_spline;

@@ -150,6 +150,46 @@ pub enum Warning {
     },
     /// `count` more of the last three are left out.
     MoreNotes { count: usize },
+    /// In frames `first` to `last` driven joints stop short of their values: at `time`, with these values of the driven
+    /// variables (rad or lengths).
+    #[cfg(feature = "study")]
+    DriveEnds {
+        first: usize,
+        last: usize,
+        time: f64,
+        why: DriveEnd,
+        driven: Vec<(usize, f64)>,
+    },
+    /// A driven variable that the drivers before it leave no freedom: it is not driven, and its values are met only where
+    /// the others lead to them.
+    #[cfg(feature = "study")]
+    DriverDependent { variable: usize },
+    /// So many freedoms of the linkage are not driven.
+    #[cfg(feature = "study")]
+    UndrivenFreedoms { count: usize },
+    /// Before frame `frame`, at these values of the driven variables, the linkage can go on in several ways; the one with
+    /// the least motion of the joints was taken.
+    #[cfg(feature = "study")]
+    BranchChosen {
+        frame: usize,
+        driven: Vec<(usize, f64)>,
+    },
+}
+
+/// Why driven joints stop short of their values. Joint variables count from 0 through all chains.
+#[cfg(feature = "study")]
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum DriveEnd {
+    /// Limits of driven joints themselves.
+    OwnLimit(Vec<usize>),
+    /// Other joints at their limits, or sliders without limits that have run as far as they may.
+    Limits(Vec<usize>),
+    /// The loops do not close any further.
+    DeadPoint,
+    /// Nothing of the linkage moves.
+    Immobile,
+    /// The way is longer than is followed in one frame.
+    TooFar,
 }
 
 /// The row of a table whose number, changed by the least, would take the most of a misfit away.
@@ -240,9 +280,12 @@ impl LengthSource {
 pub struct Trajectory {
     /// Joint variables a frame: the length of the groups in `joints`.
     pub variables: usize,
+    /// The driven joint variables, from 0 through all chains; none where the motion has goals.
+    #[cfg(feature = "study")]
+    pub drivers: Vec<usize>,
     /// Time of each frame, in the key frames' unit.
     pub time: Vec<f64>,
-    /// Goal of each frame.
+    /// Goal of each frame; of a driven motion it is no number, and so are the metric, the gaps and the gradient.
     pub goals: Vec<Pose>,
     /// Reached pose of each frame.
     pub poses: Vec<Pose>,

@@ -3,13 +3,12 @@
 
 use crate::model::joint::Limits;
 use crate::model::mechanism::Mechanism;
-use crate::model::scaled::CLOSED;
 use crate::motion::goal::Goal;
 use crate::motion::trajectory::{Trajectory, Warning};
 use crate::plan::elsewhere::{self, Runaway};
 use crate::plan::given;
 use crate::plan::leaps::{self, Leap};
-use crate::plan::record::{Singularity, begin, record};
+use crate::plan::record::{Singularity, begin, record, warn_of_rounded};
 use crate::plan::settings::{Method, Settings, extent};
 use crate::solve::gradient;
 use crate::solve::solver::{End, Solved, Solver};
@@ -21,9 +20,6 @@ const GRADIENT_FALL: f64 = 2e-8;
 /// Most gradient steps before other questions are let in between: at 24 chains, the most there may be, 0.1 s as
 /// WebAssembly (median of portions, on two loaded cores), where a whole frame took 2.3 s.
 const GRADIENT_PORTION: usize = 50;
-
-/// Frames at which a misfit is looked into: one alone may be explained by a number that has nothing to do with it.
-const LOOKED_AT: usize = 9;
 
 /// Plans the motion closest to `goals` from the joint values `start`, which choose the assembly
 /// mode; where they do not close the loops, the nearest closed position is taken, with a warning.
@@ -335,18 +331,7 @@ impl Planning {
 
     fn report(mut self) -> Trajectory {
         std::mem::take(&mut self.singularity).finish(&mut self.t, &mut self.solver);
-        let misfit = self.t.misfit.iter().copied().fold(0.0, f64::max);
-        if misfit > CLOSED {
-            let step = self.t.frames().div_ceil(LOOKED_AT);
-            let frames = (0..self.t.frames()).step_by(step);
-            let positions: Vec<&[f64]> = frames.map(|frame| self.t.joints_at(frame)).collect();
-            let suspect = self.solver.suspect(&positions);
-            self.t.warnings.push(Warning::RoundedDimensions {
-                misfit,
-                tolerance: self.t.bounds.misfit,
-                suspect,
-            });
-        }
+        warn_of_rounded(&mut self.t, &mut self.solver);
         let leaps = self.leaps.iter().map(Leap::warning);
         self.t.warnings.extend(leaps);
         let runaways = self.runaways.iter().map(Runaway::warning);
@@ -392,7 +377,12 @@ mod tests {
         let mut problem = Problem::new(&text::parse(text).expect("a document")).expect("a problem");
         problem.settings.method = Method::Gradient;
         problem.goals.truncate(20);
-        let mut planning = problem.planning(&problem.find_start());
+        let mut planning = super::Planning::new(
+            &problem.mechanism,
+            &problem.find_start(),
+            &problem.goals,
+            &problem.settings,
+        );
         let (mut portions, mut longest, mut before) = (0, 0, 0);
         while planning.advance() {
             portions += 1;

@@ -171,6 +171,25 @@ impl Singularity {
     }
 }
 
+/// Frames at which a misfit is looked into: one alone may be explained by a number that has nothing to do with it.
+const LOOKED_AT: usize = 9;
+
+/// Warns of dimensions that contradict each other, and names the number that may be at fault.
+pub fn warn_of_rounded(t: &mut Trajectory, solver: &mut Solver) {
+    let misfit = t.misfit.iter().copied().fold(0.0, f64::max);
+    if misfit > CLOSED {
+        let step = t.frames().div_ceil(LOOKED_AT);
+        let frames = (0..t.frames()).step_by(step);
+        let positions: Vec<&[f64]> = frames.map(|frame| t.joints_at(frame)).collect();
+        let suspect = solver.suspect(&positions);
+        t.warnings.push(Warning::RoundedDimensions {
+            misfit,
+            tolerance: t.bounds.misfit,
+            suspect,
+        });
+    }
+}
+
 fn warn_of_singular(t: &mut Trajectory) {
     // At a position whose loops are open it says nothing.
     let is_near = |frame: &usize| {

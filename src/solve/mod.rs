@@ -15,7 +15,11 @@ pub mod newton;
 pub mod objective;
 pub mod paper_matrix;
 pub mod singular_values;
+#[cfg(feature = "study")]
+pub mod slopes;
 pub mod solver;
+#[cfg(feature = "study")]
+pub mod steer;
 pub mod suspect;
 pub mod tangent;
 pub mod trust_region;

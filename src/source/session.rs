@@ -11,7 +11,7 @@ use crate::document::schema::Document;
 use crate::motion::trajectory::Trajectory;
 #[cfg(feature = "study")]
 use crate::motion::trajectory::Warning;
-use crate::plan::follow::Planning;
+use crate::plan::planning::Planning;
 #[cfg(feature = "study")]
 use crate::source::convention::looks_standard;
 #[cfg(not(feature = "study"))]
@@ -148,7 +148,7 @@ impl Session {
     /// # Errors
     /// When it is no whole number from 0 to the last frame.
     pub fn frame(&self, number: f64) -> Result<usize, Fault> {
-        below(number, self.problem.goals.len(), &FRAMES)
+        below(number, self.problem.frames(), &FRAMES)
     }
 
     /// The same for a joint variable, counted through all chains.

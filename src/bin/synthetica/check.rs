@@ -57,7 +57,7 @@ struct Verdict<'a> {
     frames: usize,
     statuses: BTreeMap<&'a str, usize>,
     uncertified: Vec<Run>,
-    /// Largest distance from the goal.
+    /// Largest distance from the goal; null where joints are driven, and there is none.
     translation_gap: f64,
     /// The same of the rotation, degrees.
     rotation_gap: f64,
@@ -159,11 +159,15 @@ fn words(verdict: &Verdict, planned: &Planned) -> String {
         format!("  chains    {}", chains.join(", ")),
         format!("  mobility  {rank} by rank, {count} by count"),
         format!("  frames    {}: {}", verdict.frames, statuses.join(", ")),
-        format!(
-            "  gap       up to {} {unit} and {}°",
-            readable(shift),
-            readable(turn)
-        ),
+        if report.drivers.is_empty() {
+            let (shift, turn) = (readable(shift), readable(turn));
+            format!("  gap       up to {shift} {unit} and {turn}°")
+        } else {
+            let wording = planned.problem.wording();
+            let driven = report.drivers.iter().map(|&v| wording.variable(v));
+            let driven: Vec<String> = driven.collect();
+            format!("  driven    {}", driven.join(", "))
+        },
         format!(
             "  loops     {} {:.1e}, at most {:.1e}",
             if verdict.closure <= report.bounds.closure {
@@ -181,17 +185,19 @@ fn words(verdict: &Verdict, planned: &Planned) -> String {
             verdict.misfit, report.bounds.misfit
         ));
     }
-    lines.push(format!("  metric    {}", metric(report, unit)));
-    let either = verdict.metrics.each_ref().map(|gaps| {
-        let MetricGaps {
-            metric,
-            translation_gap: shift,
-            rotation_gap: turn,
-            ..
-        } = gaps;
-        format!("{metric} {} {unit}, {}°", readable(*shift), readable(*turn))
-    });
-    lines.push(format!("  compared  {}", either.join(" | ")));
+    if report.drivers.is_empty() {
+        lines.push(format!("  metric    {}", metric(report, unit)));
+        let either = verdict.metrics.each_ref().map(|gaps| {
+            let MetricGaps {
+                metric,
+                translation_gap: shift,
+                rotation_gap: turn,
+                ..
+            } = gaps;
+            format!("{metric} {} {unit}, {}°", readable(*shift), readable(*turn))
+        });
+        lines.push(format!("  compared  {}", either.join(" | ")));
+    }
     lines.push(format!(
         "  leaps     {}",
         list(&verdict.leaps, "between frames ", " and ")
@@ -308,6 +314,8 @@ impl Run {
     }
 }
 
+/// No number where there is none: the gaps of a motion without goals.
 fn largest(values: &[f64]) -> f64 {
-    values.iter().copied().fold(0.0, f64::max)
+    let known = values.iter().copied().filter(|value| !value.is_nan());
+    known.reduce(f64::max).unwrap_or(f64::NAN)
 }

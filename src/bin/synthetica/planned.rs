@@ -51,7 +51,7 @@ pub fn planned(
             return Err(Failure::Fault { file, fault });
         }
     };
-    let mut progress = Progress::new("frame", problem.goals.len() as u64);
+    let mut progress = Progress::new("frame", problem.frames() as u64);
     let mut planning = problem.planning(&problem.find_start());
     while planning.advance() {
         progress.at(planning.done() as u64);
