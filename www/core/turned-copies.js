@@ -12,7 +12,7 @@
  */
 import { Matrix4, Quaternion, Vector3 } from 'three';
 import { copyName } from './lists.js';
-import { chainVariables, JOINT_TYPES } from './joint-types.js';
+import { chainVariables, JOINT_TYPES, plainLetter } from './joint-types.js';
 import { frameMatrix, frameOf } from './poses.js';
 
 const RADIANS = Math.PI / 180;
@@ -27,7 +27,7 @@ function jointsMatrix(chain, values) {
   const part = new Matrix4();
   let variable = 0;
   for (const { type, rows = [] } of chain.joints) {
-    JOINT_TYPES[type].rows.forEach((variables, row) => {
+    JOINT_TYPES[plainLetter(type)].rows.forEach((variables, row) => {
       const { alpha, a, theta, d } = /** @type {Record<string, number>} */ ({ alpha: 0, a: 0, theta: 0, d: 0, ...rows[row] });
       const moved = { theta, d };
       for (const name of variables) moved[name] += values[variable++];
