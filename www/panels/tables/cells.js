@@ -68,23 +68,32 @@ export function createCells(store) {
       if (field[name] !== text) field[name] = text;
     };
 
+    const isExpression = (/** @type {unknown} */ now) => typeof now === 'string' && !spec.text;
+
+    /** What an expression is worth, also while one is still in its cell. */
+    const showWorth = () => {
+      const now = value();
+      field.classList.toggle('expression', isExpression(now));
+      if (!isExpression(now)) return;
+      const worth = expressionValue(store, spec.path);
+      put('title', worth === undefined ? '' : `= ${measured(store.doc, spec.path, worth)}`);
+    };
+
     const show = () => {
       const now = value();
       const whole = now == null ? '' : String(now);
+      showWorth();
       // One's own typing stays as typed; another's change (undo, a sample) shows even in the cell being edited.
       if (touched && editing() && (writing || now === seen)) return;
       touched = false;
+      field.classList.remove('typing');
+      // The keys of a phone for numbers have no letters.
+      if (!spec.text) field.inputMode = isExpression(now) || Object.keys(parametersOf(store.doc)).length ? 'text' : 'decimal';
       const text = editing() || typeof now !== 'number' ? whole : short(now, spec.decimals).replace('−', '-');
       const hint = spec.fallback?.();
       // Written only where it changed: a drag shows every cell anew at every move.
       put('value', text);
-      const isExpression = typeof now === 'string' && !spec.text;
-      const worth = isExpression ? expressionValue(store, spec.path) : undefined;
-      put('title', worth !== undefined ? `= ${measured(store.doc, spec.path, worth)}` : typeof now === 'number' && text !== whole ? whole : '');
-      field.classList.toggle('expression', isExpression);
-      field.classList.remove('typing');
-      // The keys of a phone for numbers have no letters.
-      if (!spec.text) field.inputMode = isExpression || Object.keys(parametersOf(store.doc)).length ? 'text' : 'decimal';
+      if (!isExpression(now)) put('title', typeof now === 'number' && text !== whole ? whole : '');
       put('placeholder', hint !== undefined ? short(hint, spec.decimals) : spec.optional ? '–' : '');
       fit();
     };

@@ -113,6 +113,7 @@ export function createParametersPanel(place, store, cells, { check, say, nameCel
     const path = edits.parameterPath(name);
     const entry = typed.get(name);
     const value = expressionValue(store, path);
+    const type = (/** @type {Event} */ event) => typed.set(name, { text: target(event).value, fault: '' });
     const press = keyListener({
       keepValue: (event) => target(event).blur(),
       oldValue(event) {
@@ -124,14 +125,14 @@ export function createParametersPanel(place, store, cells, { check, say, nameCel
     });
     return html`<tbody>
       <tr>
-        <th scope="row"><input type="text" class="cell text" data-name=${name} aria-label="name of parameter ${name}" aria-invalid=${entry ? 'true' : nothing}
-          aria-describedby=${entry ? `name-fault-${name}` : nothing} autocomplete="off" autocapitalize="none" spellcheck="false" ?readonly=${store.readonly} .value=${live(entry?.text ?? name)}
-          @change=${(/** @type {Event} */ event) => rename(name, target(event))} @keydown=${press} /></th>
+        <th scope="row"><input type="text" class="cell text" data-name=${name} aria-label="name of parameter ${name}" aria-invalid=${entry?.fault ? 'true' : nothing}
+          aria-describedby=${entry?.fault ? `name-fault-${name}` : nothing} autocomplete="off" autocapitalize="none" spellcheck="false" ?readonly=${store.readonly} .value=${live(entry?.text ?? name)}
+          @input=${type} @change=${(/** @type {Event} */ event) => rename(name, target(event))} @keydown=${press} /></th>
         <td>${cells.input({ path, column: 'value', label: `parameter ${name}` })}</td>
         <td class="range">${typeof given === 'number' ? slider(name, given) : html`<output>${value === undefined ? '' : `= ${short(value)}`}</output>`}</td>
         <td class="act"><button class="menu-button quiet edits" title="Actions of parameter ${name}" aria-label="Actions of parameter ${name}" ${attach(behave, name)}>⋯</button></td>
       </tr>
-      ${entry ? html`<tr><td colspan="4"><p class="fault" role="alert" id="name-fault-${name}">${entry.fault}</p></td></tr>` : nothing}
+      ${entry?.fault ? html`<tr><td colspan="4"><p class="fault" role="alert" id="name-fault-${name}">${entry.fault}</p></td></tr>` : nothing}
     </tbody>`;
   }
 
