@@ -8,6 +8,9 @@ import { measured, stepOf } from '../../www/core/number-steps.js';
 import { applyOverrides, namedIn, parseOverrides } from '../../www/core/overrides.js';
 import * as parameters from '../../www/core/parameters.js';
 import { createRanges, rangeAround } from '../../www/core/slider-range.js';
+import { setChainType } from '../../www/core/edits.js';
+import { addKeyFrame } from '../../www/core/key-frame-edits.js';
+import { parseBlock } from '../../www/panels/tables/block-text.js';
 import { turnedCopies } from '../../www/core/turned-copies.js';
 import { convertLengths } from '../../www/core/units.js';
 import { keyFrameTarget } from '../../www/view3d/hand/key-frame.js';
@@ -188,4 +191,23 @@ test('frames in radians and in other forms have their numbers', () => {
   assert.equal(frameNumbers({ doc, result: { doc: null, plain: null } }, 'motion.key_frames[1]'), null);
   assert.equal(frameAsWritten(doc, { x: 1, roll: 180 }).roll, Math.PI);
   assert.deepEqual(withoutForms(doc.motion.key_frames[1]), { z: 2 });
+});
+
+test('a key frame between times that are expressions gets one between them', () => {
+  const doc = { parameters: { t: 2 }, motion: { key_frames: [{ time: 0 }, { time: 't' }] } };
+  const times = (next) => next.motion.key_frames.map(({ time }) => time);
+  assert.deepEqual(times(addKeyFrame(doc, {}, 1)), [0, '((0)+(t))/2', 't']);
+  assert.deepEqual(times(addKeyFrame(doc, {})), [0, 't', '(t)+1']);
+});
+
+test('commas of an expression part no cells when it is pasted', () => {
+  assert.deepEqual(parseBlock('hypot(0.3, 0.4)'), [['hypot(0.3, 0.4)']]);
+  assert.deepEqual(parseBlock('atan2(a, b)\t1'), [['atan2(a, b)', '1']]);
+});
+
+test('joints that are called U or by small letters stay where their type does', () => {
+  const doc = { chains: [{ joints: [{ type: 'U', rows: [1] }, { type: 'p', rows: [2] }, { type: 'S' }] }] };
+  const fresh = { R: { type: 'R' }, T: { type: 'T' }, P: { type: 'P' }, S: { type: 'S' } };
+  assert.equal(setChainType(doc, 0, ['T', 'P', 'S'], fresh), doc);
+  assert.deepEqual(setChainType(doc, 0, ['T', 'P', 'R'], fresh).chains[0].joints, [...doc.chains[0].joints.slice(0, 2), { type: 'R' }]);
 });

@@ -59,4 +59,7 @@ export function chainVariables(chain) {
 }
 
 /** @param {import('./types.js').Chain} chain */
-export const chainType = (chain) => chain.joints.map((joint) => joint.type).join('');
+export const chainType = (chain) => chain.joints.map((joint) => plainLetter(joint.type)).join('');
+
+/** Whether a chain is given by the axes of its joints at home, and has no rows. @param {import('./types.js').Chain} chain */
+export const isByAxes = (chain) => chain.joints.some(({ point, axis, second }) => point !== undefined || axis !== undefined || second !== undefined);
