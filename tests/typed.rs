@@ -58,6 +58,22 @@ fn a_delta_by_its_axes_is_closed_at_home_and_moves() {
     let parameters = open.typed().parameters.list();
     assert!((parameters[0].value - height).abs() < 1e-12 * height);
     assert!(!parameters[0].input && parameters[1].input);
+    let value = |path: &str| {
+        let mut all = open.typed().expressions.iter();
+        all.find(|one| one.path == path).map(|one| one.value)
+    };
+    assert_eq!(value("home.z"), Some(-parameters[0].value));
+    assert_eq!(value("chains[0].joints[1].point[0]"), Some(500.0));
+    assert_eq!(value("motion.key_frames[1].x"), None);
+}
+
+#[test]
+fn a_parameter_is_told_by_its_name() {
+    let told = fault(&delta(&DELTA.replace("200", "\"200+\""))).to_string();
+    assert!(
+        told.starts_with("Parameter \u{201c}base\u{201d}: "),
+        "{told}"
+    );
 }
 
 #[test]

@@ -15,6 +15,14 @@ export interface Fault {
   column?: number;
 }
 
+/** What an expression of a document is. */
+export interface ExpressionValue {
+  /** Such as `chains[0].base.x`. */
+  path: string;
+  /** An angle is in the document's unit of angles. */
+  value: number;
+}
+
 /** A number with a name. */
 export interface Parameter {
   name: string;
@@ -38,6 +46,8 @@ export interface Motion {
   plain?: any;
   /** Of the same: its parameters. */
   parameters?: Parameter[];
+  /** The value of each expression in the document as it was typed, but for those of its parameters; likewise. */
+  expressions?: ExpressionValue[];
   /** What planning took, without the copying of the result. */
   milliseconds: number;
   /** Time of each frame. */

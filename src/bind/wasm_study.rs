@@ -54,7 +54,8 @@ impl Session {
         }
         let set = |name: &str, value: &JsValue| Reflect::set(motion, &name.into(), value).map(drop);
         set("plain", &js_sys::JSON::parse(&self.plain())?)?;
-        set("parameters", &to_js(&typed.parameters.list())?)
+        set("parameters", &to_js(&typed.parameters.list())?)?;
+        set("expressions", &to_js(&typed.expressions)?)
     }
 
     /// One joint variable, counted through all chains, driven to `value` (rad or length) from the joint

@@ -160,7 +160,7 @@ impl<'a> Place<'a> {
     }
 
     /// The JSON path: `chains[1].base.x`.
-    fn path(&self) -> String {
+    pub(crate) fn path(&self) -> String {
         let mut path = self.before.map_or_else(String::new, Place::path);
         match self.step {
             Step::Whole => {}
@@ -180,6 +180,11 @@ impl<'a> Place<'a> {
         let mut words = self.before.map_or_else(Vec::new, Place::words);
         match self.step {
             Step::Whole => {}
+            // The name is the person's own: “base” is no frame here.
+            #[cfg(feature = "study")]
+            Step::Field(name) if words == ["parameters"] => {
+                words = vec![format!("parameter \u{201c}{}\u{201d}", excerpt(name))];
+            }
             Step::Field(name @ ("base" | "gripper")) => words.push(format!("{name} frame")),
             Step::Field(name) => words.push(excerpt(name).replace('_', " ")),
             Step::Item(index, name) => {

@@ -28,6 +28,15 @@ pub struct Parameter {
     pub input: bool,
 }
 
+/// What an expression of a document is.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ExpressionValue {
+    /// Its place in the document as it was typed: `chains[0].base.x`.
+    pub path: String,
+    /// A length, a time or a count, or an angle in the document's unit of angles.
+    pub value: f64,
+}
+
 /// The parameters of a document. The default has none.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Parameters {

@@ -5,7 +5,7 @@ use crate::document::reader::Node;
 use crate::document::schema::Document;
 use crate::document::text::{Digits, document_of, json, layout, node_of};
 use crate::motion::trajectory::Warning;
-use crate::source::parameters::Parameters;
+use crate::source::parameters::{ExpressionValue, Parameters};
 use crate::source::{chains, frames, values};
 use serde::Deserialize;
 
@@ -33,6 +33,8 @@ pub struct Typed {
     pub notes: Vec<Warning>,
     /// Its parameters with their values.
     pub parameters: Parameters,
+    /// The value of each expression in it, but for those of its parameters.
+    pub expressions: Vec<ExpressionValue>,
     /// As it was typed; `None` where that is a plain document.
     node: Option<Node>,
 }
@@ -49,19 +51,21 @@ impl Typed {
                 document,
                 notes: Vec::new(),
                 parameters: Parameters::default(),
+                expressions: Vec::new(),
                 node: None,
             });
         }
         given.only(&FIELDS, &Place::WHOLE)?;
         let mut node = given.clone();
         chains::letters(&mut node);
-        let parameters = values::evaluate(&mut node)?;
+        let (parameters, expressions) = values::evaluate(&mut node)?;
         frames::to_plain(&mut node)?;
         let notes = chains::to_plain(&mut node)?;
         Ok(Self {
             document: document_of(&node)?,
             notes,
             parameters,
+            expressions,
             node: Some(given),
         })
     }

@@ -6,6 +6,7 @@ use crate::model::joint::JointKind;
 use crate::source::expression::{
     AngleUnit, ExpressionFault, ParameterValue, Parameters, evaluate as value_of,
 };
+use crate::source::parameters::ExpressionValue;
 
 /// The fields that hold a number, or lists of numbers.
 pub(crate) const NUMBERS: [&str; 32] = [
@@ -50,23 +51,29 @@ const UNITS: [(&str, AngleUnit); 2] = [
 ];
 
 /// A document's texts with numbers in place of expressions, angles in degrees; its parameters are
-/// taken out.
+/// taken out. Answers with the parameters, and the value of each expression.
 ///
 /// # Errors
 /// Where an expression has no value.
-pub(crate) fn evaluate(node: &mut Node) -> Result<Parameters, Fault> {
+pub(crate) fn evaluate(node: &mut Node) -> Result<(Parameters, Vec<ExpressionValue>), Fault> {
     let unit = unit(node)?;
     let parameters = parameters(node, unit)?;
+    let mut expressions = Vec::new();
+    let mut read = |text: &str, place: &Place<'_>| {
+        let value = value_of(text, &parameters, unit);
+        let value = value.map_err(|fault| told(&fault, Some(text), place))?;
+        let path = place.path();
+        expressions.push(ExpressionValue { path, value });
+        Ok(value)
+    };
     for (name, value) in node.fields_mut() {
         let place = Place::WHOLE.field(name);
-        numbers(value, name, &place, &|text| {
-            value_of(text, &parameters, unit)
-        })?;
+        numbers(value, name, &place, &mut read)?;
     }
     if unit == AngleUnit::Radians {
         to_degrees(node);
     }
-    Ok(parameters)
+    Ok((parameters, expressions))
 }
 
 fn unit(node: &mut Node) -> Result<AngleUnit, Fault> {
@@ -111,22 +118,22 @@ fn numbers(
     node: &mut Node,
     field: &str,
     place: &Place<'_>,
-    value: &dyn Fn(&str) -> Result<f64, ExpressionFault>,
+    read: &mut dyn FnMut(&str, &Place<'_>) -> Result<f64, Fault>,
 ) -> Result<(), Fault> {
     match node {
         Node::Text(text) if NUMBERS.contains(&field) => {
-            let number = value(text).map_err(|fault| told(&fault, Some(text), place))?;
+            let number = read(text, place)?;
             *node = Node::Number(number);
         }
         Node::List(items) => {
             for (i, item) in items.iter_mut().enumerate() {
                 let name = item.name().to_owned();
-                numbers(item, field, &place.named(i, &name), value)?;
+                numbers(item, field, &place.named(i, &name), read)?;
             }
         }
         Node::Object(fields) => {
             for (name, item) in fields {
-                numbers(item, name, &place.field(name), value)?;
+                numbers(item, name, &place.field(name), read)?;
             }
         }
         Node::Null | Node::Bool(_) | Node::Number(_) | Node::Text(_) => {}

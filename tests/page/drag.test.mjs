@@ -41,7 +41,7 @@ test('a small step follows the twist', () => {
 
 test('a key frame with a text that is no number cannot be moved: a move would write 0 in its place', () => {
   const key_frames = [{ x: 1, z: 'abc' }, { x: 1, z: 2 }];
-  const app = { store: { doc: { motion: { key_frames } } }, player: {} };
+  const app = { store: { doc: { motion: { key_frames } }, result: { doc: null, plain: null } }, player: {} };
   const [faulty, whole, none] = [0, 1, 2].map((index) => keyFrameTarget(app, index, () => 1));
   assert.equal(faulty.pose(), null);
   near(whole.pose(), [1, 0, 2, 0, 0, 0, 1]);

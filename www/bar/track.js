@@ -131,9 +131,9 @@ export function createTrack({ find, store }, goTo) {
 
   store.subscribe('view', show);
   function take() {
-    const { motion, doc } = store.result;
-    if (!motion || !doc) return;
-    keys = keyFrameFrames(doc, allTimes(motion));
+    const { motion, plain } = store.result;
+    if (!motion || !plain) return;
+    keys = keyFrameFrames(plain, allTimes(motion));
     if (scrub.max !== String(motion.frames - 1)) scrub.max = String(motion.frames - 1);
     drawStrip(strip, motion);
     strip.setAttribute('aria-label', `Gap at every frame, ${most(motion)}: ${countStatuses(motion)}. ${partSentence(motion)}`.trim());

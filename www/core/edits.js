@@ -7,6 +7,7 @@
  * @typedef {import('./types.js').Chain} Chain
  */
 import { copyName, freshName, insert, moved, without } from './lists.js';
+import { plainLetter } from './joint-types.js';
 import { valueAt, withValueAt } from './path.js';
 
 const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
@@ -84,17 +85,18 @@ export const setJoints = (doc, chain, fresh) => changeJoints(doc, chain, () => f
  */
 export function setChainType(doc, chain, letters, fresh) {
   const old = doc.chains[chain].joints;
-  if (old.length === letters.length && letters.every((letter, i) => old[i].type === letter)) return doc;
+  const is = (/** @type {number} */ at, /** @type {string} */ letter) => plainLetter(old[at].type) === letter;
+  if (old.length === letters.length && letters.every((letter, i) => is(i, letter))) return doc;
   const most = Math.min(old.length, letters.length);
   let front = 0;
-  while (front < most && old[front].type === letters[front]) front++;
+  while (front < most && is(front, letters[front])) front++;
   let back = 0;
-  while (back < most - front && old[old.length - 1 - back].type === letters[letters.length - 1 - back]) back++;
+  while (back < most - front && is(old.length - 1 - back, letters[letters.length - 1 - back])) back++;
   const added = letters.length - old.length;
   return setJoints(doc, chain, letters.map((letter, i) => {
     const stays = i < letters.length - back ? old[i] : old[i - added];
     const between = i < old.length - back;
-    return (i >= letters.length - back || between) && stays?.type === letter ? stays : fresh[letter];
+    return (i >= letters.length - back || between) && stays && plainLetter(stays.type) === letter ? stays : fresh[letter];
   }));
 }
 

@@ -19,6 +19,15 @@ export const JOINT_TYPES = {
 /** @type {JointType[]} */
 export const JOINT_LETTERS = ['R', 'P', 'C', 'T', 'S', 'E'];
 
+/**
+ * The letter that a plain document has: U is T, and a letter may be small.
+ * @param {string} type
+ */
+export const plainLetter = (type) => /** @type {JointType} */ (type.toUpperCase() === 'U' ? 'T' : type.toUpperCase());
+
+/** What a joint's letter means; undefined where it means none. @param {string} type */
+export const jointOf = (type) => /** @type {typeof JOINT_TYPES[JointType] | undefined} */ (JOINT_TYPES[plainLetter(type)]);
+
 const DIGITS = '₀₁₂₃₄₅₆₇₈₉';
 
 /**
@@ -41,7 +50,7 @@ export function chainVariables(chain) {
   let row = 0;
   chain.joints.forEach(({ type }, joint) => {
     let freedom = 0;
-    JOINT_TYPES[type]?.rows.forEach((variables, rowOfJoint) => {
+    jointOf(type)?.rows.forEach((variables, rowOfJoint) => {
       for (const variable of variables) all.push({ variable, joint, freedom: freedom++, row, rowOfJoint });
       row++;
     });
@@ -50,4 +59,7 @@ export function chainVariables(chain) {
 }
 
 /** @param {import('./types.js').Chain} chain */
-export const chainType = (chain) => chain.joints.map((joint) => joint.type).join('');
+export const chainType = (chain) => chain.joints.map((joint) => plainLetter(joint.type)).join('');
+
+/** Whether a chain is given by the axes of its joints at home, and has no rows. @param {import('./types.js').Chain} chain */
+export const isByAxes = (chain) => chain.joints.some(({ point, axis, second }) => point !== undefined || axis !== undefined || second !== undefined);

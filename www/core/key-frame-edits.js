@@ -52,10 +52,16 @@ export function duplicateKeyFrame(doc, key) {
 function duplicateTime(doc, index) {
   const keys = doc.motion.key_frames;
   const before = keys[index - 1]?.time;
-  if (typeof before !== 'number') return doc;
+  if (before == null) return doc;
   const after = keys[index + 1]?.time;
-  const time = typeof after === 'number' ? (before + after) / 2 : before + 1;
+  const time = timeBetween(before, after);
   return withValueAt(doc, `motion.key_frames[${index}].time`, time);
+}
+
+/** A time between two, or one unit after the first; of expressions it is one. @param {Entry} before @param {Entry | null | undefined} after @returns {Entry} */
+function timeBetween(before, after) {
+  if (typeof before === 'number' && typeof after !== 'string') return after == null ? before + 1 : (before + after) / 2;
+  return after == null ? `(${before})+1` : `((${before})+(${after}))/2`;
 }
 
 /**

@@ -3,12 +3,16 @@
  *
  * @typedef {import('./types.js').MechanismDocument} MechanismDocument
  */
+import { length, short } from './format.js';
 import { chainVariables } from './joint-types.js';
 import { valueAt } from './path.js';
 
-const ANGLES = new Set(['alpha', 'theta', 'longitude', 'latitude', 'roll']);
-const LENGTHS = new Set(['a', 'd', 'x', 'y', 'z', 'radius', 'metric_length', 'reference', 'metric_origin']);
+const ANGLES = new Set(['alpha', 'theta', 'longitude', 'latitude', 'roll', 'roll_pitch_yaw']);
+const LENGTHS = new Set(['a', 'd', 'x', 'y', 'z', 'radius', 'metric_length', 'reference', 'metric_origin', 'point']);
 const WHOLE = new Set(['frames', 'max_iterations']);
+
+/** About half a degree, where angles are in radians. */
+const RADIANS = 0.01;
 
 /** Of a linkage's size, of another number's own size. */
 const SHARE = 1 / 100;
@@ -36,12 +40,39 @@ function variableAt(doc, path) {
   return start ? all[Number(first)]?.variable : all.find(({ joint, freedom }) => joint === Number(first) && freedom === Number(second))?.variable;
 }
 
-/** @param {MechanismDocument} doc @param {string} path of a number @param {number} value what it is now */
-export function stepOf(doc, path, value) {
-  const name = variableAt(doc, path) ?? path.replace(/\[\d+\]$/, '').replace(/^.*\./, '');
-  if (ANGLES.has(name)) return 1;
-  if (LENGTHS.has(name)) return powerOfTen(sizeOf(doc) * SHARE);
-  if (WHOLE.has(name)) return 1;
+/** @param {MechanismDocument} doc @param {string} path of a number */
+const fieldOf = (doc, path) => variableAt(doc, path) ?? path.replace(/\[\d+\]$/, '').replace(/^.*\./, '');
+
+/**
+ * What a number of the document measures. What a parameter measures is not known: that depends on its uses.
+ * @param {MechanismDocument} doc @param {string} path
+ * @returns {'angle' | 'length' | 'time' | ''}
+ */
+export function kindOf(doc, path) {
+  if (path.startsWith('parameters.')) return '';
+  const name = fieldOf(doc, path);
+  if (ANGLES.has(name)) return 'angle';
+  if (LENGTHS.has(name)) return 'length';
+  return name === 'time' ? 'time' : '';
+}
+
+/** A value as it is measured, with its unit: "303.1089 mm". @param {MechanismDocument} doc @param {string} path @param {number} value in the document's units */
+export function measured(doc, path, value) {
+  const kind = kindOf(doc, path);
+  if (kind === 'length') return length(value, doc.length_unit);
+  if (kind === 'angle') return doc.angles === 'radians' ? `${short(value)} rad` : `${short(value)}°`;
+  return kind === 'time' ? `${short(value)} s` : short(value);
+}
+
+/**
+ * @param {MechanismDocument} doc @param {string} path of a number @param {number} value what it is now
+ * @param {MechanismDocument} [plain] the plain document that `doc` stands for, if that is another one
+ */
+export function stepOf(doc, path, value, plain = doc) {
+  const kind = kindOf(doc, path);
+  if (kind === 'angle') return doc.angles === 'radians' ? RADIANS : 1;
+  if (kind === 'length') return powerOfTen(sizeOf(plain) * SHARE);
+  if (!path.startsWith('parameters.') && WHOLE.has(fieldOf(doc, path))) return 1;
   // Seconds, shares: a digit of their own.
   return value === 0 ? SHARE : powerOfTen(Math.abs(value) * SHARE * 10);
 }

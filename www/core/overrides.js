@@ -1,6 +1,6 @@
 /**
- * Readable changes of a document in an address: `?set=chains.0.joints[1].rows[0].a:1.2`, repeated or parted by
- * commas or semicolons. What holds a place must be there; whether the value is accepted is Rust's to say. Each change that
+ * Readable changes of a document in an address: `?set=chains.0.joints[1].rows[0].a:1.2`, or `?set=base:400` for a parameter,
+ * repeated or parted by commas or semicolons. What holds a place must be there; whether the value is accepted is Rust's to say. Each change that
  * is refused is told by itself, and the others hold; of two for the same place the last one counts.
  *
  * @typedef {{path: string, value: unknown, text: string}} Override `text` as it stands in the address
@@ -37,7 +37,7 @@ export async function withOverrides(doc, sets, whole) {
     problems.push(`The change “${text}” in the address (set=…) was left out. ${why}`);
   };
   const kept = changesIn(sets).flatMap((text) => {
-    const read = unlessBad(() => parseOverride(text));
+    const read = unlessBad(() => namedIn(doc, parseOverride(text)));
     if (read.is === 'answer') return [read.value];
     refuse(text, read.message);
     return [];
@@ -91,10 +91,17 @@ export function parseOverride(text) {
   const colon = text.indexOf(':');
   const place = text.slice(0, colon).trim();
   if (colon < 0 || !/^[A-Za-z_]\w*(\.\w+|\[\d+\])*$/.test(place)) {
-    throw new BadOverride('It is no change of a document. Accepted: a place, a colon and a value, such as chains[0].joints[1].rows[0].a:1.2.');
+    throw new BadOverride('It is no change of a document. Accepted: a place, a colon and a value, such as chains[0].joints[1].rows[0].a:1.2; or the name of a parameter, such as base:400.');
   }
   return { path: place.replace(/\.(\d+)(?=[.[]|$)/g, '[$1]'), value: valueOf(text.slice(colon + 1).trim()), text };
 }
+
+/**
+ * A change whose place is the name of a parameter is one of that parameter, unless the document has a field of that name.
+ * @param {MechanismDocument} doc @param {Override} change @returns {Override}
+ */
+export const namedIn = (doc, change) =>
+  hasOwn(doc.parameters, change.path) && !hasOwn(doc, change.path) ? { ...change, path: `parameters.${change.path}` } : change;
 
 /** @param {string[]} sets @returns {Override[]} */
 export const parseOverrides = (sets) => changesIn(sets).map(parseOverride);

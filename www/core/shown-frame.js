@@ -1,6 +1,7 @@
 /**
  * The shown pose as a frame of the document: what a new key frame is made of.
  */
+import { frameAsWritten } from './document-angles.js';
 import { frameOf } from './poses.js';
 import { groupAt, shown } from './shown.js';
 
@@ -18,6 +19,6 @@ export const plain = (value) => Number(value.toFixed(DECIMALS)) || 0;
 export function shownFrame(store, which) {
   const now = shown(store);
   if (!now) return null;
-  const frame = frameOf(groupAt(now[which], now), store.doc.motion.key_frames.at(-1));
-  return Object.fromEntries(Object.entries(frame).map(([name, value]) => [name, plain(value)]));
+  const frame = frameOf(groupAt(now[which], now), store.result.plain?.motion.key_frames.at(-1));
+  return frameAsWritten(store.doc, Object.fromEntries(Object.entries(frame).map(([name, value]) => [name, plain(value)])));
 }

@@ -8,7 +8,7 @@
  */
 import { chainName } from './chain-name.js';
 import { angle, length } from './format.js';
-import { JOINT_TYPES, chainType } from './joint-types.js';
+import { chainType, jointOf } from './joint-types.js';
 import { covers, parsePath } from './path.js';
 
 /** Every thing that can be chosen, in the order in which the keyboard goes through them. @param {MechanismDocument} doc */
@@ -63,7 +63,7 @@ export function nameOf(place, { result, view }) {
   const joint = chain.joints[second];
   if (!joint) return '';
   if (inner === 'rows') return second === 0 ? `link from the base of ${name} to its first joint` : `link ${second} of ${name}`;
-  return `${name}, joint ${second + 1}: ${joint.type}, ${JOINT_TYPES[joint.type].name}`;
+  return `${name}, joint ${second + 1}: ${joint.type}, ${jointOf(joint.type)?.name ?? 'no joint'}`;
 }
 
 /** @param {number | null} frame null for what is shown now @param {Shown} shown */

@@ -12,7 +12,7 @@
  */
 import { Matrix4, Quaternion, Vector3 } from 'three';
 import { copyName } from './lists.js';
-import { chainVariables, JOINT_TYPES } from './joint-types.js';
+import { chainVariables, JOINT_TYPES, plainLetter } from './joint-types.js';
 import { frameMatrix, frameOf } from './poses.js';
 
 const RADIANS = Math.PI / 180;
@@ -27,7 +27,7 @@ function jointsMatrix(chain, values) {
   const part = new Matrix4();
   let variable = 0;
   for (const { type, rows = [] } of chain.joints) {
-    JOINT_TYPES[type].rows.forEach((variables, row) => {
+    JOINT_TYPES[plainLetter(type)].rows.forEach((variables, row) => {
       const { alpha, a, theta, d } = /** @type {Record<string, number>} */ ({ alpha: 0, a: 0, theta: 0, d: 0, ...rows[row] });
       const moved = { theta, d };
       for (const name of variables) moved[name] += values[variable++];
@@ -59,6 +59,7 @@ function rounded(matrix, near, size) {
  * @param {Chain} chain @param {readonly unknown[] | undefined} start
  */
 export function whyNotCopied(chain, start) {
+  if (!chain.joints.every(({ rows }) => rows)) return 'The rows of this chain are not known yet: mend the document first.';
   const numbers = [chain.base, chain.gripper, ...chain.joints.flatMap(({ rows }) => rows ?? [])].flatMap((part) => Object.values(part ?? {}));
   if (numbers.some((value) => typeof value !== 'number')) return 'A number of this chain is at fault: mend it first.';
   const known = start?.length === chainVariables(chain).length && start.every((value) => typeof value === 'number');
@@ -70,17 +71,19 @@ export function whyNotCopied(chain, start) {
  * @param {number} chain
  * @param {Around} around
  * @param {number[]} start degrees or lengths, at which the copies close
+ * @param {Chain} [plain] the chain as rows and numbers, where the document gives it by expressions, axes or another
+ *   convention: the copies are such chains
  * @returns {MechanismDocument} with the copies behind the chain
  */
-export function turnedCopies(doc, chain, { count, axis, point }, start) {
-  const old = doc.chains[chain];
+export function turnedCopies(doc, chain, { count, axis, point }, start, plain = doc.chains[chain]) {
+  const old = plain;
   const base = frameMatrix(old.base);
   const inner = base.clone().multiply(jointsMatrix(old, start));
   const workpiece = inner.clone().multiply(frameMatrix(old.gripper));
   const size = Math.max(...[base, inner, workpiece].map((matrix) => new Vector3().setFromMatrixPosition(matrix).length()), ...point.map(Math.abs));
   const [x, y, z] = point;
   const chains = [...doc.chains];
-  chains[chain] = { ...old, start };
+  chains[chain] = { ...doc.chains[chain], start };
   for (let k = 1; k < count; k++) {
     const turn = new Matrix4().makeTranslation(x, y, z);
     turn.multiply(new Matrix4().makeRotationAxis(AXES[axis], (2 * Math.PI * k) / count)).multiply(new Matrix4().makeTranslation(-x, -y, -z));

@@ -23,14 +23,19 @@
  * @typedef {'R' | 'P' | 'C' | 'T' | 'S' | 'E'} JointType
  * @typedef {{alpha?: Entry, a?: Entry, theta?: Entry, d?: Entry}} Row  degrees, length
  * @typedef {{min?: Entry | null, max?: Entry | null}} Limit
- * @typedef {{type: JointType, rows?: Row[], limits?: (Limit | null)[] | null}} Joint
- * @typedef {{x?: Entry, y?: Entry, z?: Entry, longitude?: Entry, latitude?: Entry, roll?: Entry}} Frame
- * @typedef {{name?: string, base?: Frame, joints: Joint[], gripper?: Frame, start?: Entry[] | null}} Chain
+ * @typedef {{type: JointType, rows?: Row[], limits?: (Limit | null)[] | null, point?: Entry[], axis?: Entry[], second?: Entry[]}} Joint
+ *   by its rows, or by a point and the directions of its axes at the home position
+ * @typedef {{x?: Entry, y?: Entry, z?: Entry, longitude?: Entry, latitude?: Entry, roll?: Entry} & Turn} Frame
+ * @typedef {{quaternion_wxyz?: Entry[], quaternion_xyzw?: Entry[], matrix?: Entry[][], roll_pitch_yaw?: Entry[], order?: string}} Turn
+ *   one of them in place of the three angles
+ * @typedef {{name?: string, base?: Frame, joints: Joint[], gripper?: Frame, start?: Entry[] | null, convention?: string}} Chain
  * @typedef {Frame & {name?: string, time?: Entry | null}} KeyFrame
- * @typedef {{key_frames: KeyFrame[], interpolation?: string, frames?: Entry, reference?: Entry[] | null, radius?: Entry | null}} MotionSpec
+ * @typedef {{key_frames: KeyFrame[], drivers?: Driver[], interpolation?: string, frames?: Entry, reference?: Entry[] | null, radius?: Entry | null}} MotionSpec
+ * @typedef {{chain: Entry, joint: Entry, freedom?: Entry, values: {time: Entry, value: Entry}[], ramp?: string}} Driver counted from 1
  * @typedef {{method?: string, metric?: string, metric_length?: Entry | null, metric_origin?: Entry[] | null,
  *   dimension_tolerance?: Entry, max_iterations?: Entry | null}} PlannerSpec
- * @typedef {{$schema?: string, version: number, name?: string, about?: string, length_unit?: string, chains: Chain[],
+ * @typedef {{$schema?: string, version: number, name?: string, about?: string, length_unit?: string, angles?: string,
+ *   parameters?: Record<string, Entry>, home?: Frame, chains: Chain[],
  *   motion: MotionSpec, planner?: PlannerSpec}} MechanismDocument
  *
  * What Rust offers as a start for new things.

@@ -39,9 +39,9 @@ export async function createPanels(bare, banners) {
   createDock(app, createTabs(find('dock-tabs')));
   app.explain();
   const goToKey = (/** @type {number} */ key) => {
-    const { motion, doc } = store.result;
+    const { motion, plain } = store.result;
     player.pause();
-    if (motion && doc) player.frame = keyFrameFrames(doc, allTimes(motion))[key];
+    if (motion && plain) player.frame = keyFrameFrames(plain, allTimes(motion))[key];
   };
   const places = { root: find('tables'), mechanism: find('mechanism'), motion: find('motion') };
   const compareMetrics = (/** @type {string} */ text, /** @type {AbortSignal} */ signal) => ask(() => planner.compareMetrics(text, signal), 'compare the metrics');

@@ -8,10 +8,10 @@ import { inert } from './inert.js';
 
 /** @param {import('../element/workbench.js').App} app */
 export async function exportHtml({ store, say }) {
-  const { motion, doc } = store.result;
-  if (!motion || !doc) return;
+  const { motion, doc, plain } = store.result;
+  if (!motion || !doc || !plain) return;
   const name = fileName(doc, 'html');
-  saveFile(name, new Blob([await page(doc, await pack(motion, doc))], { type: 'text/html' }));
+  saveFile(name, new Blob([await page(doc, await pack(motion, doc, plain))], { type: 'text/html' }));
   say(`Saved ${name}: it plays in any browser, also without a network.`);
 }
 

@@ -8,7 +8,7 @@ import { element, focusBeside } from '../ui/dom.js';
 import { onKeys } from '../ui/keys.js';
 import { chainName } from '../core/chain-name.js';
 import { html, nothing, render, repeat } from '../ui/render.js';
-import { JOINT_TYPES, chainType } from '../core/joint-types.js';
+import { jointOf, chainType } from '../core/joint-types.js';
 
 /** At most so many key frames are listed. */
 const MOST = 100;
@@ -29,7 +29,7 @@ function itemsOf({ chains, motion }) {
         more: chainType(chain),
         children: [
           { path: `${path}.base`, name: 'base', more: `G${c + 1}` },
-          ...chain.joints.map(({ type }, j) => ({ path: `${path}.joints[${j}]`, name: `joint ${j + 1}`, more: `${type} ${JOINT_TYPES[type]?.name ?? ''}` })),
+          ...chain.joints.map(({ type }, j) => ({ path: `${path}.joints[${j}]`, name: `joint ${j + 1}`, more: `${type} ${jointOf(type)?.name ?? ''}` })),
           { path: `${path}.gripper`, name: 'gripper', more: `H${c + 1}` },
         ],
       };

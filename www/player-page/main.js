@@ -15,7 +15,7 @@ import { createStore } from '../core/store.js';
 import { countStatuses, describeScene, statusName, statusWords } from '../core/status-words.js';
 import { unpack } from './pack.js';
 
-const { motion, doc: mechanism } = await unpack(byId('motion').textContent ?? '');
+const { motion, doc: mechanism, plain } = await unpack(byId('motion').textContent ?? '');
 const store = createStore(mechanism);
 
 const canvas = element('canvas', {
@@ -79,7 +79,7 @@ scrub.addEventListener('input', () => {
 onKeys(document, { play: ({ target }) => !(/** @type {Element | null} */ (target)?.closest('button')) && toggle() });
 
 store.subscribe('view', tell);
-store.setResult({ motion, doc: mechanism });
+store.setResult({ motion, doc: mechanism, plain });
 scene?.show(store.result, true);
 tell();
 if (!matchMedia('(prefers-reduced-motion: reduce)').matches) player.play();

@@ -29,29 +29,33 @@ const COLUMNS = /** @type {const} */ ({
 /** @typedef {keyof typeof COLUMNS} Column */
 const NAMES = /** @type {Column[]} */ (Object.keys(COLUMNS));
 
-/** @param {Motion} motion @param {MechanismDocument} doc @returns {Promise<string>} */
-export async function pack(motion, doc) {
+/**
+ * @param {Motion} motion @param {MechanismDocument} doc
+ * @param {MechanismDocument} plain what it stands for; the same where nothing is typed
+ * @returns {Promise<string>}
+ */
+export async function pack(motion, doc, plain = doc) {
   const { frames, partial, goal_frames, report, milliseconds } = motion;
   const parts = NAMES.map((name) => new Uint8Array(COLUMNS[name].from(motion[name]).buffer));
-  const head = new TextEncoder().encode(JSON.stringify({ doc, frames, partial, goal_frames, report, milliseconds, bytes: parts.map((part) => part.length) }));
+  const head = new TextEncoder().encode(JSON.stringify({ doc, ...(plain !== doc && { plain }), frames, partial, goal_frames, report, milliseconds, bytes: parts.map((part) => part.length) }));
   const whole = new Blob([new Uint32Array([head.length]), head, ...parts]);
   const packed = await new Response(whole.stream().pipeThrough(new CompressionStream('gzip'))).arrayBuffer();
   return base64(new Uint8Array(packed));
 }
 
-/** @param {string} text @returns {Promise<{motion: Motion, doc: MechanismDocument}>} */
+/** @param {string} text @returns {Promise<{motion: Motion, doc: MechanismDocument, plain: MechanismDocument}>} */
 export async function unpack(text) {
   const packed = Uint8Array.from(atob(text.trim()), (character) => character.charCodeAt(0));
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'));
   const whole = await new Response(stream).arrayBuffer();
   let at = 4 + new DataView(whole).getUint32(0, true);
-  const { doc, bytes, ...rest } = JSON.parse(new TextDecoder().decode(whole.slice(4, at)));
+  const { doc, plain = doc, bytes, ...rest } = JSON.parse(new TextDecoder().decode(whole.slice(4, at)));
   const columns = NAMES.map((name, index) => {
     const column = new COLUMNS[name](whole.slice(at, at + bytes[index]));
     at += bytes[index];
     return [name, name === 'rows' ? Float64Array.from(column) : column];
   });
-  return { motion: { ...rest, ...Object.fromEntries(columns) }, doc };
+  return { motion: { ...rest, ...Object.fromEntries(columns) }, doc, plain };
 }
 
 /** @param {Uint8Array} bytes */

@@ -64,6 +64,7 @@ export const KEYS = {
   number: { where: 'tables', keys: PAGES, does: 'change the number by a step' },
   numberTen: { where: 'tables', keys: PAGES.map((key) => `Shift+${key}`), does: 'change the number by ten steps' },
   slideTen: { where: 'tables', keys: ['Shift'], does: 'hold it while dragging the slider of a number: ten steps' },
+  parameter: { where: 'tables', keys: ['Alt+Enter'], does: 'make a parameter of the number' },
   block: { where: 'tables', keys: ARROWS.map((key) => `Shift+${key}`), does: 'choose a block of cells' },
   clearBlock: { where: 'tables', keys: ['Delete', 'Backspace'], does: 'clear the block' },
   copy: { where: 'tables', keys: ['Ctrl+C'], does: 'copy the block', native: true },

@@ -54,7 +54,7 @@ export function createViewBar({ find, store, scene, say }) {
   ]);
   const parts = menuButton('Show', () => {
     const { show, ghosts, frame } = store.view;
-    const { motion, doc } = store.result;
+    const { motion, plain: doc } = store.result;
     const frames = motion && doc ? ghostFrames(ghosts, motion, doc) : [];
     const here = frames.includes(frame);
     const others = here ? frames.filter((other) => other !== frame) : [...frames, frame].sort((a, b) => a - b);

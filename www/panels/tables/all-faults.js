@@ -40,6 +40,8 @@ export async function allFaults(doc, first, check) {
 
 /** The document with a harmless value at a place; null where there is none. @param {MechanismDocument} doc @param {string} where */
 function fill(doc, where) {
+  // Whatever a parameter were, it may put others at fault.
+  if (where.startsWith('parameters.')) return null;
   const key = TIME.exec(where)?.[1];
   if (key) return withValueAt(doc, where, timeBetween(doc.motion.key_frames, Number(key)));
   if (OPTIONAL.test(where)) return withValueAt(doc, where, undefined);

@@ -1,20 +1,22 @@
 /**
- * What comes to a cell when one points at it or enters it: the slider of a number, the drawing of a turn. Loaded then.
+ * What comes to a cell when one points at it or enters it: the slider of a number, the value of an expression, the drawing of
+ * a turn. Loaded then.
  */
 import { onKeys } from '../../ui/keys.js';
 
 /** The numbers of the tables. */
 export const NUMBER_CELLS = 'input.cell:not(.text)[data-path]';
 /** The angles of a frame. */
-export const TURN_CELLS = 'input[data-path$=".longitude"], input[data-path$=".latitude"], input[data-path$=".roll"]';
+export const TURN_CELLS = ['longitude', 'latitude', 'roll'].map((name) => `input[data-path$=".${name}"]:not([data-path^="parameters."])`).join(', ');
 
 /**
  * @param {HTMLElement} root holds the tables
  * @param {import('../../core/store.js').Store} store
  * @param {ReturnType<typeof import('./cells.js').createCells>} cells
  * @param {import('../../ui/notice.js').Say} say
+ * @param {(path: string) => void} nameCell makes a parameter of a cell's number
  */
-export function cellTools(root, store, cells, say) {
+export function cellTools(root, store, cells, say, nameCell) {
   /**
    * @param {string} what
    * @param {(target: Element) => boolean | undefined} isWanted
@@ -48,7 +50,15 @@ export function cellTools(root, store, cells, say) {
   }
 
   if (!store.readonly) {
-    atFirst('The slider of numbers', (target) => target.matches(NUMBER_CELLS), async () => (await import('./number-slide.js')).createNumberSlide(root, store, cells), ['number', 'numberTen']);
+    onKeys(root, {
+      parameter({ target }) {
+        const cell = /** @type {HTMLElement} */ (target);
+        if (!cell.matches(NUMBER_CELLS) || cell.dataset.path?.startsWith('parameters.')) return false;
+        nameCell(cell.dataset.path ?? '');
+      },
+    });
+    atFirst('The slider of numbers', (target) => target.matches(NUMBER_CELLS), async () => (await import('./number-slide.js')).createNumberSlide(root, store, cells, say), ['number', 'numberTen']);
   }
+  atFirst('The value of expressions', (target) => target.matches(NUMBER_CELLS), async () => (await import('./expression-value.js')).createExpressionValue(root, store));
   atFirst('The drawing of turns', (target) => target.matches(TURN_CELLS), async () => (await import('./turn-drawing.js')).createTurnDrawing(root));
 }

@@ -1,6 +1,7 @@
 /**
  * Editable cells: inputs bound to places of the document. A cell shows a short number and gives the whole one
- * when entered; it plans while one types; text that is no number is kept as typed; Escape restores.
+ * when entered; it plans while one types a number; an expression is shown as typed, and text that is neither is kept;
+ * Escape restores.
  *
  * @typedef {import('../../core/store.js').Store} Store
  * @typedef {import('../../core/types.js').MechanismDocument} MechanismDocument
@@ -15,7 +16,10 @@
  * @property {(doc: MechanismDocument, value: import('../../core/types.js').Entry | undefined) => MechanismDocument} [write]
  */
 import { entry, setValue } from '../../core/edits.js';
+import { expressionValue } from '../../core/expression-values.js';
 import { short } from '../../core/format.js';
+import { measured } from '../../core/number-steps.js';
+import { parameterAlone, parameterPath, parametersOf } from '../../core/parameters.js';
 import { valueAt } from '../../core/path.js';
 import { focusBeside } from '../../ui/dom.js';
 import { onKeys } from '../../ui/keys.js';
@@ -30,11 +34,16 @@ function read({ text: words, optional }, text) {
 /** @param {CellSpec} spec @param {MechanismDocument} doc @param {import('../../core/types.js').Entry | undefined} value */
 const written = ({ path, write }, doc, value) => (write ? write(doc, value) : setValue(doc, path, value));
 
+/** Characters of an expression for which a cell makes room: a long one is seen whole where it is entered. */
+const LONGEST = 14;
+
 /** @param {Store} store */
 export function createCells(store) {
   /** The cells that are shown, by their paths. @type {Map<string, CellSpec>} */
   const specs = new Map();
   let visits = 0;
+  /** The cell with a number that was entered last. */
+  let lastNumber = '';
 
   /** Makes an input a cell. @param {HTMLInputElement} field @returns {(spec: CellSpec) => void} shows the document's present value */
   function behave(field) {
@@ -59,24 +68,40 @@ export function createCells(store) {
       if (field[name] !== text) field[name] = text;
     };
 
+    const isExpression = (/** @type {unknown} */ now) => typeof now === 'string' && !spec.text;
+
+    /** What an expression is worth, also while one is still in its cell. */
+    const showWorth = () => {
+      const now = value();
+      field.classList.toggle('expression', isExpression(now));
+      if (!isExpression(now)) return;
+      const worth = expressionValue(store, spec.path);
+      put('title', worth === undefined ? '' : `= ${measured(store.doc, spec.path, worth)}`);
+    };
+
     const show = () => {
       const now = value();
       const whole = now == null ? '' : String(now);
+      showWorth();
       // One's own typing stays as typed; another's change (undo, a sample) shows even in the cell being edited.
       if (touched && editing() && (writing || now === seen)) return;
       touched = false;
+      field.classList.remove('typing');
+      // The keys of a phone for numbers have no letters.
+      if (!spec.text) field.inputMode = isExpression(now) || Object.keys(parametersOf(store.doc)).length ? 'text' : 'decimal';
       const text = editing() || typeof now !== 'number' ? whole : short(now, spec.decimals).replace('−', '-');
       const hint = spec.fallback?.();
       // Written only where it changed: a drag shows every cell anew at every move.
       put('value', text);
-      put('title', typeof now === 'number' && text !== whole ? whole : '');
+      if (!isExpression(now)) put('title', typeof now === 'number' && text !== whole ? whole : '');
       put('placeholder', hint !== undefined ? short(hint, spec.decimals) : spec.optional ? '–' : '');
       fit();
     };
 
     /** No digit of a number is cut: the style sheet gives the cell room for so many. */
     const fit = () => {
-      const characters = String(Math.max(field.value.length, field.placeholder.length));
+      const needed = Math.max(field.value.length, field.placeholder.length);
+      const characters = String(typeof typed() === 'string' ? Math.min(needed, LONGEST) : needed);
       if (!spec.text && field.style.getPropertyValue('--characters') !== characters) field.style.setProperty('--characters', characters);
     };
 
@@ -94,11 +119,13 @@ export function createCells(store) {
     field.addEventListener('focus', () => {
       visit = `visit ${++visits}`;
       before = seen = value();
+      if (typeof before === 'number') lastNumber = spec.path;
       show();
       field.select();
     });
     field.addEventListener('input', () => {
       touched = true;
+      field.classList.add('typing');
       fit();
       commit(false);
     });
@@ -110,8 +137,10 @@ export function createCells(store) {
     onKeys(field, {
       keepValue(event) {
         commit(true);
-        // What is no number is to be mended first: stay.
-        if (!spec.text && typeof typed() === 'string') event.stopPropagation();
+        field.classList.remove('typing');
+        // Text may be at fault, which is to be mended first: stay. An expression whose value is there is done with.
+        const known = store.result.doc === store.doc && expressionValue(store, spec.path) !== undefined;
+        if (!spec.text && typeof typed() === 'string' && !known) event.stopPropagation();
         return false;
       },
       oldValue() {
@@ -160,8 +189,17 @@ export function createCells(store) {
      * @param {MechanismDocument} doc @param {string} path @param {string} text
      */
     written(doc, path, text) {
-      const spec = specs.get(path) ?? { path, label: '', text: path.endsWith('.name') };
+      const spec = specs.get(path) ?? { path, label: '', text: /\]\.name$/.test(path) };
       return written(spec, doc, read(spec, text));
+    },
+    /** What a cell is called, in words; its place for one that is not shown. @param {string} path */
+    label: (path) => specs.get(path)?.label ?? path,
+    /** The path of the cell with a number that was entered last; '' for none. */
+    lastNumber: () => lastNumber,
+    /** Where the number of a cell stands: in the cell, or in the parameter that is named there and nothing else. @param {string} path */
+    source(path) {
+      const name = parameterAlone(store.doc, valueAt(store.doc, path));
+      return name === undefined ? path : parameterPath(name);
     },
     /** The number of a cell: the document's, else what holds in its place. @param {string} path @returns {number | null} null for none */
     number(path) {

@@ -9,6 +9,7 @@ import * as edits from '../../core/edits.js';
 import { html, renderRows, repeat } from '../../ui/render.js';
 import { createDhTable } from './dh-table.js';
 import { coordinateCells, coordinateHeads } from './frame-table.js';
+import { createParametersSection } from './parameters-section.js';
 import { createRowKeys } from './row-keys.js';
 import { shownValues, startTable } from './start-table.js';
 import { createTypeField } from './type-field.js';
@@ -28,8 +29,9 @@ const FRAMES = [
  * @param {() => void} findStart asks the planner for start values
  * @param {ReturnType<typeof import('./forms.js').createForms>} forms
  * @param {import('../../ui/notice.js').Say} say
+ * @param {(doc: import('../../core/types.js').MechanismDocument) => Promise<import('../../core/types.js').Fault | null>} check asks the planner
  */
-export function createChainTables(panel, store, cells, defaults, arrange, findStart, forms, say) {
+export function createChainTables(panel, store, cells, defaults, arrange, findStart, forms, say, check) {
   const chainKeys = createRowKeys();
   /** By the chain's key. @type {Map<number, ReturnType<typeof createRowKeys>>} */
   const jointKeys = new Map();
@@ -38,6 +40,7 @@ export function createChainTables(panel, store, cells, defaults, arrange, findSt
   const typeField = createTypeField(store, defaults, draw);
   const dhTable = createDhTable(store, cells, defaults, arrange);
   const unitField = createUnitField(store, say);
+  const parameters = createParametersSection(store, cells, { check, say, nameCell: forms.parameter });
 
   const unit = () => store.doc.length_unit;
 
@@ -112,7 +115,7 @@ export function createChainTables(panel, store, cells, defaults, arrange, findSt
           <label class="field"><span>Name</span>${cells.input({ path: 'name', label: 'name of the mechanism', text: true })}</label>
           <label class="field"><span>Unit of length</span>${field}</label>
         </div>
-        ${choice}
+        ${choice}${parameters()}
         <h2 class="sr">Chains</h2>
         <div data-path="chains">${repeat(sections, ({ key }) => key, ({ section }) => section())}</div>
         <button class="wide" @click=${() => store.edit((doc) => edits.addChain(doc, defaults.chain))}>+ chain</button>`,

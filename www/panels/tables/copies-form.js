@@ -30,10 +30,13 @@ export function openCopiesForm(root, store, chain) {
   const point = formField('A point of the axis: x y z', numeric('0 0 0'), { note: `In ${lengthUnit(doc.length_unit)}, in the fixed frame.` });
   const trouble = element('p', { class: 'fault', role: 'alert', hidden: true });
 
+  /** The chain as rows and numbers: of the planned document, if that is this one, else what is typed. */
+  const plain = () => (store.result.doc === doc && store.result.plain?.chains[chain]) || from;
+
   /** The start values in the document, else those that the planner uses. */
   const start = () => {
     const { motion, doc: planned } = store.result;
-    return from.start ?? (planned === doc ? motion?.report.start[chain] : undefined);
+    return plain().start ?? (planned === doc ? motion?.report.start[chain] : undefined);
   };
 
   openFormDialog(root, {
@@ -48,7 +51,7 @@ export function openCopiesForm(root, store, chain) {
       const goodCount = typeof many === 'number' && Number.isInteger(many) && many >= 2 && many <= most;
       const goodPoint = place.length === 3 && place.every((value) => typeof value === 'number');
       const values = start();
-      const why = whyNotCopied(from, values);
+      const why = doc.angles === 'radians' ? 'The angles of this document are in radians, and copies are written in degrees: give its angles in degrees first.' : whyNotCopied(plain(), values);
       count.setFault(goodCount ? '' : `Accepted: a whole number from 2 to ${most}.`);
       point.setFault(goodPoint ? '' : 'Accepted: three numbers, such as 0 0 0.');
       setText(trouble, why);
@@ -57,7 +60,7 @@ export function openCopiesForm(root, store, chain) {
       else if (!goodPoint) point.control.focus();
       if (!goodCount || !goodPoint || why) return false;
       const around = { count: many, axis: /** @type {'x' | 'y' | 'z'} */ (chosen), point: /** @type {number[]} */ (place) };
-      store.edit((present) => turnedCopies(present, chain, around, /** @type {number[]} */ (Array.from(values ?? []))));
+      store.edit((present) => turnedCopies(present, chain, around, /** @type {number[]} */ (Array.from(values ?? [])), plain()));
       return true;
     },
   });

@@ -5,7 +5,7 @@
  */
 import * as edits from '../../core/edits.js';
 import { ANGLE_DECIMALS, lengthUnit } from '../../core/format.js';
-import { JOINT_LETTERS, JOINT_TYPES, variableName } from '../../core/joint-types.js';
+import { JOINT_LETTERS, JOINT_TYPES, jointOf, variableName } from '../../core/joint-types.js';
 import { html, nothing, repeat } from '../../ui/render.js';
 
 /** @type {['alpha' | 'a' | 'theta' | 'd', string, 'angle' | 'length'][]} */
@@ -48,7 +48,7 @@ export function createDhTable(store, cells, defaults, arrange) {
     let number = 0;
     const bodies = chains[chain].joints.map((joint, j) => {
       const path = `chains[${chain}].joints[${j}]`;
-      const rows = (JOINT_TYPES[joint.type]?.rows ?? []).map((variables, r) => {
+      const rows = (jointOf(joint.type)?.rows ?? []).map((variables, r) => {
         const row = number++;
         const parameters = PARAMETERS.map(([key, symbol, kind]) => {
           const label = `chain ${chain + 1}, row ${row + 1}, ${symbol} in ${kind === 'angle' ? 'degrees' : lengthUnit(unit)}`;

@@ -132,7 +132,7 @@ export function createMotionTables(panel, store, cells, defaults, arrange, { goT
         title: 'The point, x y z in the fixed frame, about which the double quaternions interpolate',
         note: `${lengths}; empty: the mean of the key frames`,
         group: true,
-        control: pointCells(cells, { path: 'motion.reference', label: `point about which double quaternions interpolate, in ${lengths}`, fallback: () => meanPosition(store.doc) }),
+        control: pointCells(cells, { path: 'motion.reference', label: `point about which double quaternions interpolate, in ${lengths}`, fallback: () => meanPosition(store.result.plain ?? store.doc) }),
       })}
       ${setting({
         label: 'Radius R',

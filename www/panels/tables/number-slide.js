@@ -1,6 +1,7 @@
 /**
  * A slider at the number that one points at or is in: dragged sideways it changes the number, and the motion follows. Page
- * Up and Page Down do the same from the keyboard. A drag is one step of undo; Escape takes it back.
+ * Up and Page Down do the same from the keyboard. A drag is one step of undo; Escape takes it back. Where a cell is the name
+ * of a parameter, that is what changes; an expression has no slider.
  */
 import look from '../../style/slide.css?inline';
 import { stepOf, stepped } from '../../core/number-steps.js';
@@ -22,9 +23,10 @@ const EVENTS = /** @type {const} */ (['pointermove', 'pointerup', 'pointercancel
  * @param {HTMLElement} root holds the tables
  * @param {import('../../core/store.js').Store} store
  * @param {ReturnType<typeof import('./cells.js').createCells>} cells
+ * @param {import('../../ui/notice.js').Say} say
  * @returns {(cell: Element) => void} shows the slider at a cell
  */
-export function createNumberSlide(root, store, cells) {
+export function createNumberSlide(root, store, cells, say) {
   const tree = /** @type {Document | ShadowRoot} */ (root.getRootNode());
   wear(tree, look);
   // What it does, the keys do too; a screen reader has the cell itself.
@@ -39,7 +41,9 @@ export function createNumberSlide(root, store, cells) {
   let marks = 0;
 
   const numberCell = (/** @type {EventTarget | null} */ target) => (target instanceof HTMLInputElement && target.matches(NUMBER_CELLS) ? target : null);
-  const pathOf = (/** @type {HTMLInputElement | null} */ cell) => cell?.dataset.path ?? '';
+  const pathOf = (/** @type {HTMLInputElement | null} */ cell) => cells.source(cell?.dataset.path ?? '');
+  /** One step of the number of a cell. @param {HTMLInputElement | null} cell @param {number} from */
+  const stepAt = (cell, from) => stepOf(store.doc, cell?.dataset.path ?? '', from, store.result.plain ?? store.doc);
 
   /** @param {string} path @param {unknown} value @param {string} mark */
   const write = (path, value, mark) => store.edit((doc) => cells.written(doc, path, value === undefined || value === null ? '' : String(value)), mark);
@@ -75,7 +79,7 @@ export function createNumberSlide(root, store, cells) {
     event.preventDefault();
     handle.setPointerCapture(event.pointerId);
     handle.classList.add('dragged');
-    drag = { path, value: valueAt(store.doc, path), from, step: stepOf(store.doc, path, from), x: event.clientX, mark: `slide ${++marks}`, over: new AbortController() };
+    drag = { path, value: valueAt(store.doc, path), from, step: stepAt(at, from), x: event.clientX, mark: `slide ${++marks}`, over: new AbortController() };
     onKeys(window, { oldValue: escape }, { capture: true, signal: drag.over.signal });
   }
 
@@ -117,10 +121,13 @@ export function createNumberSlide(root, store, cells) {
 
   /** @param {KeyboardEvent} event @param {number} count of steps */
   function step({ target }, count) {
-    const path = pathOf(numberCell(target));
+    const cell = numberCell(target);
+    const path = pathOf(cell);
     const from = path ? cells.number(path) : null;
-    if (from === null) return false;
-    const value = stepped(from, stepOf(store.doc, path, from), count);
+    const typed = valueAt(store.doc, path);
+    if (typeof typed === 'string') say(`“${typed}” is an expression, which has no steps. Type a number or another expression, or move the slider of one of its parameters.`);
+    if (from === null) return typeof typed === 'string';
+    const value = stepped(from, stepAt(cell, from), count);
     write(path, value, `keys ${path} ${marks}`);
     setText(spoken, String(value));
   }

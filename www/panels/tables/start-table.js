@@ -3,6 +3,7 @@
  */
 import * as edits from '../../core/edits.js';
 import { ANGLE_DECIMALS, degrees, lengthUnit, short } from '../../core/format.js';
+import { asWritten } from '../../core/document-angles.js';
 import { chainVariables, variableName } from '../../core/joint-types.js';
 import { groupAt, shown } from '../../core/shown.js';
 import { html, repeat } from '../../ui/render.js';
@@ -33,7 +34,8 @@ export function startTable(store, cells, chain, keys, values) {
   const variables = chainVariables(store.doc.chains[chain]);
   const lengths = lengthUnit(store.doc.length_unit);
   const freedoms = (/** @type {number} */ joint) => variables.filter((v) => v.joint === joint).length;
-  const current = () => store.result.motion?.report.start[chain] ?? [];
+  // The planner tells them in degrees.
+  const current = () => (store.result.motion?.report.start[chain] ?? []).map((value, at) => (variables[at]?.variable === 'theta' ? asWritten(store.doc, value) : value));
   const rows = variables.map(({ variable, joint, freedom, row }, index) => {
     const name = variableName(variable, row);
     const label = `chain ${chain + 1}, ${name} in ${variable === 'theta' ? 'degrees' : lengths}`;

@@ -33,8 +33,8 @@ import { createMotionTables } from './motion-tables.js';
 export function createTables({ root, mechanism, motion }, store, defaults, { markFault, findStart, goToKey, compareMetrics, readPoses, check, bringOut, say }) {
   const arrange = createArrange(root, store, bringOut);
   const cells = createCells(store);
-  const forms = createForms(root, store, say, readPoses);
-  const chains = createChainTables(mechanism, store, cells, defaults, arrange, findStart, forms, say);
+  const forms = createForms(root, store, say, readPoses, check, cells.label);
+  const chains = createChainTables(mechanism, store, cells, defaults, arrange, findStart, forms, say, check);
   const keys = createMotionTables(motion, store, cells, defaults, arrange, { goTo: goToKey, compareMetrics }, forms);
   const note = createFaultNote(root);
   /** @type {HTMLElement | null} */
@@ -73,7 +73,7 @@ export function createTables({ root, mechanism, motion }, store, defaults, { mar
 
   gridBlock(root, store, cells, say);
   gridKeys(root);
-  cellTools(root, store, cells, say);
+  cellTools(root, store, cells, say, forms.parameter);
   store.subscribe('document', show);
   store.subscribe('result', () => {
     show();

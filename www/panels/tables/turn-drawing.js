@@ -129,8 +129,8 @@ export function createTurnDrawing(root) {
     field = target;
     const name = (field.dataset.path ?? '').replace(/^.*\./, '');
     for (const part of figure.querySelectorAll('[data-angle]')) part.classList.toggle('now', part.getAttribute('data-angle') === name);
-    // A fault is told first.
-    if (!field.hasAttribute('aria-describedby')) field.setAttribute('aria-describedby', caption.id);
+    // A fault is told first, and the value of an expression.
+    if (!field.hasAttribute('aria-describedby') && !field.matches('.expression')) field.setAttribute('aria-describedby', caption.id);
     float.begin();
     place();
   }

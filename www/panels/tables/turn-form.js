@@ -4,6 +4,7 @@
  *
  * @typedef {import('../../core/orientation.js').Form} Form
  */
+import { frameAsWritten, frameNumbers, withoutForms } from '../../core/document-angles.js';
 import { setValue } from '../../core/edits.js';
 import { anglesOf, readTurn, turnOf, writeTurn } from '../../core/orientation.js';
 import { valueAt } from '../../core/path.js';
@@ -24,7 +25,7 @@ const FIELDS = [
  * @param {string} name of the frame
  */
 export function openTurnForm(root, store, path, name) {
-  const before = valueAt(store.doc, path);
+  const before = frameNumbers(store, path) ?? valueAt(store.doc, path);
   let turn = turnOf(before);
   /** The field whose text is no turn. @type {ReturnType<typeof formField> | null} */
   let faulty = null;
@@ -79,7 +80,7 @@ export function openTurnForm(root, store, path, name) {
         faulty.control.focus();
         return false;
       }
-      store.edit((doc) => setValue(doc, path, { ...valueAt(doc, path), ...anglesOf(turn, valueAt(doc, path)) }));
+      store.edit((doc) => setValue(doc, path, { ...withoutForms(valueAt(doc, path) ?? {}), ...frameAsWritten(doc, anglesOf(turn, before)) }));
       return true;
     },
   });

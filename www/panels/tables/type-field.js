@@ -2,10 +2,13 @@
  * The type of a chain as a text that can be typed: Enter applies it, Escape takes it back.
  */
 import { setChainType } from '../../core/edits.js';
-import { chainType } from '../../core/joint-types.js';
+import { chainType, isByAxes } from '../../core/joint-types.js';
 import { readType } from '../../core/type-letters.js';
 import { keyListener } from '../../ui/keys.js';
 import { html, live, nothing } from '../../ui/render.js';
+
+/** New joints have no axes. */
+const BY_AXES = 'This chain is given by the axes of its joints, which a type has not. Accepted: its own type; change its joints in its table.';
 
 /** @typedef {{text: string, of: string, fault: string}} Entry what is typed in place of the type `of`, and what is wrong with it */
 
@@ -33,7 +36,8 @@ export function createTypeField(store, defaults, draw) {
 
     /** @param {HTMLInputElement} field */
     function apply(field) {
-      const answer = readType(field.value);
+      const asked = readType(field.value);
+      const answer = !('fault' in asked) && isByAxes(store.doc.chains[chain]) && asked.letters.join('') !== type ? { fault: BY_AXES } : asked;
       if ('fault' in answer) entries.set(key, { text: field.value, of: type, fault: answer.fault });
       else {
         entries.delete(key);

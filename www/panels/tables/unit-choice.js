@@ -61,7 +61,8 @@ export function createUnitChoice(store, say, field, choice) {
     change((doc) => convertLengths(doc, times, name));
     const metric = store.doc.planner?.metric_length;
     const followed = typeof metric === 'number' ? `the metric length too, which is ${length(metric, name)} now` : 'the metric length is none of them: it follows from the mechanism';
-    say(`The lengths are converted to ${name || 'the new unit'}; ${followed}.`);
+    const parameters = Object.keys(store.doc.parameters ?? {}).length ? ' Parameters stay as they are: expressions of lengths are multiplied instead.' : '';
+    say(`The lengths are converted to ${name || 'the new unit'}; ${followed}.${parameters}`);
   }
 
   function renamed() {

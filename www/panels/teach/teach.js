@@ -124,7 +124,7 @@ export function createTeach(app, panel) {
   }
 
   function show() {
-    const { motion, doc } = store.result;
+    const { motion, plain: doc } = store.result;
     if (!panel.classList.contains('shown') || !motion || !doc) return;
     if (of.motion !== motion) of = { motion, variables: variablesOf(motion, doc) };
     const now = shown(store);

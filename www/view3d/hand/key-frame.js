@@ -10,6 +10,7 @@
  * @property {() => string} tell where it is, in words
  */
 import { Quaternion, Vector3 } from 'three';
+import { frameAsWritten, frameNumbers, withoutForms } from '../../core/document-angles.js';
 import { setValue } from '../../core/edits.js';
 import { setKeyFramePose } from '../../core/key-frame-edits.js';
 import { angle, short } from '../../core/format.js';
@@ -19,28 +20,28 @@ import { ANGLE_DIGITS, lengthDigits, rounded } from './steps.js';
 const LENGTHS = /** @type {const} */ (['x', 'y', 'z']);
 const ANGLES = /** @type {const} */ (['longitude', 'latitude', 'roll']);
 
-/** Whether all coordinates are numbers: text that is none would count as 0, and be lost with the next move. @param {import('../../core/types.js').Frame} frame */
-const isPose = (frame) => [...LENGTHS, ...ANGLES].every((name) => typeof (frame[name] ?? 0) === 'number');
-
 let drags = 0;
 
 /**
- * @param {Pick<import('../../element/workbench.js').App, 'store' | 'player'>} app
+ * @param {Pick<import('../../element/workbench.js').App, 'store' | 'player' | 'say'>} app
  * @param {number} index
  * @param {() => number} size the scene's radius
  * @returns {Target}
  */
-export function keyFrameTarget({ store, player }, index, size) {
+export function keyFrameTarget({ store, player, say }, index, size) {
+  const path = `motion.key_frames[${index}]`;
   const key = () => store.doc.motion.key_frames[index];
+  /** Text that has no value would count as 0, and be lost with the next move: then there are none. */
+  const numbers = () => frameNumbers(store, path);
   /** Edits with one mark are one step of undo. */
   let mark = '';
   let before = key();
 
   /** Shows the moment of this key frame: the linkage answers under the hand. */
   function goThere() {
-    const { motion, doc } = store.result;
-    if (!motion || !doc) return;
-    const keys = doc.motion.key_frames;
+    const { motion, plain } = store.result;
+    if (!motion || !plain) return;
+    const keys = plain.motion.key_frames;
     const { time } = keys[index] ?? {};
     const first = motion.time[0];
     const last = motion.time[motion.frames - 1];
@@ -54,9 +55,10 @@ export function keyFrameTarget({ store, player }, index, size) {
       return key()?.name || `key ${index + 1}`;
     },
     pose() {
-      if (!key() || !isPose(key())) return null;
+      const frame = numbers();
+      if (!frame) return null;
       const [at, turn] = [new Vector3(), new Quaternion()];
-      frameMatrix(key()).decompose(at, turn, new Vector3());
+      frameMatrix(frame).decompose(at, turn, new Vector3());
       return [...at.toArray(), ...turn.toArray()];
     },
     begin(kind) {
@@ -65,24 +67,30 @@ export function keyFrameTarget({ store, player }, index, size) {
       goThere();
     },
     to(pose, turned) {
-      const old = key();
+      const old = numbers();
+      if (!old) return;
       const found = frameOf(pose, old);
+      const written = key();
       /** What the hand did not touch stays as it was written. @param {keyof typeof found} name @param {number} digits */
-      const value = (name, digits) => (Math.abs(found[name] - Number(old[name] ?? 0)) < 0.6 * 10 ** -digits ? old[name] : rounded(found[name], digits));
+      const value = (name, digits) => (Math.abs(found[name] - old[name]) < 0.6 * 10 ** -digits ? null : rounded(found[name], digits));
       const coordinates = turned ? ANGLES : LENGTHS;
       const digits = turned ? ANGLE_DIGITS : lengthDigits(size());
-      const change = Object.fromEntries(coordinates.map((name) => [name, value(name, digits)]));
-      store.edit((doc) => setKeyFramePose(doc, index, change), mark);
+      const moved = Object.fromEntries(coordinates.flatMap((name) => (value(name, digits) === null ? [] : [[name, value(name, digits)]])));
+      const isForm = turned && withoutForms(written) !== written;
+      // In another form all of the turn is written anew.
+      const change = frameAsWritten(store.doc, isForm ? { ...found, ...moved, x: written.x, y: written.y, z: written.z } : moved);
+      const gone = Object.keys(change).filter((name) => typeof written[/** @type {'x'} */ (name)] === 'string' && change[/** @type {'x'} */ (name)] !== written[/** @type {'x'} */ (name)]);
+      store.edit((doc) => setKeyFramePose(isForm ? setValue(doc, path, withoutForms(written)) : doc, index, change), mark);
+      if (gone.length) say(`${gone.join(', ')} of ${this.name} ${gone.length === 1 ? 'was an expression and is a number' : 'were expressions and are numbers'} now. Undo takes that back.`);
     },
     cancel() {
-      store.edit((doc) => setValue(doc, `motion.key_frames[${index}]`, before), mark);
+      store.edit((doc) => setValue(doc, path, before), mark);
     },
     tell() {
       const unit = store.doc.length_unit ?? '';
-      const at = (/** @type {unknown} */ value) => (typeof value === 'number' ? value : 0);
-      const { x, y, z, longitude, latitude, roll } = key() ?? {};
-      const turn = [longitude, latitude, roll].map((value) => angle((at(value) * Math.PI) / 180));
-      return `x ${short(at(x))}, y ${short(at(y))}, z ${short(at(z))}${unit && ` ${unit}`}; lon ${turn[0]}, lat ${turn[1]}, roll ${turn[2]}`;
+      const { x, y, z, longitude, latitude, roll } = numbers() ?? { x: 0, y: 0, z: 0, longitude: 0, latitude: 0, roll: 0 };
+      const turn = [longitude, latitude, roll].map((value) => angle((value * Math.PI) / 180));
+      return `x ${short(x)}, y ${short(y)}, z ${short(z)}${unit && ` ${unit}`}; lon ${turn[0]}, lat ${turn[1]}, roll ${turn[2]}`;
     },
   };
 }

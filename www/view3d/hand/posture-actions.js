@@ -2,6 +2,7 @@
  * What can be made of a posture that the linkage was moved to by hand: a key frame or the start.
  */
 import { takeStarts } from '../../core/edits.js';
+import { asWritten } from '../../core/document-angles.js';
 import { addKeyFrame } from '../../core/key-frame-edits.js';
 import { element } from '../../ui/dom.js';
 import { degrees } from '../../core/format.js';
@@ -26,7 +27,7 @@ export function postureActions({ store }) {
     const { joints } = view.posture;
     let at = 0;
     const starts = result.motion.report.chains.map(({ variables }) =>
-      variables.map(({ unit }) => plain(unit === 'rad' ? degrees(joints[at++]) : joints[at++])),
+      variables.map(({ unit }) => plain(unit === 'rad' ? asWritten(store.doc, degrees(joints[at++])) : joints[at++])),
     );
     store.edit((doc) => takeStarts(doc, doc.chains.map((chain, index) => ({ ...chain, start: starts[index] }))));
   }

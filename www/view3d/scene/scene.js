@@ -220,7 +220,7 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
      * @param {Result} result with a motion
      * @param {boolean} afresh another mechanism: look at it from the front again
      */
-    show({ motion, doc }, afresh) {
+    show({ motion, plain: doc }, afresh) {
       if (!motion || !doc) return;
       built = true;
       shown = { motion, doc };
