@@ -994,7 +994,7 @@ fn every_fault_has_its_place() {
         (
             vec![with("values", value(json!(1), json!("x")))],
             "motion.drivers[0].values[1].value",
-            "there is no parameter",
+            "a number",
         ),
         (
             vec![with("ramp", json!("slow"))],

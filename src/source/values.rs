@@ -61,7 +61,13 @@ pub(crate) fn evaluate(node: &mut Node) -> Result<(Parameters, Vec<ExpressionVal
     let mut expressions = Vec::new();
     let mut read = |text: &str, place: &Place<'_>| {
         let value = value_of(text, &parameters, unit);
-        let value = value.map_err(|fault| told(&fault, Some(text), place))?;
+        let value = value.map_err(|fault| {
+            if is_word(text, &parameters) {
+                let accepted = "a number, or an expression such as 2*pi";
+                return Node::Text(text.to_owned()).is_not(accepted).fault(place);
+            }
+            told(&fault, Some(text), place)
+        })?;
         let path = place.path();
         expressions.push(ExpressionValue { path, value });
         Ok(value)
@@ -111,6 +117,11 @@ fn parameters(node: &mut Node, unit: AngleUnit) -> Result<Parameters, Fault> {
     }
     Parameters::resolve(&given, unit)
         .map_err(|(index, fault)| told(&fault, None, &PLACE.field(&given[index].0)))
+}
+
+/// Is it text in a document without parameters, and nothing of an expression?
+fn is_word(text: &str, parameters: &Parameters) -> bool {
+    parameters.list().is_empty() && !text.contains(['+', '*', '/', '^', '(', ')'])
 }
 
 /// Puts a value in the place of each expression below.
