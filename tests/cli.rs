@@ -296,8 +296,8 @@ fn a_maker_makes_what_its_options_say() {
         (&["new", "delta", "--unit", "mile"], "mm"),
         (&["new", "dleta"], "\u{201c}delta\u{201d} may be meant"),
         (
-            &["new", "3-RPS", "--base", "4"],
-            "there is no maker \u{201c}3-RPS\u{201d}",
+            &["new", "2TPR", "--base", "4"],
+            "there is no maker \u{201c}2TPR\u{201d}",
         ),
         (&["new", "RSSR"], "RS + RS"),
         (&["new"], "<TYPE>"),
