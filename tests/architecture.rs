@@ -9,16 +9,18 @@ use std::path::Path;
 const FLOORS: &str = include_str!("../src/floors.md");
 
 /// The command's files, from the top down.
-const COMMAND: [&str; 9] = [
+const COMMAND: [&str; 11] = [
     "main",
     "motion",
     "check",
     "planned",
     "enumerate",
+    "new",
     "progress",
     "files",
     "failure",
     "arguments",
+    "inputs",
 ];
 
 /// Most lines of a file in src/, its own tests not counted.

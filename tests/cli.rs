@@ -10,6 +10,8 @@ use std::process::{Command, Output, Stdio};
 use synthetica::document::number::readable;
 use synthetica::document::{problem::Problem, schema, text};
 use synthetica::exchange::export;
+use synthetica::makers::from_type::from_type;
+use synthetica::makers::list::list as makers;
 use synthetica::types::tables::tables;
 
 const SAMPLES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/www/mechanisms");
@@ -256,6 +258,93 @@ fn standard_input_is_a_document_too() {
     let (out, _, code) = fed(&["check", "3rps.json", "-"], &text);
     assert_eq!(code, 0);
     assert!(out.contains("\nstandard input: 2TPR\n"), "{out}");
+}
+
+#[test]
+fn a_maker_makes_what_its_options_say() {
+    let sizes = ["--base", "400", "--platform", "50", "--arms", "300,580"];
+    let made = printed(&[&["new", "delta"][..], &sizes, &["--unit", "mm"]].concat());
+    let asked = "delta?base=400&platform=50&arms=300,580&unit=mm";
+    assert_eq!(printed(&["new", asked]), made);
+    assert_eq!(made, from_type(asked).expect("a delta"));
+    let (out, err, code) = fed(&["check"], &made);
+    assert_eq!((err.as_str(), code), ("", 0), "{out}");
+    assert!(out.contains("  mobility  3 by rank"), "{out}");
+
+    let list = printed(&["new", "--list"]);
+    for maker in makers() {
+        assert!(
+            list.contains(&format!("{}: {}\n", maker.name, maker.title)),
+            "{list}"
+        );
+        for input in &maker.inputs {
+            assert!(list.contains(&format!("  --{} ", input.name)), "{list}");
+        }
+    }
+    assert_eq!(printed(&["new", "3-RPS"]), printed(&["new", "RPS+RPS+RPS"]));
+    for (arguments, accepted) in [
+        (
+            &["new", "delta", "--base", "4oo"][..],
+            "Base: \u{201c}4oo\u{201d} is no number. Accepted: a length above 0.",
+        ),
+        (&["new", "delta", "--base", "-4"], "-4 is out of range"),
+        (
+            &["new", "delta", "--base", "2000"],
+            "do not reach the platform",
+        ),
+        (&["new", "delta", "--bose", "4"], "'--base'"),
+        (&["new", "delta", "--unit", "mile"], "mm"),
+        (&["new", "dleta"], "\u{201c}delta\u{201d} may be meant"),
+        (
+            &["new", "2TPR", "--base", "4"],
+            "there is no maker \u{201c}2TPR\u{201d}",
+        ),
+        (&["new", "RSSR"], "RS + RS"),
+        (&["new"], "<TYPE>"),
+    ] {
+        let (out, err, code) = run(arguments);
+        assert_eq!((out.as_str(), code), ("", 2), "{arguments:?}: {err}");
+        assert!(err.contains(accepted), "{arguments:?}: {err}");
+    }
+}
+
+/// Documents with expressions and axes, and what `--set` changes in them and in others.
+#[test]
+fn numbers_of_a_document_are_set() {
+    let delta = printed(&["new", "delta"]);
+    let larger = printed(&["new", "delta", "--base", "200"]);
+    let as_made = fed(&["plan"], &larger);
+    assert_eq!(as_made.2, 0);
+    assert_eq!(fed(&["plan", "--set", "base=200"], &delta), as_made);
+    assert_eq!(
+        fed(&["export", "csv", "--set", "base=100*2"], &delta),
+        as_made
+    );
+    assert_ne!(fed(&["plan"], &delta), as_made);
+
+    let given = printed(&["plan", "3rps.json"]);
+    let moved = printed(&["plan", "--set", "motion.key_frames.1.z=0.9", "3rps.json"]);
+    assert_ne!(moved, given);
+    assert_eq!(
+        printed(&["plan", "--set", "motion.key_frames[1].z:0.9", "3rps.json"]),
+        moved
+    );
+    let nine = printed(&["plan", "--set", "motion.frames=9", "3rps.json"]);
+    assert_eq!(nine, printed(&["plan", "--frames", "9", "3rps.json"]));
+    for (change, said) in [
+        ("base", "no change of a document"),
+        ("width=3", "no such place"),
+        ("chains[9].base.x=3", "an entry from 0 to 2"),
+        ("chains[0].base.x=wide", "wide"),
+        ("motion.frames=1", "Motion, frames: "),
+    ] {
+        let (out, err, code) = run(&["check", "--set", change, "3rps.json"]);
+        assert_eq!((out.as_str(), code), ("", 1), "{change}: {err}");
+        assert!(
+            err.starts_with("3rps.json: ") && err.contains(said),
+            "{change}: {err}"
+        );
+    }
 }
 
 #[test]

@@ -21,7 +21,7 @@ fn planned(maker: &str, inputs: &[(&str, &str)]) -> (Session, Trajectory) {
 /// Angle of a Delta's upper arm from the base's plane upwards, in rad, with the elbow outside: the inverse kinematics of
 /// Williams (2015), where the tangent of the half angle is solved for. `at` is the middle of the platform.
 fn delta_arm(at: [f64; 3], leg: f64, [base, platform, upper, lower]: [f64; 4]) -> f64 {
-    let (sin, cos) = (leg * 120.0).to_radians().sin_cos();
+    let (sin, cos) = libm::sincos((leg * 120.0_f64).to_radians());
     let [x, y, z] = at;
     // The end of the rods from the motor's axis: outwards, along the axis, upwards.
     let out = x * cos + y * sin + platform - base;
@@ -31,10 +31,10 @@ fn delta_arm(at: [f64; 3], leg: f64, [base, platform, upper, lower]: [f64; 4]) -
     let (e, f, g) = (-2.0 * upper * out, -2.0 * upper * z, square);
     let root = (e * e + f * f - g * g).sqrt();
     let halves = [(-f - root) / (g - e), (-f + root) / (g - e)];
-    let angles = halves.map(|tangent| 2.0 * tangent.atan());
+    let angles = halves.map(|tangent| 2.0 * libm::atan(tangent));
     angles
         .into_iter()
-        .max_by(|a, b| a.cos().total_cmp(&b.cos()))
+        .max_by(|a, b| libm::cos(*a).total_cmp(&libm::cos(*b)))
         .expect("two")
 }
 
@@ -52,7 +52,8 @@ fn the_motors_of_a_delta_turn_as_its_inverse_kinematics_say() {
             "delta",
             &[("base", &base), ("platform", &platform), ("arms", &arms)],
         );
-        let home = -(sizes[2].hypot(sizes[3]).powi(2) - (sizes[0] - sizes[1]).powi(2)).sqrt();
+        let [b, p, u, l] = sizes;
+        let home = -(u * u + l * l - (b - p) * (b - p)).sqrt();
         assert!((motion.poses[0].translation.z - home).abs() < 1e-9 * -home);
         let zero = delta_arm([0.0, 0.0, home], 0.0, sizes);
         let mut largest = 0.0_f64;

@@ -185,7 +185,10 @@ impl<'a> Place<'a> {
             Step::Field(name) if words == ["parameters"] => {
                 words = vec![format!("parameter \u{201c}{}\u{201d}", excerpt(name))];
             }
-            Step::Field(name @ ("base" | "gripper")) => words.push(format!("{name} frame")),
+            // Those of a chain; a parameter or an input may be called base too.
+            Step::Field(name @ ("base" | "gripper")) if !words.is_empty() => {
+                words.push(format!("{name} frame"));
+            }
             Step::Field(name) => words.push(excerpt(name).replace('_', " ")),
             Step::Item(index, name) => {
                 let number = index + 1;

@@ -22,6 +22,8 @@ pub(crate) mod nearest;
 #[cfg(feature = "study")]
 mod nodes;
 #[cfg(feature = "study")]
+pub mod overrides;
+#[cfg(feature = "study")]
 pub mod parameters;
 #[cfg(feature = "study")]
 pub mod resolve;

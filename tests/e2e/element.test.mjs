@@ -49,6 +49,17 @@ test('takes its document from an address, from its content, from a property and 
   assert.deepEqual(problems, []);
 });
 
+test('makes what a maker makes, in given sizes', async () => {
+  const { page, problems } = await course('<synthetica-linkage type="delta?base=400&amp;platform=50&amp;arms=300,580&amp;unit=mm"></synthetica-linkage>');
+  await page.waitForFunction(() => document.querySelector('synthetica-linkage').trajectory);
+  const made = await page.evaluate(() => {
+    const { document: doc, trajectory } = document.querySelector('synthetica-linkage');
+    return [doc.parameters.base, doc.parameters.lower, doc.length_unit, trajectory.report.mobility_rank, Math.max(...trajectory.closure) <= 1e-10];
+  });
+  assert.deepEqual(made, [400, 580, 'mm', 3, true]);
+  assert.deepEqual(problems, []);
+});
+
 test('makes a linkage of any type', async () => {
   const { page, problems } = await course(['3RRS', 'rps + 2ts', 'RPRRR'].map((type) => `<synthetica-linkage type="${type}"></synthetica-linkage>`).join(''));
   await planned(page);

@@ -9,7 +9,7 @@ import { installed } from './installed.mjs';
 
 const sample = (name) => readFileSync(new URL(`samples/${name}.json`, dist), 'utf8');
 const readme = readFileSync(new URL('README.md', dist), 'utf8');
-const { open, plan, check, normalise, findStart, pull, drive, explain, trace, matrix, compareMetrics, exportMotion, schema, enumeration, chainByIndex, assemblyByIndex, assemble, make, readPoses, at, DocumentFault } = await import(
+const { open, plan, check, normalise, findStart, pull, drive, explain, trace, matrix, compareMetrics, exportMotion, schema, enumeration, chainByIndex, assemblyByIndex, assemble, make, makers, makeNamed, readPoses, at, DocumentFault } = await import(
   new URL('index.node.js', dist)
 );
 
@@ -62,6 +62,12 @@ test('every question has its answer', async () => {
   assert.deepEqual((await exportMotion(text, 'csv')).trim().split('\n').length, 130);
   assert.equal((await schema()).$id, JSON.parse(readFileSync(new URL('document.schema.json', dist), 'utf8')).$id);
   assert.ok((await enumeration()).classes.length > 10);
+  const delta = (await makers()).find(({ name }) => name === 'delta');
+  assert.deepEqual(delta.inputs.map(({ name, parts, is }) => [name, parts, is]), [['base', [], 'length'], ['platform', [], 'length'], ['arms', ['upper', 'lower'], 'length']]);
+  const made = await makeNamed('delta', { base: 400, platform: 50, arms: [300, 580] }, 'mm');
+  assert.deepEqual(made, await assemble('delta?base=400&platform=50&arms=300,580&unit=mm'));
+  assert.equal((await plan(made)).report.mobility_rank, 3);
+  await assert.rejects(makeNamed('delta', { base: '4oo' }), (error) => error instanceof DocumentFault && error.where === 'base');
   assert.deepEqual((await plan(await assemble('3RRS'))).report.chains.map(({ type }) => type), ['RRS', 'RRS', 'RRS']);
   const poses = await readPoses('x,y,z\n1000,0,0\n2000,0,no\n', { scale: 0.001 });
   assert.deepEqual([poses.key_frames.map(({ x }) => x), poses.skipped.map(({ row }) => row), poses.understood.convention], [[1], [3], 'positions']);

@@ -1,5 +1,5 @@
 /**
- * Readable changes of a document in an address: `?set=chains.0.joints[1].rows[0].a:1.2`, or `?set=base:400` for a parameter,
+ * Readable changes of a document in an address: `?set=chains.0.joints[1].rows[0].a:1.2`, or `?set=base:400` for a parameter, `=` as good as the colon,
  * repeated or parted by commas or semicolons. What holds a place must be there; whether the value is accepted is Rust's to say. Each change that
  * is refused is told by itself, and the others hold; of two for the same place the last one counts.
  *
@@ -11,8 +11,8 @@
 import { covers, parsePath, valueAt, withValueAt } from './path.js';
 import { Refusal } from './refusal.js';
 
-/** A comma or semicolon that another `path:` follows; one in a text does not part. */
-const BETWEEN = /[;,](?=\s*[A-Za-z_][\w.[\]]*:)/;
+/** A comma or semicolon that another `path:` or `path=` follows; one in a text does not part. */
+const BETWEEN = /[;,](?=\s*[A-Za-z_][\w.[\]]*[:=])/;
 
 /** An override that cannot be applied; the message is a sentence for a person. */
 export class BadOverride extends Refusal {
@@ -88,7 +88,7 @@ const changesIn = (sets) => sets.flatMap((set) => set.replace(/[;,]\s*$/, '').sp
 
 /** @param {string} text @returns {Override} */
 export function parseOverride(text) {
-  const colon = text.indexOf(':');
+  const colon = text.search(/[:=]/);
   const place = text.slice(0, colon).trim();
   if (colon < 0 || !/^[A-Za-z_]\w*(\.\w+|\[\d+\])*$/.test(place)) {
     throw new BadOverride('It is no change of a document. Accepted: a place, a colon and a value, such as chains[0].joints[1].rows[0].a:1.2; or the name of a parameter, such as base:400.');
@@ -122,7 +122,8 @@ function valueOf(text) {
  * @returns {T}
  */
 export function applyOverrides(doc, overrides) {
-  return overrides.reduce((changed, { path, value }) => {
+  return overrides.reduce((changed, { path: given, value }) => {
+    const path = hasOwn(valueAt(changed, 'parameters'), given) ? `parameters.${given}` : given;
     const keys = parsePath(path);
     const last = keys[keys.length - 1];
     const holder = parent(path);

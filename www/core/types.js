@@ -6,6 +6,7 @@
  * @typedef {import('../pkg/synthetica.js').MakeRequest} MakeRequest
  * @typedef {import('../pkg/synthetica.js').PoseTableRequest} PoseTableRequest
  * @typedef {import('../pkg/synthetica.js').PoseTable} PoseTable
+ * @typedef {import('../pkg/synthetica.js').Maker} Maker
  * @typedef {import('../pkg/synthetica.js').Report} Report
  * @typedef {import('../pkg/synthetica.js').Fault} Fault
  * @typedef {import('../pkg/synthetica.js').Posture} Posture

@@ -272,8 +272,8 @@ export async function exportMotion(doc, format, options) {
 }
 
 /**
- * A document with a linkage of a type, closed at its start.
- * @param {string} type such as `3RRS` or `RPS+2TS` @returns {Promise<MechanismDocument>}
+ * A document with a linkage of a type, closed at its start, or one of a maker.
+ * @param {string} type such as `3RRS` or `RPS+2TS`, or `delta?base=400&platform=50` @returns {Promise<MechanismDocument>}
  */
 export async function assemble(type) {
   return JSON.parse(await ask('assemble', type));
@@ -296,6 +296,22 @@ export async function make(request) {
  */
 export async function readPoses(table, request = {}) {
   return JSON.parse(await ask('read_poses', table, JSON.stringify(request)));
+}
+
+/** What can be made from the few numbers of its paper: names, inputs with their defaults, sources. @returns {Promise<import('../core/types.js').Maker[]>} */
+export function makers() {
+  return ask('makers');
+}
+
+/**
+ * A document made by a maker; its numbers are parameters and expressions of them.
+ * @param {string} name such as `delta`
+ * @param {Record<string, string | number | number[]>} [inputs] those that are not to have their default
+ * @param {string} [unit] of the lengths: `m`, `cm`, `mm`, `µm` or `in`; the maker's where there is none
+ * @returns {Promise<MechanismDocument>}
+ */
+export async function makeNamed(name, inputs = {}, unit) {
+  return JSON.parse(await ask('make_named', name, JSON.stringify(inputs), unit));
 }
 
 /** The JSON Schema of a document. @returns {Promise<Record<string, unknown>>} */

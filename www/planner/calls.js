@@ -20,7 +20,7 @@
  *
  * @typedef {'plan' | 'pull' | 'explain' | 'text' | 'find_start' | 'drive' | 'trace' | 'matrix' | 'compare_metrics' | 'export_motion'} DocumentCall
  *   methods of the packages' Session
- * @typedef {DocumentCall | 'defaults' | 'enumeration' | 'assemble' | 'make' | 'read_poses' | 'schema' | 'chain_by_index' | 'assembly_by_index'} Call
+ * @typedef {DocumentCall | 'defaults' | 'enumeration' | 'assemble' | 'make' | 'makers' | 'make_named' | 'read_poses' | 'schema' | 'chain_by_index' | 'assembly_by_index'} Call
  *
  * @typedef {{Session: {open: (text: string) => any}}} Module
  * A document with expressions, axes or other conventions is read by the whole package only.

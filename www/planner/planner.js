@@ -110,7 +110,7 @@ export class Planner {
     return this.#defaults;
   }
 
-  /** A document with a linkage of a type, such as 3RPS or RPS+2TS. @param {string} type @returns {Promise<string>} */
+  /** A document with a linkage of a type, such as 3RPS or RPS+2TS, or of a maker, delta?base=400. @param {string} type @returns {Promise<string>} */
   assemble(type) {
     return this.#askNoDocument('assemble', type);
   }
@@ -126,6 +126,21 @@ export class Planner {
    */
   async readPoses(table, request) {
     return JSON.parse(await this.#queue.ask({ asker: this, latest: true, call: 'read_poses', args: [table, JSON.stringify(request)] }));
+  }
+
+  /** What can be made from the few numbers of its paper. @returns {Promise<import('../core/types.js').Maker[]>} */
+  makers() {
+    return this.#askNoDocument('makers');
+  }
+
+  /**
+   * A document made by a maker.
+   * @param {string} name @param {Record<string, string | number | number[]>} inputs those that are not to have their default
+   * @param {string} [unit] of the lengths; the maker's where there is none
+   * @returns {Promise<string>}
+   */
+  makeNamed(name, inputs, unit) {
+    return this.#queue.ask({ asker: this, latest: true, call: 'make_named', args: [name, JSON.stringify(inputs), unit] });
   }
 
   /** Tables 2 and 3. @returns {Promise<import('../core/types.js').Enumeration>} */

@@ -1,11 +1,10 @@
 //! The command line: commands, options, and their help.
 
+use crate::inputs::Inputs;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint, value_parser};
 use clap_complete::Shell;
 use std::path::{Path, PathBuf};
-use synthetica::document::example_document::example;
-use synthetica::document::schema::Document;
 use synthetica::exchange::export::Format;
 use synthetica::model::joint::JointKind;
 use synthetica::motion::goal::MAX_FRAMES;
@@ -45,19 +44,8 @@ pub enum Command {
     Export(Export),
     /// Count the types of chains and assemblies, list them, find one by its number
     Enumerate(Enumerate),
-    /// Print a document to begin with: a linkage of a type, closed at its start
-    #[command(after_help = "\
-Examples:
-  synthetica new 3RPS > mine.json
-  synthetica new 'RPS + 2TS' | synthetica check
-  synthetica new 2TPR | synthetica plan --quiet | head -n 3")]
-    New {
-        /// Chains of the joints R, P, C, T, S, E from base to workpiece, each with its count
-        #[arg(value_name = "TYPE", value_parser = linkage)]
-        linkage: Box<Document>,
-        #[command(flatten)]
-        into: Output,
-    },
+    /// Print a document to begin with: a mechanism from the numbers of its paper, or a linkage of a type
+    New(New),
     /// Print the JSON Schema of a document
     #[command(after_help = "\
 Examples:
@@ -85,6 +73,34 @@ from the folders of $fpath, fish from ~/.config/fish/completions.")]
 
 #[derive(Args)]
 #[command(after_help = "\
+A maker takes the numbers of its paper as options, --base 400; `--list` has them all with what they
+are and their defaults. Lengths are in the unit that is named.
+
+Examples:
+  synthetica new 3-RPS > mine.json
+  synthetica new 'RPS + 2TS' | synthetica check
+  synthetica new --list
+  synthetica new delta --base 400 --platform 50 --arms 300,580 --unit mm > delta.json
+  synthetica new 'delta?base=400&platform=50' | synthetica plan --quiet | head -n 3")]
+pub struct New {
+    /// A maker, delta or delta?base=400, or chains of the joints R, P, C, T (or U), S, E from base to workpiece, each with
+    /// its count
+    #[arg(value_name = "TYPE", required_unless_present = "list")]
+    pub what: Option<String>,
+    /// List the makers and their inputs
+    #[arg(long, conflicts_with = "what")]
+    pub list: bool,
+    /// The unit of the lengths: m, cm, mm, µm or in
+    #[arg(long, value_name = "UNIT")]
+    pub unit: Option<String>,
+    #[command(flatten)]
+    pub inputs: Inputs,
+    #[command(flatten)]
+    pub into: Output,
+}
+
+#[derive(Args)]
+#[command(after_help = "\
 Warnings go to standard error. A frame that is not certified is no failure: its status says so, and
 `synthetica check` exits with 1.
 
@@ -93,6 +109,7 @@ Examples:
   synthetica plan --frames 500 --output motion.csv 3rps.json
   synthetica plan --format json < 3rps.json
   synthetica plan 3rps.json --key-frames path.csv --table '{\"convention\": \"quaternion_wxyz\", \"scale\": 0.001}'
+  synthetica plan --set motion.key_frames[1].z=0.9 3rps.json
   cat 3rps.json | synthetica plan --method gradient --frames 9 --quiet | cut -d, -f1-6")]
 pub struct Plan {
     /// csv: a table with units in its headings; json: columns, report and document
@@ -167,6 +184,9 @@ pub struct Planning {
     /// Plan so many frames, whatever the document says
     #[arg(long, value_name = "N", value_parser = value_parser!(u32).range(2..=MAX_FRAMES as i64))]
     pub frames: Option<u32>,
+    /// Change a parameter or any place of the document, such as base=400 or chains[0].base.x=1.2
+    #[arg(long, value_name = "PLACE=VALUE")]
+    pub set: Vec<String>,
 }
 
 /// Where key frames come from, where not from the document.
@@ -266,11 +286,6 @@ pub enum Listing {
         #[arg(value_name = "CHAIN", required = true, value_parser = chain)]
         chains: Vec<Chain>,
     },
-}
-
-fn linkage(text: &str) -> Result<Box<Document>, String> {
-    let document = example(text).map_err(|fault| fault.to_string())?;
-    Ok(Box::new(document))
 }
 
 /// The joints of a chain.

@@ -101,7 +101,7 @@ impl<'a> Verdict<'a> {
     fn new(planned: &'a Planned) -> Self {
         let motion = &planned.motion;
         let metrics = planned
-            .problem
+            .problem()
             .compare_metrics_of(motion)
             .map(|gaps| MetricGaps {
                 rotation_gap: gaps.rotation_gap.to_degrees(),
@@ -114,7 +114,7 @@ impl<'a> Verdict<'a> {
         Self {
             file: &planned.file,
             ok: motion.status.iter().all(|status| status.is_certified()),
-            name: &planned.document.name,
+            name: &planned.document().name,
             frames: motion.frames(),
             statuses,
             uncertified: uncertified(motion),
@@ -126,8 +126,8 @@ impl<'a> Verdict<'a> {
             leaps: leaps(motion),
             near_singular: near_singular(motion),
             report: Report::new(
-                &planned.problem.mechanism,
-                &planned.problem.length_unit,
+                &planned.problem().mechanism,
+                &planned.problem().length_unit,
                 motion,
             ),
         }
@@ -148,7 +148,7 @@ fn words(verdict: &Verdict, planned: &Planned) -> String {
         .filter_map(|status| verdict.statuses.get_key_value(status.name()))
         .map(|(status, frames)| format!("{frames} {status}"))
         .collect();
-    let unit = match planned.document.length_unit.as_str() {
+    let unit = match planned.document().length_unit.as_str() {
         "" => "lengths",
         unit => unit,
     };

@@ -5,7 +5,9 @@ mod check;
 mod enumerate;
 mod failure;
 mod files;
+mod inputs;
 mod motion;
+mod new;
 mod planned;
 mod progress;
 
@@ -30,7 +32,7 @@ fn run(command: &Command) -> Result<(), Failure> {
         Command::Check(asked) => check::check(asked),
         Command::Export(asked) => motion::export(asked),
         Command::Enumerate(asked) => enumerate::enumerate(asked),
-        Command::New { linkage, into } => files::write(into.file(), &linkage.text()),
+        Command::New(asked) => new::new(asked),
         Command::Schema { into } => files::write(into.file(), &schema()),
         Command::Completions { shell } => {
             // Into memory first: the generators panic where the reader of a pipe has gone.

@@ -4,7 +4,7 @@ use crate::arguments::{Export, MotionOptions, Plan, Table};
 use crate::check::warnings;
 use crate::failure::{Failure, tell};
 use crate::files;
-use crate::planned::{Planned, planned};
+use crate::planned::planned;
 use synthetica::document::report::Report;
 use synthetica::exchange::export::{Format, write};
 
@@ -30,20 +30,15 @@ fn print(format: Format, options: &MotionOptions) -> Result<(), Failure> {
     )?;
     if !options.quiet {
         let report = Report::new(
-            &planned.problem.mechanism,
-            &planned.problem.length_unit,
+            &planned.problem().mechanism,
+            &planned.problem().length_unit,
             &planned.motion,
         );
         for said in warnings(&report, &planned.motion) {
             tell(&format!("{}: warning: {said}", planned.file));
         }
     }
-    let Planned {
-        document,
-        problem,
-        motion,
-        ..
-    } = &planned;
-    let text = write(format, document, &problem.mechanism, motion);
+    let mechanism = &planned.problem().mechanism;
+    let text = write(format, planned.document(), mechanism, &planned.motion);
     files::write(options.into.file(), &text)
 }

@@ -5,21 +5,32 @@ use crate::failure::{Failure, tell};
 use crate::files;
 use crate::progress::Progress;
 use std::path::Path;
-use synthetica::document::problem::Problem;
-use synthetica::document::schema::{Document, KeyFrameEntry};
-use synthetica::document::text;
+use synthetica::document::fault::Fault;
+use synthetica::document::schema::KeyFrameEntry;
 use synthetica::exchange::pose_rows::SkippedRow;
 use synthetica::exchange::pose_table::read_pose_table_asked;
 use synthetica::motion::trajectory::Trajectory;
-use synthetica::plan::settings;
+use synthetica::source::overrides::{change, set};
+use synthetica::source::typed::Typed;
+use synthetica::{Document, Problem, Session};
 
 /// A document and its motion.
 pub struct Planned {
     /// As messages call the file.
     pub file: String,
-    pub document: Document,
-    pub problem: Problem,
+    session: Session,
     pub motion: Trajectory,
+}
+
+impl Planned {
+    /// As the planner has it: plain, whatever was typed.
+    pub fn document(&self) -> &Document {
+        self.session.document()
+    }
+
+    pub fn problem(&self) -> &Problem {
+        self.session.problem()
+    }
 }
 
 /// Plans the document of this file.
@@ -34,33 +45,23 @@ pub fn planned(
         None => None,
     };
     let file = files::name(file);
-    let posed = text::parse(&text).and_then(|mut document| {
-        if let Some(key_frames) = table {
-            // A frame for each of them: a tool path would be cut short between them.
-            let count = u32::try_from(key_frames.len()).unwrap_or(u32::MAX);
-            document.motion.frames = document.motion.frames.max(count);
-            document.motion.key_frames = key_frames;
-        }
-        change(&mut document, planning);
-        Ok((Problem::new(&document)?, document))
-    });
-    let (problem, document) = match posed {
-        Ok(posed) => posed,
+    let opened = changed(text, planning, table).and_then(|text| Session::open(&text));
+    let session = match opened {
+        Ok(session) => session,
         Err(fault) => {
             let fault = Box::new(fault);
             return Err(Failure::Fault { file, fault });
         }
     };
-    let mut progress = Progress::new("frame", problem.frames() as u64);
-    let mut planning = problem.planning(&problem.find_start());
+    let mut progress = Progress::new("frame", session.problem().frames() as u64);
+    let mut planning = session.planning();
     while planning.advance() {
         progress.at(planning.done() as u64);
     }
     let motion = planning.finish();
     Ok(Planned {
         file,
-        document,
-        problem,
+        session,
         motion,
     })
 }
@@ -93,14 +94,33 @@ fn read_key_frames(asked: &KeyFrames) -> Result<Option<Vec<KeyFrameEntry>>, Fail
     Ok(Some(table.key_frames))
 }
 
-fn change(document: &mut Document, planning: &Planning) {
+/// The text with what the options change.
+fn changed(
+    mut text: String,
+    planning: &Planning,
+    table: Option<Vec<KeyFrameEntry>>,
+) -> Result<String, Fault> {
+    for asked in &planning.set {
+        let (place, value) = change(asked)?;
+        text = set(&text, place, value)?;
+    }
+    if let Some(key_frames) = table {
+        let list = serde_json::to_string(&key_frames).expect("plain data becomes JSON");
+        text = set(&text, "motion.key_frames", &list)?;
+        // A frame for each of them: a tool path would be cut short between them.
+        if Typed::read(&text)?.document.motion.frames as usize <= key_frames.len() {
+            text = set(&text, "motion.frames", &key_frames.len().to_string())?;
+        }
+    }
     if let Some(method) = planning.method {
-        document.planner.method = match method {
-            Method::Newton => settings::Method::Newton,
-            Method::Gradient => settings::Method::Gradient,
+        let name = match method {
+            Method::Newton => "newton",
+            Method::Gradient => "gradient",
         };
+        text = set(&text, "planner.method", name)?;
     }
     if let Some(frames) = planning.frames {
-        document.motion.frames = frames;
+        text = set(&text, "motion.frames", &frames.to_string())?;
     }
+    Ok(text)
 }
