@@ -173,22 +173,40 @@ fn the_slider_is_where_its_formula_says() {
 }
 
 #[test]
-fn the_five_bars_motors_turn_as_the_hinge_says() {
-    for (ground, crank, coupler) in [(300.0, 230.0, 230.0), (100.0, 120.0, 260.0), (500.0, 200.0, 150.0)] {
+fn the_five_bars_hinge_is_where_its_motors_say() {
+    for (ground, crank, coupler) in [
+        (300.0, 230.0, 230.0),
+        (100.0, 120.0, 260.0),
+        (500.0, 200.0, 150.0_f64),
+    ] {
         let arms = format!("{crank},{coupler}");
-        let motion = reached("five-bar", &[("ground", &ground.to_string()), ("arms", &arms)]);
-        let motors = |frame: usize| {
-            let point = [motion.poses[frame].translation.x, motion.poses[frame].translation.z];
-            let right = two_links([ground / 2.0, 0.0], point, crank, coupler, -1.0);
-            let left = two_links([-ground / 2.0, 0.0], point, crank, coupler, 1.0);
-            [right, left]
+        let motion = reached(
+            "five-bar",
+            &[("ground", &ground.to_string()), ("arms", &arms)],
+        );
+        let hinge = |frame: usize| {
+            let at = &motion.poses[frame].translation;
+            [at.x, at.z]
         };
-        near("mirrored at home", motors(0)[0] + motors(0)[1], PI, 1e-9);
-        for frame in 0..motion.frames() {
-            let joints = motion.joints_at(frame);
-            same_angle("right", joints[0], motors(frame)[0] - motors(0)[0]);
-            same_angle("left", joints[2], motors(frame)[1] - motors(0)[1]);
-        }
+        near("in the middle at home", hinge(0)[0], 0.0, 1e-9);
+        // Both elbows are on the inner or on the outer side at home; from there the motors lead to the hinge.
+        let farthest = |side: f64| {
+            let home = two_links([ground / 2.0, 0.0], hinge(0), crank, coupler, side);
+            let distance = |frame: usize| {
+                let joints = motion.joints_at(frame);
+                let (right, left) = (home + joints[0], PI - home + joints[2]);
+                let elbow =
+                    |pivot: f64, angle: f64| [pivot + crank * angle.cos(), crank * angle.sin()];
+                let (r, l) = (elbow(ground / 2.0, right), elbow(-ground / 2.0, left));
+                let (x, z) = ((r[0] - l[0]) / 2.0, (r[1] - l[1]) / 2.0);
+                let rise = (coupler * coupler - x * x - z * z).sqrt() / x.hypot(z);
+                let [hinge_x, hinge_z] = hinge(frame);
+                let middle = [(r[0] + l[0]) / 2.0, (r[1] + l[1]) / 2.0];
+                (middle[0] - rise * z - hinge_x).hypot(middle[1] + rise * x - hinge_z)
+            };
+            (0..motion.frames()).map(distance).fold(0.0, f64::max)
+        };
+        near("hinge", farthest(1.0).min(farthest(-1.0)), 0.0, 1e-7);
         assert!(travel(&motion, 0) > 0.1 && travel(&motion, 2) > 0.1);
     }
 }
@@ -232,11 +250,21 @@ fn the_legs_of_a_3_rpr_are_as_long_as_their_ends_are_apart() {
         (end.x - base[leg][0]).hypot(end.y - base[leg][1])
     };
     near("leg 1 at home", length(0, 0), 60.0_f64.hypot(30.0), 1e-9);
-    near("turn at home", motion.poses[0].rotation.angle(), 10.0_f64.to_radians(), 1e-9);
+    near(
+        "turn at home",
+        motion.poses[0].rotation.angle(),
+        10.0_f64.to_radians(),
+        1e-9,
+    );
     for frame in 0..motion.frames() {
         for leg in 0..3 {
             let joints = motion.joints_at(frame);
-            near("leg", joints[3 * leg + 1], length(frame, leg) - length(0, leg), 1e-7);
+            near(
+                "leg",
+                joints[3 * leg + 1],
+                length(frame, leg) - length(0, leg),
+                1e-7,
+            );
         }
     }
     assert!(travel(&motion, 1) > 5.0);
@@ -251,11 +279,20 @@ fn bennetts_relation(alpha: f64, beta: f64, first: f64, second: f64) -> f64 {
 
 #[test]
 fn bennetts_linkage_keeps_his_relation() {
-    for (alpha, beta, angle) in [(30.0, 90.0, 90.0), (70.0, 25.0, 40.0), (40.0, 140.0, -100.0_f64)] {
+    for (alpha, beta, angle) in [
+        (30.0, 90.0, 90.0),
+        (70.0, 25.0, 40.0),
+        (40.0, 140.0, -100.0_f64),
+    ] {
         let text = |number: f64| number.to_string();
         let motion = reached(
             "bennett",
-            &[("a", "80"), ("alpha", &text(alpha)), ("beta", &text(beta)), ("angle", &text(angle))],
+            &[
+                ("a", "80"),
+                ("alpha", &text(alpha)),
+                ("beta", &text(beta)),
+                ("angle", &text(angle)),
+            ],
         );
         let (alpha, beta, home) = (alpha.to_radians(), beta.to_radians(), angle.to_radians());
         let ratio = ((beta + alpha) / 2.0).sin() / ((beta - alpha) / 2.0).sin();
@@ -263,7 +300,12 @@ fn bennetts_linkage_keeps_his_relation() {
         for frame in 0..motion.frames() {
             let joints = motion.joints_at(frame);
             let what = format!("{alpha} {beta}, frame {frame}");
-            near(&what, bennetts_relation(alpha, beta, home + joints[0], second + joints[1]), 0.0, 1e-9);
+            near(
+                &what,
+                bennetts_relation(alpha, beta, home + joints[0], second + joints[1]),
+                0.0,
+                1e-9,
+            );
             // Opposite angles are equal.
             same_angle(&what, joints[2], joints[1]);
             same_angle(&what, joints[3], joints[0]);
@@ -296,7 +338,12 @@ fn goldbergs_linkage_is_two_of_bennetts() {
             let what = format!("frame {frame}");
             let (one, two, five) = (first - joints[0], common + joints[1], fifth + joints[2]);
             near(&what, bennetts_relation(alpha, beta, one, two), 0.0, 1e-9);
-            near(&what, bennetts_relation(gamma, beta, PI - two, five), 0.0, 1e-9);
+            near(
+                &what,
+                bennetts_relation(gamma, beta, PI - two, five),
+                0.0,
+                1e-9,
+            );
             same_angle(&what, joints[3], joints[1]);
             same_angle(&what, joints[4], joints[0] - joints[2]);
         }
@@ -306,9 +353,10 @@ fn goldbergs_linkage_is_two_of_bennetts() {
 
 #[test]
 fn sarruss_platform_rises_straight_and_level() {
-    for (base, platform, lower, upper, height) in
-        [(500.0, 500.0, 1000.0, 1000.0, 1200.0), (300.0, 500.0, 700.0, 900.0, 1100.0_f64)]
-    {
+    for (base, platform, lower, upper, height) in [
+        (500.0, 500.0, 1000.0, 1000.0, 1200.0),
+        (300.0, 500.0, 700.0, 900.0, 1100.0_f64),
+    ] {
         let text = |number: f64| number.to_string();
         let motion = reached(
             "sarrus",
@@ -323,7 +371,12 @@ fn sarruss_platform_rises_straight_and_level() {
         for frame in 0..motion.frames() {
             let pose = &motion.poses[frame];
             near("turn", pose.rotation.angle(), 0.0, 1e-9);
-            near("aside", pose.translation.x.hypot(pose.translation.y), 0.0, 1e-7);
+            near(
+                "aside",
+                pose.translation.x.hypot(pose.translation.y),
+                0.0,
+                1e-7,
+            );
             for side in 0..2 {
                 let angle = home - motion.joints_at(frame)[3 * side];
                 let along: f64 = platform - base - lower * angle.cos();
@@ -347,14 +400,18 @@ fn bricards_linkage_keeps_its_relation() {
             let joints = motion.joints_at(frame);
             let what = format!("twist {twist}, frame {frame}");
             let (theta, phi) = (fold + joints[0], fold + joints[1]);
-            let relation = cos * cos + sin * sin * (theta.cos() + phi.cos())
+            let relation = cos * cos
+                + sin * sin * (theta.cos() + phi.cos())
                 + (1.0 + cos * cos) * theta.cos() * phi.cos()
                 - 2.0 * cos * theta.sin() * phi.sin();
             near(&what, relation, 0.0, 1e-9);
             // Threefold symmetry; the other side is counted the other way.
-            for (variable, wanted) in
-                [(2, joints[0]), (3, -joints[1]), (4, -joints[0]), (5, -joints[1])]
-            {
+            for (variable, wanted) in [
+                (2, joints[0]),
+                (3, -joints[1]),
+                (4, -joints[0]),
+                (5, -joints[1]),
+            ] {
                 same_angle(&what, joints[variable], wanted);
             }
         }
@@ -371,23 +428,35 @@ fn spherical_four_bars_close_their_triangle() {
     ] {
         let text: Vec<String> = arcs.iter().map(f64::to_string).collect();
         let given = [("arcs", text.join(",")), ("angle", f64::to_string(&angle))];
-        let given: Vec<(&str, &str)> = given.iter().map(|(name, value)| (*name, value.as_str())).collect();
+        let given: Vec<(&str, &str)> = given
+            .iter()
+            .map(|(name, value)| (*name, value.as_str()))
+            .collect();
         let motion = reached("spherical-four-bar", &given);
         let [ground, crank, coupler, rocker] = arcs.map(f64::to_radians);
         let pivot = Vector3::new(ground.sin(), 0.0, ground.cos());
         let to_pivot = Rotation3::from_axis_angle(&Vector3::y_axis(), ground);
         let pin = |theta: f64| {
-            Vector3::new(crank.sin() * theta.cos(), crank.sin() * theta.sin(), crank.cos())
+            Vector3::new(
+                crank.sin() * theta.cos(),
+                crank.sin() * theta.sin(),
+                crank.cos(),
+            )
         };
         // The rocker's angle about its axis: cos(coupler) = pin . end.
         let angle_of = |theta: f64, side: f64| {
             let seen = to_pivot.inverse() * pin(theta);
-            let cosine = (coupler.cos() - rocker.cos() * seen.z) / (rocker.sin() * seen.x.hypot(seen.y));
+            let cosine =
+                (coupler.cos() - rocker.cos() * seen.z) / (rocker.sin() * seen.x.hypot(seen.y));
             seen.y.atan2(seen.x) + side * cosine.acos()
         };
         let end = |psi: f64| {
             to_pivot
-                * Vector3::new(rocker.sin() * psi.cos(), rocker.sin() * psi.sin(), rocker.cos())
+                * Vector3::new(
+                    rocker.sin() * psi.cos(),
+                    rocker.sin() * psi.sin(),
+                    rocker.cos(),
+                )
         };
         let home = angle.to_radians();
         // At home the end is on the left of the way from pin to pivot, seen from outside.
@@ -399,7 +468,12 @@ fn spherical_four_bars_close_their_triangle() {
             let psi = angle_of(home + joints[0], side);
             same_angle(&what, joints[2], psi - angle_of(home, side));
             let middle = (pin(home + joints[0]) + end(psi)).normalize() * 100.0;
-            near(&what, (motion.poses[frame].translation.vector - middle).norm(), 0.0, 1e-7);
+            near(
+                &what,
+                (motion.poses[frame].translation.vector - middle).norm(),
+                0.0,
+                1e-7,
+            );
         }
         if turns {
             near("a full turn", travel(&motion, 0), TAU, 1e-12);
@@ -425,16 +499,33 @@ fn the_agile_eyes_motors_turn_as_their_closed_form_says() {
             let angle = motor.dot(&home.cross(&middle)).atan2(home.dot(&middle));
             same_angle(&format!("leg {leg}, frame {frame}"), joints[3 * leg], angle);
         }
-        near("it only turns", motion.poses[frame].translation.vector.norm(), 0.0, 1e-7);
+        near(
+            "it only turns",
+            motion.poses[frame].translation.vector.norm(),
+            0.0,
+            1e-7,
+        );
     }
     // The second of five key frames in 97 frames: turned by 15 degrees about the middle axis.
     let turned = &motion.poses[24].rotation;
     let wanted = Rotation3::from_axis_angle(&Vector3::z_axis(), 15.0_f64.to_radians());
-    near("Rz(15)", turned.to_rotation_matrix().angle_to(&wanted), 0.0, 1e-9);
-    let closed = -(7.5_f64.to_radians().tan() * 3.0_f64.sqrt()).atan().to_degrees();
+    near(
+        "Rz(15)",
+        turned.to_rotation_matrix().angle_to(&wanted),
+        0.0,
+        1e-9,
+    );
+    let closed = -(7.5_f64.to_radians().tan() * 3.0_f64.sqrt())
+        .atan()
+        .to_degrees();
     near("by hand", closed, -12.845_452, 1e-6);
     for leg in 0..3 {
-        near("motor", motion.joints_at(24)[3 * leg].to_degrees(), closed, 1e-7);
+        near(
+            "motor",
+            motion.joints_at(24)[3 * leg].to_degrees(),
+            closed,
+            1e-7,
+        );
     }
 }
 
@@ -442,7 +533,7 @@ fn the_agile_eyes_motors_turn_as_their_closed_form_says() {
 /// and it does not turn about its own axis.
 #[test]
 fn the_omni_wrist_rolls_like_ball_on_ball() {
-    for (elevation, skew) in [("45", "45"), ("35", "80")] {
+    for (elevation, skew) in [("45", "90"), ("35", "80")] {
         let motion = planned("omni-wrist", &[("elevation", elevation), ("skew", skew)]);
         let mut most = 0.0_f64;
         for frame in 0..motion.frames() {
@@ -451,7 +542,12 @@ fn the_omni_wrist_rolls_like_ball_on_ball() {
             near("torsion", axis.z, 0.0, 1e-8);
             let half = nalgebra::UnitQuaternion::from_scaled_axis(axis / 2.0);
             let wanted = half * Vector3::z() * 100.0;
-            near("middle", (pose.translation.vector - wanted).norm(), 0.0, 1e-6);
+            near(
+                "middle",
+                (pose.translation.vector - wanted).norm(),
+                0.0,
+                1e-6,
+            );
             most = most.max(axis.norm());
             let joints = motion.joints_at(frame);
             for leg in joints.chunks(4) {
@@ -459,7 +555,7 @@ fn the_omni_wrist_rolls_like_ball_on_ball() {
                 near("inner axes", leg[2], -leg[1], 1e-7);
             }
         }
-        near("tilt", most.to_degrees(), 30.0, 0.5);
+        near("tilt", most.to_degrees(), 40.0, 0.5);
     }
 }
 
