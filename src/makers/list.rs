@@ -4,7 +4,7 @@ use crate::makers::maker::Maker;
 use std::sync::OnceLock;
 
 /// Their files, in the order in which they are listed.
-const FILES: [&str; 10] = [
+const FILES: [&str; 23] = [
     include_str!("delta.json"),
     include_str!("linear-delta.json"),
     include_str!("orthoglide.json"),
@@ -15,6 +15,19 @@ const FILES: [&str; 10] = [
     include_str!("3-upu-snu.json"),
     include_str!("exechon.json"),
     include_str!("hexapod.json"),
+    include_str!("four-bar.json"),
+    include_str!("slider-crank.json"),
+    include_str!("five-bar.json"),
+    include_str!("3-rrr.json"),
+    include_str!("3-rpr.json"),
+    include_str!("bennett.json"),
+    include_str!("goldberg.json"),
+    include_str!("sarrus.json"),
+    include_str!("bricard.json"),
+    include_str!("spherical-four-bar.json"),
+    include_str!("agile-eye.json"),
+    include_str!("omni-wrist.json"),
+    include_str!("scara.json"),
 ];
 
 /// All makers.
