@@ -476,3 +476,19 @@ fn a_page_gives_inputs_as_json() {
         "{fault}"
     );
 }
+
+/// A hexapod with its legs 1 to 5 locked takes seven numbers.
+#[test]
+fn a_list_may_be_given_by_ranges() {
+    let hexapod = named("hexapod").expect("a maker");
+    let made = |locked: &str| {
+        let given = [("locked".to_owned(), locked.to_owned())];
+        make(hexapod, &given, None)
+    };
+    assert_eq!(made("1-3,5"), made("1, 2, 3, 5"));
+    assert_eq!(made("2\u{2013}2"), made("2"));
+    for wrong in ["3-1", "1-9", "1-3,2", "1-", "-1"] {
+        let fault = made(wrong).expect_err(wrong);
+        assert_eq!(fault.place, "locked", "{wrong}: {fault}");
+    }
+}

@@ -162,11 +162,12 @@ fn read(input: &Input, text: &str) -> Result<Vec<f64>, Fault> {
     let place = Place::WHOLE.field(&input.name);
     let accepted = accepted(input);
     let mut values = Vec::new();
-    for part in text.split(',').map(str::trim) {
+    let parts = text.split(',').map(str::trim);
+    for part in parts.flat_map(|part| spread(input.is, part)) {
         let number = part.replace('\u{2212}', "-").parse::<f64>().ok();
         // What Rust takes for a number too, but is none: inf, nan.
         let Some(number) = number.filter(|number| number.is_finite()) else {
-            let what = format!("\u{201c}{}\u{201d} is no number", excerpt(part));
+            let what = format!("\u{201c}{}\u{201d} is no number", excerpt(&part));
             return Err(Fault::new(FaultCode::WrongType, &place, &what, &accepted));
         };
         let whole = matches!(input.is, Kind::Count | Kind::List);
@@ -192,6 +193,21 @@ fn read(input: &Input, text: &str) -> Result<Vec<f64>, Fault> {
     Ok(values)
 }
 
+/// Of a list, the entries that a range stands for: 1-3 for 1, 2, 3.
+fn spread(kind: Kind, part: &str) -> Vec<String> {
+    let ends = part.split_once(['-', '\u{2013}']);
+    let ends = ends.and_then(|(first, last)| {
+        let (first, last) = (first.trim().parse::<u8>(), last.trim().parse::<u8>());
+        Some(first.ok()?..=last.ok()?)
+    });
+    match ends {
+        Some(range) if kind == Kind::List && !range.is_empty() => {
+            range.map(|entry| entry.to_string()).collect()
+        }
+        _ => vec![part.to_owned()],
+    }
+}
+
 /// What an input takes, such as: two lengths above 0 with a comma between them (upper, lower).
 fn accepted(input: &Input) -> String {
     let (one, many) = match input.is {
@@ -208,7 +224,9 @@ fn accepted(input: &Input) -> String {
     };
     let between = "with commas between them";
     match input.parts.len() {
-        _ if input.is == Kind::List => format!("{many}{range}, {between}"),
+        _ if input.is == Kind::List => {
+            format!("{many}{range}, {between}, or a range such as 1-3")
+        }
         0 => format!("{one}{range}"),
         count => format!(
             "{count} {many}{range}, {between}: {}",
