@@ -1043,7 +1043,7 @@ fn every_fault_has_its_place() {
         (
             json!({"key_frames": []}),
             "motion.key_frames",
-            "2 to 1000 key frames",
+            "2 to 100000 key frames",
         ),
     ];
     for (motion, place, part) in motions {

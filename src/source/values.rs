@@ -279,3 +279,40 @@ fn degrees(value: &mut Node) {
 fn whole(number: f64) -> usize {
     number as usize
 }
+
+#[cfg(test)]
+mod tests {
+    use super::NUMBERS;
+    use crate::document::schema::SCHEMA;
+    use serde_json::Value;
+    use std::collections::BTreeSet;
+
+    /// The fields whose schema takes a number and a text, or lists of those.
+    fn numbers<'a>(schema: &'a Value, field: &'a str, found: &mut BTreeSet<&'a str>) {
+        if let Some(kinds) = schema["type"].as_array()
+            && kinds.iter().any(|kind| kind == "string")
+            && kinds
+                .iter()
+                .any(|kind| kind == "number" || kind == "integer")
+        {
+            found.insert(field);
+        }
+        for (name, part) in schema["properties"].as_object().into_iter().flatten() {
+            numbers(part, name, found);
+        }
+        for part in schema["$defs"].as_object().into_iter().flatten() {
+            numbers(part.1, part.0, found);
+        }
+        if schema["items"].is_object() {
+            numbers(&schema["items"], field, found);
+        }
+    }
+
+    #[test]
+    fn the_schema_takes_expressions_where_they_are_read() {
+        let schema: Value = serde_json::from_str(SCHEMA).expect("JSON");
+        let mut found = BTreeSet::new();
+        numbers(&schema, "", &mut found);
+        assert_eq!(found, NUMBERS.into());
+    }
+}
