@@ -22,7 +22,9 @@ pub fn set(text: &str, place: &str, value: &str) -> Result<String, Fault> {
     let keys = keys(place).ok_or_else(|| no_path(place))?;
     let value = value_of(value.trim());
     let mut node = node_of(text)?;
+    // As in the page's address, a field of the document goes before a parameter of its name.
     if let [Key::Field(name)] = keys[..]
+        && !node.has(name)
         && let Some(parameter) = node
             .field_mut("parameters")
             .and_then(|all| all.field_mut(name))

@@ -15,12 +15,9 @@ test('places with dots and with brackets, values with their types', () => {
   assert.deepEqual(parseOverrides(['', ' ', 'motion.frames:9;']).map(({ text }) => text), ['motion.frames:9']);
 });
 
-test('a parameter is named alone, and = stands for the colon', () => {
-  const sized = { ...doc, parameters: { base: 2, name: 3 } };
-  const changed = applyOverrides(sized, parseOverrides(['base=400,name=7', 'motion.frames=9']));
-  assert.deepEqual(changed.parameters, { base: 400, name: 7 });
-  assert.deepEqual([changed.name, changed.motion.frames, sized.parameters.base], ['x', 9, 2]);
-  assert.equal(applyOverrides(doc, parseOverrides(['name=y'])).name, 'y');
+test('= stands for the colon', () => {
+  const changed = applyOverrides(doc, parseOverrides(['name=y,motion.frames=9', 'chains.0.joints[0].type=a:b']));
+  assert.deepEqual([changed.name, changed.motion.frames, changed.chains[0].joints[0].type], ['y', 9, 'a:b']);
 });
 
 test('are applied in order, on a copy', () => {

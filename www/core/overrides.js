@@ -122,8 +122,7 @@ function valueOf(text) {
  * @returns {T}
  */
 export function applyOverrides(doc, overrides) {
-  return overrides.reduce((changed, { path: given, value }) => {
-    const path = hasOwn(valueAt(changed, 'parameters'), given) ? `parameters.${given}` : given;
+  return overrides.reduce((changed, { path, value }) => {
     const keys = parsePath(path);
     const last = keys[keys.length - 1];
     const holder = parent(path);

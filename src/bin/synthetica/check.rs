@@ -163,7 +163,7 @@ fn words(verdict: &Verdict, planned: &Planned) -> String {
             let (shift, turn) = (readable(shift), readable(turn));
             format!("  gap       up to {shift} {unit} and {turn}°")
         } else {
-            let wording = planned.problem.wording();
+            let wording = planned.problem().wording();
             let driven = report.drivers.iter().map(|&v| wording.variable(v));
             let driven: Vec<String> = driven.collect();
             format!("  driven    {}", driven.join(", "))
