@@ -2,7 +2,8 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { frameAsWritten, frameNumbers, withoutForms } from '../../www/core/document-angles.js';
+import { frameAsWritten } from '../../www/core/document-angles.js';
+import { frameNumbers, withoutForms } from '../../www/core/frame-numbers.js';
 import { expressionValue } from '../../www/core/expression-values.js';
 import { measured, stepOf } from '../../www/core/number-steps.js';
 import { applyOverrides, namedIn, parseOverrides } from '../../www/core/overrides.js';

@@ -2,7 +2,7 @@
  * The place of the parameters among the tables of the mechanism: folded until the document has some, and loaded when it is
  * unfolded.
  */
-import { parametersOf } from '../../core/parameters.js';
+import { parametersOf } from '../../core/parameter-names.js';
 import { notLoaded } from '../../ui/lazy.js';
 import { attach, html } from '../../ui/render.js';
 
