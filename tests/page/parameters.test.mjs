@@ -2,10 +2,11 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { frameAsWritten, frameNumbers, withoutForms } from '../../www/core/document-angles.js';
+import { frameAsWritten } from '../../www/core/document-angles.js';
+import { frameNumbers, withoutForms } from '../../www/core/frame-numbers.js';
 import { expressionValue } from '../../www/core/expression-values.js';
 import { measured, stepOf } from '../../www/core/number-steps.js';
-import { applyOverrides, namedIn, parseOverrides } from '../../www/core/overrides.js';
+import { applyOverrides, parseOverrides } from '../../www/core/overrides.js';
 import * as parameters from '../../www/core/parameters.js';
 import { createRanges, rangeAround } from '../../www/core/slider-range.js';
 import { setChainType } from '../../www/core/edits.js';
@@ -137,12 +138,13 @@ test('copies of a chain with expressions are made of its numbers', () => {
   assert.deepEqual(plainOf(made).chains.slice(1, 3), plainOf({ ...plain, chains: turnedCopies(plain, 0, around, plain.chains[0].start).chains }).chains.slice(1, 3));
 });
 
-test('set= sets a parameter by its name; a field of the document comes first', () => {
-  const doc = { ...typed(), parameters: { base: 350, name: 1 } };
-  const set = (text) => applyOverrides(doc, parseOverrides([text]).map((change) => namedIn(doc, change)));
+test('set= sets a parameter by its name, also where a field has it', () => {
+  const doc = { ...typed(), parameters: { base: 350, name: 1 }, name: 'x' };
+  const set = (text) => applyOverrides(doc, parseOverrides([text]));
   assert.deepEqual(set('base:400').parameters, { base: 400, name: 1 });
   assert.equal(set('base:2*name').parameters.base, '2*name');
-  assert.equal(set('name:new').name, 'new');
+  assert.deepEqual([set('name:7').parameters.name, set('name:7').name], [7, 'x']);
+  assert.equal(set('about:new').about, 'new');
   assert.equal(set('parameters.name:2').parameters.name, 2);
 });
 

@@ -1,16 +1,10 @@
 /**
- * Angles of a document, which may be in radians, and frames of it that may be given by expressions or in another form.
+ * Angles of a document, which may be in radians.
  *
  * @typedef {import('./types.js').MechanismDocument} MechanismDocument
  * @typedef {import('./types.js').Frame} Frame
  */
-import { valueAt } from './path.js';
-
 const ANGLES = /** @type {const} */ (['longitude', 'latitude', 'roll']);
-const COORDINATES = /** @type {const} */ (['x', 'y', 'z', ...ANGLES]);
-
-/** Other forms of a frame's turn, in place of the three angles. */
-const FORMS = /** @type {const} */ (['quaternion_wxyz', 'quaternion_xyzw', 'matrix', 'roll_pitch_yaw', 'order']);
 
 /** Degrees as the document writes them. @param {MechanismDocument} doc @param {number} degrees */
 export const asWritten = (doc, degrees) => (doc.angles === 'radians' ? (degrees * Math.PI) / 180 : degrees);
@@ -23,33 +17,4 @@ export function frameAsWritten(doc, frame) {
   if (doc.angles !== 'radians') return frame;
   const turn = ANGLES.flatMap((name) => (typeof frame[name] === 'number' ? [[name, asWritten(doc, /** @type {number} */ (frame[name]))]] : []));
   return { ...frame, ...Object.fromEntries(turn) };
-}
-
-/** A frame without the other forms of its turn, so that the three angles hold. @template {Frame} F @param {F} frame @returns {F} */
-export function withoutForms(frame) {
-  if (FORMS.every((form) => frame[form] === undefined)) return frame;
-  return /** @type {F} */ (Object.fromEntries(Object.entries(frame).filter(([name]) => !FORMS.some((form) => form === name))));
-}
-
-/**
- * The numbers of a frame of the document: lengths, and angles in degrees. What is given by an expression or in another form is
- * taken from the plain document of the last motion, if it was the same there.
- * @param {Pick<import('./store.js').Store, 'doc' | 'result'>} store @param {string} path
- * @returns {Record<'x' | 'y' | 'z' | 'longitude' | 'latitude' | 'roll', number> | null} null where a number is not known
- */
-export function frameNumbers({ doc, result }, path) {
-  const frame = valueAt(doc, path);
-  if (!frame) return null;
-  const [before, plain] = [valueAt(result.doc, path), valueAt(result.plain, path)];
-  const isForm = FORMS.some((form) => frame[form] !== undefined);
-  const sameForm = FORMS.every((form) => JSON.stringify(frame[form]) === JSON.stringify(before?.[form]));
-  const numbers = COORDINATES.map((name) => {
-    const own = frame[name] ?? 0;
-    const isAngle = name.length > 1;
-    if (typeof own === 'number' && !(isAngle && isForm)) return isAngle ? inDegrees(doc, own) : own;
-    const known = isAngle && isForm ? sameForm : before?.[name] === own;
-    return known ? plain?.[name] : undefined;
-  });
-  if (numbers.some((value) => typeof value !== 'number')) return null;
-  return /** @type {any} */ (Object.fromEntries(COORDINATES.map((name, at) => [name, numbers[at]])));
 }

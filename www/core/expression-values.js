@@ -3,7 +3,7 @@
  *
  * @typedef {Pick<import('./store.js').Store, 'doc' | 'result'>} Shown
  */
-import { parameterAt } from './parameters.js';
+import { parameterAt } from './parameter-names.js';
 import { valueAt } from './path.js';
 
 /** @type {WeakMap<object, Map<string, number>>} */

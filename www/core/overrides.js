@@ -97,11 +97,10 @@ export function parseOverride(text) {
 }
 
 /**
- * A change whose place is the name of a parameter is one of that parameter, unless the document has a field of that name.
- * @param {MechanismDocument} doc @param {Override} change @returns {Override}
+ * A change whose place is the name of a parameter is one of that parameter, also where a field has that name, as in the command.
+ * @param {unknown} doc @param {Override} change @returns {Override}
  */
-export const namedIn = (doc, change) =>
-  hasOwn(doc.parameters, change.path) && !hasOwn(doc, change.path) ? { ...change, path: `parameters.${change.path}` } : change;
+const namedIn = (doc, change) => (hasOwn(valueAt(doc, 'parameters'), change.path) ? { ...change, path: `parameters.${change.path}` } : change);
 
 /** @param {string[]} sets @returns {Override[]} */
 export const parseOverrides = (sets) => changesIn(sets).map(parseOverride);
@@ -122,7 +121,8 @@ function valueOf(text) {
  * @returns {T}
  */
 export function applyOverrides(doc, overrides) {
-  return overrides.reduce((changed, { path, value }) => {
+  return overrides.reduce((changed, given) => {
+    const { path, value } = namedIn(changed, given);
     const keys = parsePath(path);
     const last = keys[keys.length - 1];
     const holder = parent(path);

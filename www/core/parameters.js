@@ -6,6 +6,7 @@
  * @typedef {{path: string, text: string}} Expression a number of the document that is given as a text
  */
 import { kindOf } from './number-steps.js';
+import { parameterPath, parametersOf } from './parameter-names.js';
 import { valueAt, withValueAt } from './path.js';
 
 /** Fields with texts that are no numbers. Names of parameters are not among them: they are looked at by themselves. */
@@ -15,18 +16,6 @@ const TEXTS = new Set(['$schema', 'name', 'about', 'length_unit', 'angles', 'typ
 const COUNTS = new Set(['version', 'chain', 'joint', 'freedom']);
 
 const NAME = /^[A-Za-z_][A-Za-z0-9_]*$/;
-
-/** @param {MechanismDocument} doc */
-export const parametersOf = (doc) => doc.parameters ?? {};
-
-/** The place of a parameter's value. @param {string} name */
-export const parameterPath = (name) => `parameters.${name}`;
-
-/** The parameter that a path is of. @param {string} path */
-export const parameterAt = (path) => /^parameters\.(\w+)$/.exec(path)?.[1];
-
-/** The parameter that a value of the document is and nothing else, such as `base`. @param {MechanismDocument} doc @param {unknown} value */
-export const parameterAlone = (doc, value) => (typeof value === 'string' && Object.hasOwn(parametersOf(doc), value.trim()) ? value.trim() : undefined);
 
 /** A name in an expression as a whole word; the `e3` of 1e3 is none. @param {string} name */
 const word = (name) => new RegExp(`(?<![\\w.])${name}(?!\\w)`, 'g');

@@ -16,10 +16,8 @@
  * @property {(doc: MechanismDocument, value: import('../../core/types.js').Entry | undefined) => MechanismDocument} [write]
  */
 import { entry, setValue } from '../../core/edits.js';
-import { expressionValue } from '../../core/expression-values.js';
 import { short } from '../../core/format.js';
-import { measured } from '../../core/number-steps.js';
-import { parameterAlone, parameterPath, parametersOf } from '../../core/parameters.js';
+import { parameterAlone, parameterPath, parametersOf } from '../../core/parameter-names.js';
 import { valueAt } from '../../core/path.js';
 import { focusBeside } from '../../ui/dom.js';
 import { onKeys } from '../../ui/keys.js';
@@ -70,19 +68,11 @@ export function createCells(store) {
 
     const isExpression = (/** @type {unknown} */ now) => typeof now === 'string' && !spec.text;
 
-    /** What an expression is worth, also while one is still in its cell. */
-    const showWorth = () => {
-      const now = value();
-      field.classList.toggle('expression', isExpression(now));
-      if (!isExpression(now)) return;
-      const worth = expressionValue(store, spec.path);
-      put('title', worth === undefined ? '' : `= ${measured(store.doc, spec.path, worth)}`);
-    };
-
     const show = () => {
       const now = value();
       const whole = now == null ? '' : String(now);
-      showWorth();
+      // Also while one is still in it: what it is worth is told by expression-value.js.
+      field.classList.toggle('expression', isExpression(now));
       // One's own typing stays as typed; another's change (undo, a sample) shows even in the cell being edited.
       if (touched && editing() && (writing || now === seen)) return;
       touched = false;
@@ -93,7 +83,7 @@ export function createCells(store) {
       const hint = spec.fallback?.();
       // Written only where it changed: a drag shows every cell anew at every move.
       put('value', text);
-      if (!isExpression(now)) put('title', typeof now === 'number' && text !== whole ? whole : '');
+      put('title', typeof now === 'number' && text !== whole ? whole : '');
       put('placeholder', hint !== undefined ? short(hint, spec.decimals) : spec.optional ? '–' : '');
       fit();
     };
@@ -138,9 +128,9 @@ export function createCells(store) {
       keepValue(event) {
         commit(true);
         field.classList.remove('typing');
-        // Text may be at fault, which is to be mended first: stay. An expression whose value is there is done with.
-        const known = store.result.doc === store.doc && expressionValue(store, spec.path) !== undefined;
-        if (!spec.text && typeof typed() === 'string' && !known) event.stopPropagation();
+        // Text may be at fault, which is to be mended first: stay. An expression of a document that is planned is none.
+        const isGood = store.result.doc === store.doc && !store.result.fault;
+        if (!spec.text && typeof typed() === 'string' && !isGood) event.stopPropagation();
         return false;
       },
       oldValue() {

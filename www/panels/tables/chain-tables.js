@@ -115,7 +115,7 @@ export function createChainTables(panel, store, cells, defaults, arrange, findSt
           <label class="field"><span>Name</span>${cells.input({ path: 'name', label: 'name of the mechanism', text: true })}</label>
           <label class="field"><span>Unit of length</span>${field}</label>
         </div>
-        ${choice}${parameters()}
+        ${choice}${parameters.section()}
         <h2 class="sr">Chains</h2>
         <div data-path="chains">${repeat(sections, ({ key }) => key, ({ section }) => section())}</div>
         <button class="wide" @click=${() => store.edit((doc) => edits.addChain(doc, defaults.chain))}>+ chain</button>`,
@@ -125,6 +125,7 @@ export function createChainTables(panel, store, cells, defaults, arrange, findSt
 
   return {
     draw,
+    drawParameters: parameters.draw,
     /** The joint values that are shown follow the playhead, where they are unfolded. */
     follow() {
       if (unfolded.size) draw();

@@ -4,7 +4,8 @@
  */
 import { faultText } from '../../core/fault-text.js';
 import { plural } from '../../core/format.js';
-import { freshParameterName, nameFault, nameNumber, parameterPath, sameNumbers } from '../../core/parameters.js';
+import { parameterPath } from '../../core/parameter-names.js';
+import { freshParameterName, nameFault, nameNumber, sameNumbers } from '../../core/parameters.js';
 import { valueAt } from '../../core/path.js';
 import { sayUndo } from '../../core/undo.js';
 import { element } from '../../ui/dom.js';

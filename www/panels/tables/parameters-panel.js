@@ -6,6 +6,7 @@ import { setValue } from '../../core/edits.js';
 import { expressionValue } from '../../core/expression-values.js';
 import { faultText } from '../../core/fault-text.js';
 import { plural, short } from '../../core/format.js';
+import { parameterPath, parametersOf } from '../../core/parameter-names.js';
 import * as edits from '../../core/parameters.js';
 import { createRanges } from '../../core/slider-range.js';
 import { valueAt } from '../../core/path.js';
@@ -48,11 +49,11 @@ export function createParametersPanel(place, store, cells, { check, say, nameCel
     if (!fault) {
       // The names of functions and units are known to the planner.
       const found = await check(edits.renameParameter(store.doc, name, fresh));
-      const own = found?.where === edits.parameterPath(fresh) && store.result.fault?.where !== edits.parameterPath(name);
+      const own = found?.where === parameterPath(fresh) && store.result.fault?.where !== parameterPath(name);
       if (found && own) fault = faultText(found);
     }
     if (fault) typed.set(name, { text: fresh, fault });
-    else if (Object.hasOwn(edits.parametersOf(store.doc), name)) store.edit((doc) => edits.renameParameter(doc, name, fresh));
+    else if (Object.hasOwn(parametersOf(store.doc), name)) store.edit((doc) => edits.renameParameter(doc, name, fresh));
     ranges.rename(name, fresh);
     draw();
   }
@@ -81,8 +82,8 @@ export function createParametersPanel(place, store, cells, { check, say, nameCel
     let name = '';
     attachMenu(button, () => {
       const uses = usesInWords(name);
-      const given = edits.parametersOf(store.doc)[name];
-      const value = typeof given === 'number' ? given : expressionValue(store, edits.parameterPath(name));
+      const given = parametersOf(store.doc)[name];
+      const value = typeof given === 'number' ? given : expressionValue(store, parameterPath(name));
       return [
         { label: 'Remove', disabled: uses && `It is used in ${uses}`, act: () => remove(name, 0) },
         {
@@ -103,14 +104,14 @@ export function createParametersPanel(place, store, cells, { check, say, nameCel
     const begin = () => {
       marks++;
     };
-    const move = (/** @type {Event} */ event) => store.edit((doc) => setValue(doc, edits.parameterPath(name), Number(target(event).value)), `parameter ${name} ${marks}`);
+    const move = (/** @type {Event} */ event) => store.edit((doc) => setValue(doc, parameterPath(name), Number(target(event).value)), `parameter ${name} ${marks}`);
     return html`<input type="range" min=${low} max=${high} step=${step} aria-label="parameter ${name}, slider" aria-valuetext=${short(value)} title="${short(low)} to ${short(high)}"
       ?disabled=${store.readonly} .value=${live(String(value))} @pointerdown=${begin} @focus=${begin} @input=${move} />`;
   }
 
   /** @param {[string, import('../../core/types.js').Entry]} parameter */
   function row([name, given]) {
-    const path = edits.parameterPath(name);
+    const path = parameterPath(name);
     const entry = typed.get(name);
     const value = expressionValue(store, path);
     const type = (/** @type {Event} */ event) => typed.set(name, { text: target(event).value, fault: '' });
@@ -137,7 +138,7 @@ export function createParametersPanel(place, store, cells, { check, say, nameCel
   }
 
   function draw() {
-    const own = Object.entries(edits.parametersOf(store.doc));
+    const own = Object.entries(parametersOf(store.doc));
     for (const name of typed.keys()) if (!own.some(([present]) => present === name)) typed.delete(name);
     const last = cells.lastNumber();
     const number = last && valueAt(store.doc, last);

@@ -2,7 +2,7 @@
  * The place of the parameters among the tables of the mechanism: folded until the document has some, and loaded when it is
  * unfolded.
  */
-import { parametersOf } from '../../core/parameters.js';
+import { parametersOf } from '../../core/parameter-names.js';
 import { notLoaded } from '../../ui/lazy.js';
 import { attach, html } from '../../ui/render.js';
 
@@ -23,7 +23,7 @@ export function createParametersSection(store, cells, outside) {
 
   const behave = (/** @type {HTMLElement} */ element) => {
     place = element;
-    return () => panel?.draw();
+    return () => {};
   };
 
   async function load() {
@@ -41,7 +41,8 @@ export function createParametersSection(store, cells, outside) {
     }
   }
 
-  return () => {
+  /** The section, in which the table is drawn by itself. */
+  function section() {
     const count = Object.keys(parametersOf(store.doc)).length;
     const fold = (/** @type {Event} */ { target }) => {
       const { open } = /** @type {HTMLDetailsElement} */ (target);
@@ -52,5 +53,11 @@ export function createParametersSection(store, cells, outside) {
       <summary>Parameters${count ? ` (${count})` : ''}</summary>
       <div ${attach(behave, count)}></div>
     </details>`;
+  }
+
+  return {
+    section,
+    /** Draws the table, after all others: it names their cells. */
+    draw: () => panel?.draw(),
   };
 }

@@ -69,6 +69,7 @@ export function createTables({ root, mechanism, motion }, store, defaults, { mar
     cells.clear();
     chains.draw();
     keys.draw();
+    chains.drawParameters();
   }
 
   gridBlock(root, store, cells, say);

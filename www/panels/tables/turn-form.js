@@ -4,7 +4,8 @@
  *
  * @typedef {import('../../core/orientation.js').Form} Form
  */
-import { frameAsWritten, frameNumbers, withoutForms } from '../../core/document-angles.js';
+import { frameAsWritten } from '../../core/document-angles.js';
+import { frameNumbers, withoutForms } from '../../core/frame-numbers.js';
 import { setValue } from '../../core/edits.js';
 import { anglesOf, readTurn, turnOf, writeTurn } from '../../core/orientation.js';
 import { valueAt } from '../../core/path.js';

@@ -10,7 +10,8 @@
  * @property {() => string} tell where it is, in words
  */
 import { Quaternion, Vector3 } from 'three';
-import { frameAsWritten, frameNumbers, withoutForms } from '../../core/document-angles.js';
+import { frameAsWritten } from '../../core/document-angles.js';
+import { frameNumbers, withoutForms } from '../../core/frame-numbers.js';
 import { setValue } from '../../core/edits.js';
 import { setKeyFramePose } from '../../core/key-frame-edits.js';
 import { angle, short } from '../../core/format.js';
