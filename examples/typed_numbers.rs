@@ -29,8 +29,17 @@ fn main() {
         let text = make::make(maker, &[], None).expect("its own numbers");
         let document = Typed::read(&text).expect("a document").document;
         let typed: usize = maker.inputs.iter().map(|input| input.value.len()).sum();
-        let names: Vec<&str> = maker.inputs.iter().map(|input| input.name.as_str()).collect();
-        println!("| {} | {} | {typed} | {} |", maker.title, names.join(", "), in_tables(&document));
+        let names: Vec<&str> = maker
+            .inputs
+            .iter()
+            .map(|input| input.name.as_str())
+            .collect();
+        println!(
+            "| {} | {} | {typed} | {} |",
+            maker.title,
+            names.join(", "),
+            in_tables(&document)
+        );
     }
 }
 

@@ -12,7 +12,7 @@ export function importedAtOnce(entry) {
     if (found.has(file)) return;
     found.add(file);
     const text = readFileSync(file, 'utf8');
-    for (const [, name] of text.matchAll(/^(?:import|export)\b[^'"]*?(?:from )?'(\.[^'"]+\.js)'/gm)) visit(join(dirname(file), name));
+    for (const [, name] of text.matchAll(/^(?:import|export)\b[^'"(]*?(?:from )?'(\.[^'"]+\.js)'/gm)) visit(join(dirname(file), name));
   };
   visit(entry);
   return found;

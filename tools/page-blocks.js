@@ -45,7 +45,7 @@ function fields(names, inline, escape) {
   const bounds = ({ minimum, maximum, minItems, maxItems, maxLength, type: kind = '' }) =>
     [
       minimum !== undefined && maximum !== undefined && (minimum === maximum ? `${minimum}` : `${number(minimum)} to ${number(maximum)}`),
-      minItems !== undefined && (minItems === maxItems ? `${minItems} entries` : `${minItems} to ${number(maxItems)} entries`),
+      minItems !== undefined && (minItems === maxItems ? `${minItems} entries` : maxItems === undefined ? `at least ${minItems}` : `${minItems} to ${number(maxItems)} entries`),
       maxLength !== undefined && !isNumber({ type: kind }) && `up to ${number(maxLength)} characters`,
     ].filter(Boolean).join(', ');
   const standard = ({ default: value, $ref }) =>
