@@ -52,6 +52,7 @@ export function openNew(app) {
   const dialog = openDialog('New linkage', list, ...parts.map(([, , panel]) => panel));
   dialog.classList.add('new-dialog');
   createTabs(list).settle();
+  list.querySelector('button')?.focus();
   fillMakers(app, makers, done);
 }
 
@@ -62,14 +63,13 @@ async function fillMakers(app, panel, done) {
   if (listed.is !== 'answer') return notLoaded(panel, 'The mechanisms', listed.message, () => fillMakers(app, panel, done));
   const place = element('div', { class: 'maker-place' });
   const { root, search, show } = makerList(listed.value, {
-    choose: (maker) => place.replaceChildren(makerForm(app, maker, done)),
+    choose: (maker) => place.replaceChildren(...(maker ? [makerForm(app, maker, done)] : [])),
     go: () => place.querySelector('input')?.select(),
   });
-  const mine = panel.contains(document.activeElement) || !panel.parentElement?.contains(document.activeElement) || document.activeElement?.getAttribute('role') === 'tab';
   panel.replaceChildren(root, place);
   show();
-  // Not away from another part that was chosen meanwhile.
-  if (mine && panel.classList.contains('shown')) search.focus();
+  // Where no other part was chosen meanwhile.
+  if (panel.classList.contains('shown')) search.focus();
 }
 
 /** @param {import('../element/workbench.js').App} app @param {() => void} done */

@@ -39,7 +39,7 @@ export function makerForm({ planner, open }, maker, done) {
   const units = element('select', { class: 'cell', id: `${id}-unit`, change: changeUnit }, ...UNITS.map((name) => element('option', { value: name, selected: name === unit }, name)));
   const note = element('div', { class: 'fault', id: `${id}-fault`, 'aria-live': 'polite', hidden: true });
   const said = element('p', { class: 'said', role: 'status' });
-  const fields = element('div', { class: 'maker-fields' }, ...rows.map(({ root }) => root), element('div', { class: 'field' }, element('label', { for: units.id }, 'Unit of length'), units));
+  const fields = element('div', { class: 'maker-fields' }, ...rows.map(({ root }) => root), element('div', { class: 'field' }, element('label', { for: units.id }, 'Unit'), units));
   const form = element(
     'form',
     { class: 'new-linkage maker-form', novalidate: true, 'aria-label': maker.title, submit },

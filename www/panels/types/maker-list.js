@@ -10,7 +10,7 @@ import { found } from './maker-words.js';
 
 /**
  * @param {Maker[]} makers
- * @param {{choose: (maker: Maker) => void, go: () => void}} then `choose` is told what is chosen, also while arrow keys go through;
+ * @param {{choose: (maker: Maker | null) => void, go: () => void}} then `choose` is told what is chosen, also while arrow keys go through, null where nothing is found;
  *   `go`: it is to be filled in
  */
 export function makerList(makers, { choose, go }) {
@@ -54,7 +54,7 @@ export function makerList(makers, { choose, go }) {
     if (option) search.setAttribute('aria-activedescendant', option.id);
     else search.removeAttribute('aria-activedescendant');
     option?.scrollIntoView({ block: 'nearest' });
-    if (maker && maker !== former) choose(maker);
+    if (maker !== former) choose(maker);
   }
 
   function show() {
@@ -67,6 +67,7 @@ export function makerList(makers, { choose, go }) {
         return element('div', { role: 'group', 'aria-labelledby': title.id }, title, ...members.map((maker) => /** @type {HTMLElement} */ (optionOf.get(maker))));
       }),
     );
+    list.hidden = !fitting.length;
     nothing.hidden = fitting.length > 0;
     nothing.textContent = fitting.length ? '' : `No mechanism is called “${search.value.trim()}”. A linkage of any type can be made from its type and sizes.`;
     // The best fit, not the first of the first group.
