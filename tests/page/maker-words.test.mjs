@@ -66,20 +66,3 @@ test('only what differs from the defaults is asked for; a comma in a number is a
   const all = new Map(hexapod.inputs.map((one) => [one.name, defaultTexts(hexapod, one, 'mm')]));
   assert.deepEqual(givenInputs(hexapod, new Map([...all, ['locked', ['1, 3']]]), 'mm'), { locked: '1, 3' });
 });
-
-test('drawings are well formed, without scripts and styles, and name what the fields are called', () => {
-  const drawings = new URL('../../www/panels/types/drawings/', import.meta.url);
-  const there = readdirSync(drawings);
-  assert.ok(there.length);
-  for (const file of there) {
-    const svg = readFileSync(new URL(file, drawings), 'utf8');
-    assert.match(svg, /^<svg [^>]*viewBox="0 0 240 160"/, file);
-    assert.doesNotMatch(svg, /<script|<style|style=|href=/, file);
-    const of = maker(file.replace('.svg', ''));
-    assert.ok(of, `${file} is of a maker`);
-    const texts = [...svg.matchAll(/<text[^>]*>([^<]*)</g)].map(([, text]) => text).join(' ');
-    for (const one of of.inputs.filter(({ is }) => is !== 'list')) {
-      for (const label of labelsOf(one)) assert.ok(texts.includes(label.replaceAll('_', ' ')) || texts.includes(label) || texts.includes(one.name), `${file} shows ${label}`);
-    }
-  }
-});

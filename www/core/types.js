@@ -4,8 +4,6 @@
  * @typedef {import('../pkg/synthetica.js').Motion} Motion
  * @typedef {import('../pkg/synthetica.js').Progress} Progress
  * @typedef {import('../pkg/synthetica.js').MakeRequest} MakeRequest
- * @typedef {import('../pkg/synthetica.js').Maker} Maker
- * @typedef {import('../pkg/synthetica.js').MakerInput} MakerInput
  * @typedef {import('../pkg/synthetica.js').PoseTableRequest} PoseTableRequest
  * @typedef {import('../pkg/synthetica.js').PoseTable} PoseTable
  * @typedef {import('../pkg/synthetica.js').Maker} Maker

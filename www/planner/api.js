@@ -287,22 +287,6 @@ export async function make(request) {
   return JSON.parse(await ask('make', JSON.stringify(request)));
 }
 
-/** The makers of mechanisms that there are, with the inputs that each asks for. @returns {Promise<import('../core/types.js').Maker[]>} */
-export function makers() {
-  return ask('makers');
-}
-
-/**
- * A document by the maker of a name.
- * @param {string} name such as `delta`
- * @param {Record<string, string | number | number[]>} [inputs] by their names; those that are left out are the maker's own
- * @param {string} [unit] of lengths: `mm`, `cm`, `m`, `µm` or `in`; the maker's own without
- * @returns {Promise<MechanismDocument>}
- */
-export async function makeNamed(name, inputs = {}, unit) {
-  return JSON.parse(await ask('make_named', name, JSON.stringify(inputs), unit));
-}
-
 /**
  * Key frames from a table of poses: CSV, or fields parted by tabs, semicolons or blanks. What cannot be taken over is listed
  * by its row.

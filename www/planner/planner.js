@@ -120,20 +120,6 @@ export class Planner {
     return this.#queue.ask({ asker: this, latest: true, call: 'make', args: [request] });
   }
 
-  /** The makers that there are, with the inputs that each asks for. @returns {Promise<import('../core/types.js').Maker[]>} */
-  makers() {
-    return this.#askNoDocument('makers');
-  }
-
-  /**
-   * A document by the maker of a name.
-   * @param {string} name @param {Record<string, string>} inputs what is not to have its default, as it was typed
-   * @param {string} unit of lengths @returns {Promise<string>}
-   */
-  makeNamed(name, inputs, unit) {
-    return this.#queue.ask({ asker: this, latest: true, call: 'make_named', args: [name, JSON.stringify(inputs), unit] });
-  }
-
   /**
    * Key frames from a table of poses.
    * @param {string} table its text @param {import('../core/types.js').PoseTableRequest} request @returns {Promise<import('../core/types.js').PoseTable>}

@@ -2,7 +2,7 @@
  * The makers as the page lists and asks them: found by their names, their inputs as fields, what was typed as inputs. No DOM.
  *
  * @typedef {import('../../core/types.js').Maker} Maker
- * @typedef {import('../../core/types.js').MakerInput} MakerInput
+ * @typedef {Maker['inputs'][number]} MakerInput
  */
 import { factorBetween } from '../../core/units.js';
 import { sizeOf } from './size-of.js';
