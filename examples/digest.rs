@@ -5,8 +5,8 @@
 use serde_json::Value;
 use std::io::{Error, stdin};
 use synthetica::document::problem::Problem;
-use synthetica::document::text::parse;
 use synthetica::motion::columns::{COLUMNS, Kind, placed};
+use synthetica::source::session::Session;
 
 fn main() -> Result<(), Error> {
     for line in stdin().lines() {
@@ -16,7 +16,7 @@ fn main() -> Result<(), Error> {
 }
 
 fn digests(text: &str) -> Result<Value, synthetica::document::fault::Fault> {
-    let problem = Problem::new(&parse(text)?)?;
+    let problem = Problem::new(Session::open(text)?.document())?;
     let motion = problem.plan();
     let floats = |column: &[f64]| digest(column.iter().map(|x| x.to_bits()));
     let mut digests = serde_json::Map::new();

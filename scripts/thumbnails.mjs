@@ -1,5 +1,5 @@
 // Makes the pictures of the examples, www/thumbnails/*.webp, from the built page: scripts/dev.sh build, then
-// `node scripts/thumbnails.mjs`.
+// `node scripts/thumbnails.mjs`, or with the files of some samples only.
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { LAUNCH, lookInside } from '../tests/e2e/browser.mjs';
 import { chromium } from 'playwright-core';
@@ -16,7 +16,8 @@ const VIEW = { width: 720, height: 480 };
 const MOMENT = 0.35;
 
 const folder = new URL('../www/thumbnails/', import.meta.url);
-const samples = JSON.parse(readFileSync(new URL('../www/mechanisms/index.json', import.meta.url), 'utf8'));
+const wanted = process.argv.slice(2);
+const samples = JSON.parse(readFileSync(new URL('../www/mechanisms/index.json', import.meta.url), 'utf8')).filter(({ file }) => !wanted.length || wanted.includes(file));
 mkdirSync(folder, { recursive: true });
 const server = await preview({ configFile: 'tools/vite.config.js', preview: { port: 0 } });
 const browser = await chromium.launch(LAUNCH);

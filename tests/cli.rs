@@ -12,6 +12,7 @@ use synthetica::document::{problem::Problem, schema, text};
 use synthetica::exchange::export;
 use synthetica::makers::from_type::from_type;
 use synthetica::makers::list::list as makers;
+use synthetica::source::session::Session;
 use synthetica::types::tables::tables;
 
 const SAMPLES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/www/mechanisms");
@@ -82,11 +83,12 @@ fn folder(name: &str) -> PathBuf {
 #[test]
 fn every_sample_is_planned_and_exported_as_the_library_does() {
     for name in samples() {
-        let document = text::parse(&sample(&name)).expect("a document");
-        let problem = Problem::new(&document).expect("a problem");
+        let session = Session::open(&sample(&name)).expect("a document");
+        let document = session.document();
+        let problem = Problem::new(document).expect("a problem");
         let motion = problem.plan();
         for format in export::Format::ALL {
-            let expected = export::write(format, &document, &problem.mechanism, &motion);
+            let expected = export::write(format, document, &problem.mechanism, &motion);
             let exported = printed(&["export", format.name(), &name]);
             assert!(exported == expected, "{name}, {}", format.name());
         }

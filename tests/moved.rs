@@ -24,6 +24,7 @@ use synthetica::plan::settings::{Settings, extent};
 use synthetica::solve::close_start::Start;
 use synthetica::solve::drive::{self, Driven, Obstacle};
 use synthetica::solve::objective::objective;
+use synthetica::source::session::Session;
 use synthetica::study::why::{Held, Insight, explain};
 
 /// Every document of www/mechanisms, by name.
@@ -48,8 +49,8 @@ fn documents() -> Vec<(String, String)> {
 
 fn samples() -> impl Iterator<Item = (String, Problem, Trajectory)> {
     documents().into_iter().map(|(name, text)| {
-        let document = text::parse(&text).unwrap_or_else(|fault| panic!("{name}: {fault}"));
-        let problem = Problem::new(&document).unwrap_or_else(|fault| panic!("{name}: {fault}"));
+        let session = Session::open(&text).unwrap_or_else(|fault| panic!("{name}: {fault}"));
+        let problem = Problem::new(session.document()).expect("a document that is read");
         let motion = problem.plan();
         (name, problem, motion)
     })

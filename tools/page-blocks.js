@@ -1,25 +1,27 @@
 // Blocks of the site's pages that are made of the project's own files: cards of samples, fields of documents, types.
 import { readFileSync } from 'node:fs';
+import { inGroups } from '../www/core/mechanism-groups.js';
 
 const read = (path) => readFileSync(new URL(`../${path}`, import.meta.url), 'utf8');
 
 /** Fenced blocks by name: the words within, a Markdown renderer for a line, an escape for HTML. */
 export const blocks = { samples, fields, declarations };
 
-/** Every sample with its picture. */
+/** Every sample with its picture, in groups. */
 function samples(_, inline, escape) {
   const card = ({ file, title, line, mobility }) => {
     const { about } = JSON.parse(read(`www/mechanisms/${file}`));
     return `<li>
   <a class="picture" href="./?sample=${file}" tabindex="-1" aria-hidden="true"><img src="./thumbnails/${file.replace('.json', '.webp')}" alt="" width="480" height="320" loading="lazy" /></a>
-  <h2>${escape(title)}</h2>
+  <h3>${escape(title)}</h3>
   <p class="line">${escape(line)}</p>
   <p>${escape(about)}</p>
   <p class="mobility">${mobility} ${mobility === 1 ? 'freedom' : 'freedoms'}</p>
   <p class="ways"><a href="./?sample=${file}">Open <span class="sr">${escape(title)} </span>in the applet</a> <a href="./mechanisms/${file}">Document<span class="sr"> of ${escape(title)}</span></a></p>
 </li>`;
   };
-  return `<ul class="samples">\n${JSON.parse(read('www/mechanisms/index.json')).map(card).join('\n')}\n</ul>\n`;
+  const group = ({ heading, members }) => `<h2>${escape(heading)}</h2>\n<ul class="samples">\n${members.map(card).join('\n')}\n</ul>\n`;
+  return inGroups(JSON.parse(read('www/mechanisms/index.json'))).map(group).join('');
 }
 
 /** The fields of parts of a document, out of the JSON Schema; `Document` is the whole. */

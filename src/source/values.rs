@@ -44,6 +44,16 @@ pub(crate) const NUMBERS: [&str; 32] = [
     "max_iterations",
 ];
 
+/// Those of the fields whose number may be null; the time of a driver's value may not.
+const OPTIONAL: [&str; 6] = [
+    ".min",
+    ".max",
+    ".time",
+    ".radius",
+    ".metric_length",
+    ".max_iterations",
+];
+
 /// What `angles` may say.
 const UNITS: [(&str, AngleUnit); 2] = [
     ("degrees", AngleUnit::Degrees),
@@ -67,6 +77,11 @@ pub(crate) fn evaluate(node: &mut Node) -> Result<(Parameters, Vec<ExpressionVal
                 return Node::Text(text.to_owned()).is_not(accepted).fault(place);
             }
             told(&fault, Some(text), place)
+        });
+        let value = value.map_err(|fault| {
+            let path = &fault.place;
+            let optional = OPTIONAL.iter().any(|name| path.ends_with(name));
+            if optional && !path.contains("drivers") { fault.or_null() } else { fault }
         })?;
         let path = place.path();
         expressions.push(ExpressionValue { path, value });

@@ -84,8 +84,16 @@ test('axe finds nothing in the gallery, the form for a new linkage, the export o
   assert.deepEqual(await violations(page), [], 'gallery');
   await page.keyboard.press('Escape');
   await page.getByRole('button', { name: 'New', exact: true }).click();
+  await page.getByRole('combobox', { name: 'Find a mechanism' }).fill('delta');
+  await page.getByRole('textbox', { name: 'base', exact: true }).fill('0');
+  await page.locator('.maker-form .fault:not([hidden])').waitFor();
+  await page.locator('.maker-drawing svg').waitFor();
+  assert.deepEqual(await violations(page), [], 'new mechanism');
+  await page.getByRole('tab', { name: 'Empty' }).click();
+  assert.deepEqual(await violations(page), [], 'new and empty');
+  await page.getByRole('tab', { name: 'A type and sizes' }).click();
   await page.getByRole('textbox', { name: 'Leg length' }).fill('1');
-  await page.locator('.new-linkage .fault:not([hidden])').waitFor();
+  await page.locator('#new-type .fault:not([hidden])').waitFor();
   assert.deepEqual(await violations(page), [], 'new linkage');
   await page.keyboard.press('Escape');
   await page.getByRole('button', { name: 'Export', exact: true }).click();

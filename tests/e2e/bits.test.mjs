@@ -18,10 +18,12 @@ const GRADIENT_FRAMES = 9;
 const documents = samples.flatMap(({ file }) => {
   const document = JSON.parse(readFileSync(at(`www/mechanisms/${file}`), 'utf8'));
   const { planner, motion } = document;
+  const typed = 'parameters' in document;
   const slow = { ...document, motion: { ...motion, frames: GRADIENT_FRAMES }, planner: { ...planner, method: 'gradient' } };
   return [
-    { name: `${file}, newton`, text: JSON.stringify(document) },
-    { name: `${file}, gradient`, text: JSON.stringify(slow) },
+    { name: `${file}, newton`, text: JSON.stringify(document), typed },
+    // What is driven has no goals to descend to.
+    ...(motion.drivers ? [] : [{ name: `${file}, gradient`, text: JSON.stringify(slow), typed }]),
   ];
 });
 
@@ -37,13 +39,16 @@ async function native() {
 const expected = native();
 expected.catch(() => {});
 
-/** @param {Record<string, string>[]} found */
-async function same(found) {
-  const wanted = await expected;
-  assert.equal(wanted.length, documents.length);
-  documents.forEach(({ name }, index) => {
-    for (const column of COLUMNS) assert.ok(Number.parseInt(wanted[index][column]) > 0, `${name}: ${column} is there`);
-    assert.deepEqual(found[index], wanted[index], name);
+/** @param {Record<string, string>[]} found @param {typeof documents} [of] */
+async function same(found, of = documents) {
+  const all = await expected;
+  assert.equal(all.length, documents.length);
+  assert.equal(found.length, of.length);
+  of.forEach((document, index) => {
+    const { name } = document;
+    const wanted = all[documents.indexOf(document)];
+    for (const column of COLUMNS) assert.ok(Number.parseInt(wanted[column]) > 0, `${name}: ${column} is there`);
+    assert.deepEqual(found[index], wanted, name);
   });
 }
 
@@ -52,10 +57,12 @@ for (const folder of ['pkg', 'pkg-first']) {
     const { initSync, Session } = await import(at(`www/${folder}/synthetica.js`));
     initSync({ module: readFileSync(at(`www/${folder}/synthetica_bg.wasm`)) });
     // Opened once and asked twice: in one go, and frame by frame.
-    const sessions = documents.map((document) => Session.open(document.text));
-    await same(sessions.map((session) => digests(session.plan())));
+    const read = documents.filter(({ typed }) => folder === 'pkg' || !typed);
+    assert.ok(read.length >= 16);
+    const sessions = read.map((document) => Session.open(document.text));
+    await same(sessions.map((session) => digests(session.plan())), read);
     for (const session of sessions) while (session.advance_plan(0));
-    await same(sessions.map((session) => digests(session.plan_so_far())));
+    await same(sessions.map((session) => digests(session.plan_so_far())), read);
     for (const session of sessions) session.free();
   });
 }

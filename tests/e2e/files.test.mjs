@@ -47,6 +47,8 @@ test('new, edit, save, open: the same document comes back', async () => {
   await page.route(/\.wasm$/, (route) => route.abort());
   await page.getByRole('button', { name: 'New', exact: true }).click();
   const dialog = page.getByRole('dialog', { name: 'New linkage' });
+  await dialog.getByRole('tabpanel', { name: 'A mechanism by name' }).getByRole('alert').filter({ hasText: /planner could not be loaded/ }).waitFor();
+  await dialog.getByRole('tab', { name: 'A type and sizes' }).click();
   await dialog.getByRole('status').filter({ hasText: /The linkage was not made\./ }).waitFor();
   await page.unroute(/\.wasm$/);
   await dialog.getByRole('textbox', { name: 'Type' }).fill('TS');

@@ -66,6 +66,7 @@ test('a panel that cannot be loaded says so, and comes when it is tried again', 
 const PARTS = [
   ['The examples', /assets\/gallery-[^/]*\.(js|css)/, (page) => page.getByRole('button', { name: 'Examples', exact: true }).click(), (page) => page.getByRole('dialog', { name: 'Examples' })],
   ['What opens and saves documents', /assets\/actions-[^/]*\.js/, (page) => page.getByRole('button', { name: 'Share', exact: true }).click(), (page) => page.getByRole('dialog', { name: 'Share' })],
+  ['What makes new linkages', /assets\/new-dialog-[^/]*\.(js|css)/, (page) => page.getByRole('button', { name: 'New', exact: true }).click(), (page) => page.getByRole('option', { name: /^Delta robot/ })],
   ['This part of the help', /assets\/reference-[^/]*\.css/, (page) => page.keyboard.press('?'), (page) => page.getByRole('dialog', { name: 'Keys' })],
   ['What makes this file', /assets\/png-[^/]*\.js/, async (page) => {
     await page.getByRole('button', { name: 'Export', exact: true }).click();

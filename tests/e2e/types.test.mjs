@@ -113,8 +113,9 @@ test('new: a 3-PRS in millimetres, planned, its first key frame reached, its leg
   await page.locator('#file-menu').click();
   await page.getByRole('menuitem', { name: 'New…' }).click();
   const dialog = page.getByRole('dialog', { name: 'New linkage' });
+  await dialog.getByRole('tab', { name: 'A type and sizes' }).click();
   const field = (name) => dialog.getByRole('textbox', { name, exact: true });
-  const fault = dialog.locator('.fault');
+  const fault = dialog.locator('#new-type .fault');
   // A fault is told beside its field while it is typed, and Enter goes there.
   await field('Type').fill('3 PQS');
   await fault.filter({ hasText: /“Q” stands for no joint.*3-PRS/ }).waitFor();

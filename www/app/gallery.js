@@ -1,7 +1,8 @@
 /**
- * The examples, each with its picture. Arrow keys go through them, Enter opens one.
+ * The examples in their groups, each with its picture. Arrow keys go through them, Enter opens one.
  */
 import { sampleText, samples } from '../core/samples.js';
+import { inGroups } from '../core/mechanism-groups.js';
 import { plural } from '../core/format.js';
 import { element } from '../ui/dom.js';
 import { withPart } from '../ui/lazy.js';
@@ -13,7 +14,15 @@ const pictures = import.meta.glob('../thumbnails/*.webp', { query: '?url&no-inli
 
 /** @param {import('../element/workbench.js').App} app */
 export function openGallery({ store, open, say }) {
-  const cards = samples.map((sample) => {
+  const groups = inGroups(samples).map(({ heading, members }, index) => {
+    const title = element('h3', { id: `examples-${index}` }, heading);
+    return element('section', {}, title, element('div', { class: 'cards', role: 'group', 'aria-labelledby': title.id }, ...members.map(cardOf)));
+  });
+  const body = element('div', {}, ...groups);
+  const cards = /** @type {HTMLButtonElement[]} */ ([...body.querySelectorAll('.card')]);
+
+  /** @param {import('../core/samples.js').Sample} sample */
+  function cardOf(sample) {
     const { file, title, line, mobility } = sample;
     const choose = () =>
       withPart({ say }, 'The example', () => sampleText(sample), async (text) => {
@@ -28,17 +37,25 @@ export function openGallery({ store, open, say }) {
       element('span', {}, line),
       element('small', {}, plural(mobility, 'freedom')),
     );
-  });
-  const grid = element('div', { class: 'cards', role: 'group', 'aria-label': 'Examples' }, ...cards);
-  grid.addEventListener('keydown', (event) => {
+  }
+
+  /** The nearest card in the row above or below, also of another group. @param {HTMLElement} from @param {1 | -1} way */
+  function beyond(from, way) {
+    const rows = cards.filter(({ offsetTop }) => way * (offsetTop - from.offsetTop) > 0);
+    const next = rows.at(way === 1 ? 0 : -1)?.offsetTop;
+    const far = (/** @type {HTMLElement} */ card) => Math.abs(card.offsetLeft - from.offsetLeft);
+    return rows.filter(({ offsetTop }) => offsetTop === next).sort((a, b) => far(a) - far(b))[0];
+  }
+  body.addEventListener('keydown', (event) => {
     const at = cards.indexOf(/** @type {HTMLButtonElement} */ (document.activeElement));
-    const columns = cards.filter((card) => card.offsetTop === cards[0].offsetTop).length;
-    const next = { ArrowRight: at + 1, ArrowLeft: at - 1, ArrowDown: at + columns, ArrowUp: at - columns, Home: 0, End: cards.length - 1 }[event.key];
-    if (at < 0 || next === undefined) return;
+    if (at < 0) return;
+    const steps = { ArrowRight: () => cards[at + 1], ArrowLeft: () => cards[at - 1], ArrowDown: () => beyond(cards[at], 1), ArrowUp: () => beyond(cards[at], -1), Home: () => cards[0], End: () => cards.at(-1) };
+    const step = steps[/** @type {keyof typeof steps} */ (event.key)];
+    if (!step) return;
     event.preventDefault();
-    cards[next]?.focus();
+    step()?.focus();
   });
-  const dialog = openDialog('Examples', grid);
+  const dialog = openDialog('Examples', body);
   dialog.classList.add('gallery');
   (cards.find((card) => card.ariaCurrent) ?? cards[0]).focus();
 }

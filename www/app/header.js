@@ -38,7 +38,7 @@ export function createHeader(app, documents, keeper) {
 
   const file = menuButton('File', () => [
     { label: 'Examples', act: examples },
-    { label: 'New…', hint: 'From a type and a few sizes', act: documents.fresh },
+    { label: 'New…', hint: 'A mechanism by its name, or a type and a few sizes', act: documents.fresh },
     { label: 'Open…', key: KEYS.open.keys[0], hint: 'Or drop a file onto the page', act: documents.pick },
     { label: 'Save', key: KEYS.save.keys[0], act: () => documents.save() },
     { label: 'Save as…', act: () => documents.save(true) },

@@ -8,7 +8,7 @@ const texts = /** @type {Record<string, () => Promise<string>>} */ (
   import.meta.glob(['../mechanisms/*.json', '!../mechanisms/index.json'], { query: '?raw', import: 'default' })
 );
 
-/** @typedef {{file: string, title: string, line: string, mobility: number}} Sample */
+/** @typedef {{file: string, title: string, line: string, mobility: number, group: string}} Sample `group` as in mechanism-groups.js */
 
 /** @type {Sample[]} */
 export const samples = index;

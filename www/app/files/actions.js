@@ -9,8 +9,7 @@ import { MAX_PAYLOAD, MAX_TEXT, encode } from '../../core/link-codec.js';
 import { readText, RefusedFile } from './reading.js';
 import { fileName, saveFile } from '../../export/save.js';
 import { openShare } from './share.js';
-import { openDialog } from '../../ui/dialog.js';
-import { newLinkageForm } from '../../panels/types/new-linkage.js';
+import { withPart } from '../../ui/lazy.js';
 import { faultText } from '../../core/fault-text.js';
 
 /** What not every browser has, and the page's types do not know. @typedef {{showOpenFilePicker?: (options: object) => Promise<FileSystemFileHandle[]>, showSaveFilePicker?: (options: object) => Promise<FileSystemFileHandle>}} Pickers */
@@ -85,11 +84,7 @@ export function createActions(app, chooser) {
     return { text: `${JSON.stringify(doc, null, 2)}\n`, flaw };
   }
 
-  function fresh() {
-    const form = newLinkageForm(app, { done: () => dialog.close() });
-    const dialog = openDialog('New linkage', form);
-    form.querySelector('input')?.select();
-  }
+  const fresh = () => withPart(app, 'What makes new linkages', () => import('../new-dialog.js'), ({ openNew }) => openNew(app));
 
   async function share() {
     const read = await whole(JSON.stringify(store.doc));
