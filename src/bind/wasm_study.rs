@@ -12,6 +12,7 @@ use crate::makers::from_type;
 use crate::makers::list;
 use crate::math::pose::Pose;
 use crate::motion::columns::placed;
+use crate::motion::trajectory::Warning;
 use crate::solve::gradient::Arrival;
 use crate::source::session::index;
 use crate::study::iterations::History;
@@ -56,6 +57,21 @@ impl Session {
         set("plain", &js_sys::JSON::parse(&self.plain())?)?;
         set("parameters", &to_js(&typed.parameters.list())?)?;
         set("expressions", &to_js(&typed.expressions)?)
+    }
+
+    /// A chain, counted from 0, given by its axes: `{chain, home}` as JSON, in the document's unit of angles.
+    ///
+    /// # Errors
+    /// A `Fault` where it cannot be given so.
+    pub fn by_axes(&self, chain: f64) -> Result<String, JsValue> {
+        let rewritten = self.open.by_axes(chain).map_err(|fault| refusal(&fault))?;
+        Ok(rewritten.text())
+    }
+
+    /// Would the rows, read as a standard table, be closed at the given start, and are they not as they are read?
+    pub fn looks_standard(&self) -> bool {
+        let notes = &self.open.problem().notes;
+        notes.contains(&Warning::StandardTable)
     }
 
     /// One joint variable, counted through all chains, driven to `value` (rad or length) from the joint

@@ -39,17 +39,8 @@ pub(crate) fn letters(document: &mut Node) {
 
 /// Turns every chain of a document into its plain form; numbers, degrees and frames are plain already.
 pub(crate) fn to_plain(document: &mut Node) -> Result<Vec<Warning>, Fault> {
-    let place = Place::WHOLE.field("home");
-    let home = document
-        .take("home")
-        .filter(|home| !matches!(home, Node::Null));
-    let home = match home {
-        None => Pose::identity(),
-        Some(entry) => {
-            let entry = FrameEntry::deserialize(&entry).map_err(|refusal| refusal.fault(&place))?;
-            parts::frame(&entry, &place)?
-        }
-    };
+    let home = home(document)?;
+    document.take("home");
     let list = Place::WHOLE.field("chains");
     let mut notes = Vec::new();
     let chains = document
@@ -64,6 +55,25 @@ pub(crate) fn to_plain(document: &mut Node) -> Result<Vec<Warning>, Fault> {
     Ok(notes)
 }
 
+/// The home position of a document whose frames are plain.
+pub(crate) fn home(document: &Node) -> Result<Pose, Fault> {
+    const HOME: Place<'static> = Place::WHOLE.field("home");
+    match document.field("home") {
+        None | Some(Node::Null) => Ok(Pose::identity()),
+        Some(entry) => {
+            let entry = FrameEntry::deserialize(entry).map_err(|refusal| refusal.fault(&HOME))?;
+            parts::frame(&entry, &HOME)
+        }
+    }
+}
+
+/// Is the chain given by its axes?
+pub(crate) fn is_by_axes(chain: &Node) -> bool {
+    let joints = chain.field("joints").map_or(&[][..], Node::items);
+    let has_axes = |joint: &Node| AXES.iter().any(|name| joint.has(name));
+    joints.iter().any(has_axes)
+}
+
 /// Rows, base and gripper of a chain that is given by its axes.
 fn by_axes(
     chain: &mut Node,
@@ -72,12 +82,11 @@ fn by_axes(
     place: &Place<'_>,
     notes: &mut Vec<Warning>,
 ) -> Result<(), Fault> {
-    let list = place.field("joints");
-    let joints = chain.field("joints").map_or(&[][..], Node::items);
-    let has_axes = |joint: &Node| AXES.iter().any(|name| joint.has(name));
-    if !joints.iter().any(has_axes) {
+    if !is_by_axes(chain) {
         return Ok(());
     }
+    let list = place.field("joints");
+    let joints = chain.field("joints").map_or(&[][..], Node::items);
     for name in ["base", "gripper", "convention"] {
         if chain.has(name) {
             let what = "the joints of this chain are given by points and axes in the fixed frame";

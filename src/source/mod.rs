@@ -28,6 +28,8 @@ pub mod parameters;
 #[cfg(feature = "study")]
 pub mod resolve;
 #[cfg(feature = "study")]
+pub mod rewrite;
+#[cfg(feature = "study")]
 pub(crate) mod scan;
 #[cfg(feature = "schema")]
 pub mod schema;

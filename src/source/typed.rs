@@ -4,6 +4,7 @@ use crate::document::fault::{Fault, Place};
 use crate::document::reader::Node;
 use crate::document::schema::Document;
 use crate::document::text::{Digits, document_of, json, layout, node_of};
+use crate::math::pose::Pose;
 use crate::motion::trajectory::Warning;
 use crate::source::parameters::{ExpressionValue, Parameters};
 use crate::source::{chains, frames, values};
@@ -37,6 +38,8 @@ pub struct Typed {
     pub expressions: Vec<ExpressionValue>,
     /// As it was typed; `None` where that is a plain document.
     node: Option<Node>,
+    /// Of the same: home and chains with numbers for expressions, in degrees; still by axes and in their conventions.
+    numbers: Option<Node>,
 }
 
 impl Typed {
@@ -53,6 +56,7 @@ impl Typed {
                 parameters: Parameters::default(),
                 expressions: Vec::new(),
                 node: None,
+                numbers: None,
             });
         }
         given.only(&FIELDS, &Place::WHOLE)?;
@@ -60,6 +64,8 @@ impl Typed {
         chains::letters(&mut node);
         let (parameters, expressions) = values::evaluate(&mut node)?;
         frames::to_plain(&mut node)?;
+        let part = |name: &str| node.field(name).cloned().unwrap_or(Node::Null);
+        let numbers = Node::object([("home", part("home")), ("chains", part("chains"))]);
         let notes = chains::to_plain(&mut node)?;
         Ok(Self {
             document: document_of(&node)?,
@@ -67,6 +73,7 @@ impl Typed {
             parameters,
             expressions,
             node: Some(given),
+            numbers: Some(numbers),
         })
     }
 
@@ -79,15 +86,38 @@ impl Typed {
     pub(crate) fn names_no_convention(&self) -> bool {
         let chains = self.node.as_ref().and_then(|node| node.field("chains"));
         let chains = chains.map_or(&[][..], Node::items);
-        let by_axes = |chain: &Node| {
-            let joints = chain.field("joints").map_or(&[][..], Node::items);
-            joints
-                .iter()
-                .any(|joint| chains::AXES.iter().any(|name| joint.has(name)))
-        };
         !chains
             .iter()
-            .any(|chain| chain.has("convention") || by_axes(chain))
+            .any(|chain| chain.has("convention") || chains::is_by_axes(chain))
+    }
+
+    /// Home and chains of a typed document with numbers for expressions, in degrees; chains by axes stay so.
+    pub(crate) fn numbers(&self) -> Option<&Node> {
+        self.numbers.as_ref()
+    }
+
+    /// Are its angles in radians?
+    pub(crate) fn in_radians(&self) -> bool {
+        let angles = self.node.as_ref().and_then(|node| node.field("angles"));
+        angles.and_then(Node::as_text) == Some("radians")
+    }
+
+    /// The home position, if a chain other than `index` is given by its axes.
+    pub(crate) fn shared_home(&self, index: usize) -> Option<Pose> {
+        let numbers = self.numbers()?;
+        let mut chains = numbers.field("chains")?.items().iter().enumerate();
+        chains
+            .any(|(i, chain)| i != index && chains::is_by_axes(chain))
+            .then(|| chains::home(numbers).ok())?
+    }
+
+    /// A chain as it was typed.
+    pub(crate) fn chain(&self, index: usize) -> Node {
+        let typed = self.node.as_ref().and_then(|node| node.field("chains"));
+        let chain = typed.and_then(|chains| chains.items().get(index));
+        chain.cloned().unwrap_or_else(|| {
+            Node::object([("name", Node::Text(self.document.chains[index].name.clone()))])
+        })
     }
 
     /// The document as it was typed, with every default written out.
@@ -110,7 +140,7 @@ impl Typed {
             Some(given) => given.clone(),
             None => node_of(&self.document.text()).expect("its own text"),
         };
-        let in_radians = node.field("angles").and_then(Node::as_text) == Some("radians");
+        let in_radians = self.in_radians();
         let turns: Vec<Vec<bool>> = (self.document.chains.iter())
             .map(|chain| {
                 let kinds = chain.joints.iter().map(|joint| joint.kind);

@@ -29,6 +29,9 @@ export const atMost = (value, bound) => `${scientific(value)}, at most ${scienti
 /** @param {number} radians */
 export const degrees = (radians) => (radians * 180) / Math.PI;
 
+/** How the document's angles are labelled: their sign and their name. @param {{angles?: string}} doc */
+export const angleUnit = ({ angles }) => (angles === 'radians' ? { sign: 'rad', name: 'radians', decimals: 4 } : { sign: '°', name: 'degrees', decimals: ANGLE_DECIMALS });
+
 /** @param {string | undefined} unit the document's unit of length, "" if it names none */
 export const lengthUnit = (unit) => unit || 'length';
 

@@ -43,7 +43,8 @@ export function belongs(thing, chosen) {
  * @returns {string} empty if there is no such thing
  */
 export function nameOf(place, { result, view }) {
-  const { doc } = result;
+  // The types of joints by the planner's letters.
+  const doc = result.plain ?? result.doc;
   const [head, first, part, second, inner] = parsePath(place);
   if (!doc) return '';
   if (place === 'workpiece') return 'workpiece';

@@ -11,6 +11,7 @@
  *   goes through the point
  */
 import { Matrix4, Quaternion, Vector3 } from 'three';
+import { isByAxes } from './by-axes.js';
 import { copyName } from './lists.js';
 import { chainVariables, JOINT_TYPES, plainLetter } from './joint-types.js';
 import { frameMatrix, frameOf } from './poses.js';
@@ -59,6 +60,10 @@ function rounded(matrix, near, size) {
  * @param {Chain} chain @param {readonly unknown[] | undefined} start
  */
 export function whyNotCopied(chain, start) {
+  if (isByAxes(chain)) {
+    const typed = chain.joints.flatMap(({ point, axis, second }) => [point, axis, second].flatMap((vector) => vector ?? []));
+    return typed.every((value) => typeof value === 'number') ? '' : 'A point or direction of this chain is no number: write it as one first.';
+  }
   if (!chain.joints.every(({ rows }) => rows)) return 'The rows of this chain are not known yet: mend the document first.';
   const numbers = [chain.base, chain.gripper, ...chain.joints.flatMap(({ rows }) => rows ?? [])].flatMap((part) => Object.values(part ?? {}));
   if (numbers.some((value) => typeof value !== 'number')) return 'A number of this chain is at fault: mend it first.';
@@ -76,6 +81,7 @@ export function whyNotCopied(chain, start) {
  * @returns {MechanismDocument} with the copies behind the chain
  */
 export function turnedCopies(doc, chain, { count, axis, point }, start, plain = doc.chains[chain]) {
+  if (isByAxes(plain)) return turnedAxes(doc, chain, { count, axis, point });
   const old = plain;
   const base = frameMatrix(old.base);
   const inner = base.clone().multiply(jointsMatrix(old, start));
@@ -96,6 +102,28 @@ export function turnedCopies(doc, chain, { count, axis, point }, start, plain = 
       start,
     };
     chains.splice(chain + k, 0, copy);
+  }
+  return { ...doc, chains };
+}
+
+/** Of a chain by its axes: its points and directions are turned, and all copies meet at home. @param {MechanismDocument} doc @param {number} chain @param {Around} around @returns {MechanismDocument} */
+function turnedAxes(doc, chain, { count, axis, point }) {
+  const old = doc.chains[chain];
+  const centre = new Vector3(...point);
+  const extent = Math.max(...old.joints.flatMap(({ point: at }) => (at ?? []).map((value) => Math.abs(Number(value)))), ...point.map(Math.abs));
+  const written = (/** @type {Vector3} */ vector, /** @type {number} */ size) =>
+    vector.toArray().map((value) => (Math.abs(value) < size * 10 ** -DIGITS ? 0 : Number(value.toPrecision(DIGITS))));
+  const chains = [...doc.chains];
+  for (let k = 1; k < count; k++) {
+    const angle = (2 * Math.PI * k) / count;
+    const turned = (/** @type {any} */ vector) => new Vector3(.../** @type {[number, number, number]} */ ([...vector])).applyAxisAngle(AXES[axis], angle);
+    const joints = old.joints.map((joint) => ({
+      ...joint,
+      ...(joint.point && { point: written(turned(new Vector3(.../** @type {any} */ (joint.point)).sub(centre)).add(centre), extent) }),
+      ...(joint.axis && { axis: written(turned(joint.axis), 1) }),
+      ...(joint.second && { second: written(turned(joint.second), 1) }),
+    }));
+    chains.splice(chain + k, 0, { ...old, name: copyName(old.name, chains), joints });
   }
   return { ...doc, chains };
 }

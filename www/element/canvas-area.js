@@ -35,7 +35,7 @@ export function createStage({ find, store, player, signal }) {
     const afresh = store.originOf(doc) !== origin;
     origin = store.originOf(doc);
     find('fallback').hidden = true;
-    scene?.show(store.result, afresh);
+    scene?.show({ ...store.result, doc: store.result.plain }, afresh);
     if (afresh && store.view.side) scene?.turnTo(store.view.side, false);
     setText(find('canvas-text'), describeScene(store));
   }

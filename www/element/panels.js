@@ -50,7 +50,7 @@ export async function createPanels(bare, banners) {
     const read = await ask(() => planner.normalise(textOf(doc)), 'read the document');
     return read.is === 'fault' ? read.fault : null;
   };
-  const tables = createTables(places, store, defaults, { markFault: tabs.mark, findStart, goToKey, compareMetrics, readPoses, check, bringOut: (target) => bringOut(target, app), say });
+  const tables = createTables(places, store, defaults, { markFault: tabs.mark, findStart, goToKey, compareMetrics, readPoses, check, bringOut: (target) => bringOut(target, app), say, rewrite: (text, chain) => ask(() => planner.byAxes(text, chain), 'find the axes'), view: app });
   const selection = createSelection(places.root, [places.mechanism, places.motion], app);
   places.root.addEventListener('focusin', ({ target }) => bringOut(/** @type {Element} */ (target), app));
   createTree(/** @type {HTMLDetailsElement} */ (find('objects')), app, selection.enter);

@@ -18,7 +18,8 @@
  *   | {id: number, kind: 'cancelled'}} Answer `received`, at once, `begun`, when the planner is loaded, and `progress` are
  *   followed by others, all else is the last; `loading` where the planner could not be loaded
  *
- * @typedef {'plan' | 'pull' | 'explain' | 'text' | 'find_start' | 'drive' | 'trace' | 'matrix' | 'compare_metrics' | 'export_motion'} DocumentCall
+ * @typedef {'plan' | 'pull' | 'explain' | 'text' | 'find_start' | 'drive' | 'trace' | 'matrix' | 'compare_metrics' | 'export_motion' | 'by_axes'
+ *   | 'looks_standard'} DocumentCall
  *   methods of the packages' Session
  * @typedef {DocumentCall | 'defaults' | 'enumeration' | 'assemble' | 'make' | 'makers' | 'make_named' | 'read_poses' | 'schema' | 'chain_by_index' | 'assembly_by_index'} Call
  *

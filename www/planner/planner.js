@@ -101,6 +101,16 @@ export class Planner {
     return this.#queue.ask({ asker: this, latest: true, call: 'compare_metrics', text, args: [], signal });
   }
 
+  /** A chain given by its axes: `{chain, home}` as JSON. @param {string} text a document @param {number} chain @returns {Promise<string>} */
+  byAxes(text, chain) {
+    return this.#ask('by_axes', text, chain);
+  }
+
+  /** Whether the tables are closed at their start if they are standard ones, and not as they are read. @param {string} text a document @returns {Promise<boolean>} */
+  looksStandard(text) {
+    return this.#askLatest('looks_standard', text);
+  }
+
   /** What new things are made of. @returns {Promise<Defaults>} */
   defaults() {
     this.#defaults ??= this.#askNoDocument('defaults').catch((error) => {

@@ -5,13 +5,25 @@ import { angle, length, plural, scientific, sentence, short } from '../../core/f
 import { html, nothing, render } from '../../ui/render.js';
 import { setText } from '../../ui/dom.js';
 import { chainName } from '../../core/chain-name.js';
+import { createStandardHint } from '../../core/standard-hint.js';
 import { isDriven, shownEnd } from '../../core/shown.js';
 import {
   PULLED, countStatuses, largestGaps, metricSentence, mobilitySentence, partSentence, singularSentence, statusName, statusWords,
 } from '../../core/status-words.js';
 
-/** @param {Pick<import('../../element/workbench.js').App, 'find' | 'store' | 'player'>} app */
-export function createStatus({ find, store, player }) {
+/** What the planner says where it knows of other conventions. */
+const STANDARD = {
+  code: 'standard-table',
+  message: 'read as standard tables (Z·X) these rows fit the start and the first key frame; as modified ones (X·Z), as they are read, they do not',
+  first: undefined,
+};
+
+/** @param {Pick<import('../../element/workbench.js').App, 'find' | 'store' | 'player' | 'planner'>} app */
+export function createStatus({ find, store, player, planner }) {
+  const looksStandard = createStandardHint({ store, planner }, () => showMotion());
+  /** All tables, as printed. */
+  const readAsStandard = () =>
+    store.edit((doc) => ({ ...doc, chains: doc.chains.map((chain) => (chain.joints.every(({ rows }) => rows) ? { ...chain, convention: 'standard' } : chain)) }));
   const outputs = ['gap-translation', 'gap-rotation', 'metric', 'closure', 'misfit', 'sigma', 'gradient', 'curvature', 'iterations'];
 
   function showFrame() {
@@ -92,10 +104,12 @@ export function createStatus({ find, store, player }) {
       ),
       find('chain-rows'),
     );
-    find('warnings').hidden = report.warnings.length === 0;
+    const warnings = [...report.warnings, ...(looksStandard() ? [STANDARD] : [])];
+    find('warnings').hidden = warnings.length === 0;
     render(
-      report.warnings.map(
-        ({ message, first }) => html`<li>${sentence(message)} ${first === undefined ? nothing : jump(`Show frame ${first + 1}`, first)}</li>`,
+      warnings.map(
+        ({ code, message, first }) => html`<li>${sentence(message)} ${first === undefined ? nothing : jump(`Show frame ${first + 1}`, first)}
+          ${code === STANDARD.code && !store.readonly ? html`<button class="link" @click=${readAsStandard}>Read as standard tables</button>` : nothing}</li>`,
       ),
       find('warning-list'),
     );

@@ -1,12 +1,15 @@
 /**
- * The mechanism as tables: for each chain its Denavit–Hartenberg rows, base and gripper, start values and limits.
+ * The mechanism as tables: for each chain its Denavit–Hartenberg rows, base and gripper, or its joints by their axes; start
+ * values and limits.
  *
  * @typedef {import('../../core/store.js').Store} Store
  * @typedef {import('../../core/types.js').Defaults} Defaults
  * @typedef {ReturnType<typeof import('./cells.js').createCells>} Cells
  */
+import { angleUnit } from '../../core/format.js';
+import { AXES_JOINTS, axesChain, isByAxes } from '../../core/by-axes.js';
 import * as edits from '../../core/edits.js';
-import { html, renderRows, repeat } from '../../ui/render.js';
+import { html, live, nothing, renderRows, repeat } from '../../ui/render.js';
 import { createDhTable } from './dh-table.js';
 import { coordinateCells, coordinateHeads } from './frame-table.js';
 import { createParametersSection } from './parameters-section.js';
@@ -30,8 +33,9 @@ const FRAMES = [
  * @param {ReturnType<typeof import('./forms.js').createForms>} forms
  * @param {import('../../ui/notice.js').Say} say
  * @param {(doc: import('../../core/types.js').MechanismDocument) => Promise<import('../../core/types.js').Fault | null>} check asks the planner
+ * @param {{typed: ReturnType<typeof import('./typed-parts.js').createTypedParts>, view: import('./typed-parts.js').View}} more
  */
-export function createChainTables(panel, store, cells, defaults, arrange, findStart, forms, say, check) {
+export function createChainTables(panel, store, cells, defaults, arrange, findStart, forms, say, check, { typed, view }) {
   const chainKeys = createRowKeys();
   /** By the chain's key. @type {Map<number, ReturnType<typeof createRowKeys>>} */
   const jointKeys = new Map();
@@ -42,18 +46,23 @@ export function createChainTables(panel, store, cells, defaults, arrange, findSt
   const unitField = createUnitField(store, say);
   const parameters = createParametersSection(store, cells, { check, say, nameCell: forms.parameter });
 
-  const unit = () => store.doc.length_unit;
+  /** Of chains by axes, when they are loaded. @type {ReturnType<typeof import('./axes-table.js').createAxesTable> | undefined} */
+  let axesTable;
+  const axes = () => {
+    const parts = typed.get();
+    return (axesTable ??= parts?.createAxesTable(store, cells, arrange, view, typed, draw));
+  };
 
   /** @param {number} chain */
   const framesTable = (chain) =>
     html`<div class="scroller"><table class="frames">
       <caption class="sr">Base and gripper frame of chain ${chain + 1}</caption>
-      <thead><tr><td></td>${coordinateHeads(unit())}</tr></thead>
+      <thead><tr><td></td>${coordinateHeads(store.doc)}</tr></thead>
       <tbody>${FRAMES.map(([key, letter, name]) => {
         const path = `chains[${chain}].${key}`;
         return html`<tr data-path=${path}>
           <th scope="row">${turnButton(chain, path, letter, name)}</th>
-          ${coordinateCells(cells, path, `chain ${chain + 1}, ${name}`, unit())}
+          ${coordinateCells(cells, path, `chain ${chain + 1}, ${name}`, store.doc, typed)}
         </tr>`;
       })}</tbody>
     </table></div>`;
@@ -68,15 +77,36 @@ export function createChainTables(panel, store, cells, defaults, arrange, findSt
   /** @param {number} chain */
   const chainMenu = (chain) => {
     const { chains } = store.doc;
+    const by = isByAxes(chains[chain]);
     return arrange.menu(`chains[${chain}]`, `chain ${chain + 1}`, () => [
-      { label: 'Add a joint', act: () => store.edit((doc) => edits.insertJoint(doc, chain, chains[chain].joints.length, defaults.joints.R)) },
+      { label: 'Add a joint', act: () => store.edit((doc) => edits.insertJoint(doc, chain, chains[chain].joints.length, (by ? AXES_JOINTS : defaults.joints).R)) },
       { label: 'Duplicate', act: () => store.edit((doc) => edits.duplicateChain(doc, chain)) },
       { label: 'Duplicate around an axis…', act: () => forms.copies(chain) },
-      { label: 'Base frame as quaternion, matrix…', act: () => forms.turn(`chains[${chain}].base`, `the base frame of chain ${chain + 1}`) },
-      { label: 'Gripper frame as quaternion, matrix…', act: () => forms.turn(`chains[${chain}].gripper`, `the gripper frame of chain ${chain + 1}`) },
+      ...(by
+        ? [
+            { label: 'Show the rows…', act: () => forms.rows(chain) },
+            { label: 'Turn into rows', act: () => forms.intoRows(chain) },
+            { label: 'Home as quaternion, matrix…', act: () => forms.turn('home', 'home') },
+          ]
+        : [
+            { label: 'Convention of the table…', act: () => forms.convention(chain) },
+            { label: 'Give by axes', hint: 'Its joints are 0 at the start then', act: () => forms.byAxes(chain) },
+            { label: 'Base frame as quaternion, matrix…', act: () => forms.turn(`chains[${chain}].base`, `the base frame of chain ${chain + 1}`) },
+            { label: 'Gripper frame as quaternion, matrix…', act: () => forms.turn(`chains[${chain}].gripper`, `the gripper frame of chain ${chain + 1}`) },
+          ]),
       { label: 'Remove', disabled: chains.length === 1 ? 'A linkage has at least one chain' : '', act: () => store.edit((doc) => edits.removeChain(doc, chain)) },
     ]);
   };
+
+  /** @param {number} chain @param {number[]} joints their keys */
+  function tablesOf(chain, joints) {
+    const one = store.doc.chains[chain];
+    if (isByAxes(one)) return axes()?.table(chain, joints) ?? html`<p class="muted" role="status">Loading the table of axes …</p>`;
+    const name = one.convention === 'standard' ? 'standard: Z·X' : 'modified (Craig): X·Z';
+    const label = `Convention of the table of chain ${chain + 1}: ${name}; switch or compare`;
+    const button = html`<button class="quiet" data-path="chains[${chain}].convention" title=${label} aria-label=${label} @click=${() => forms.convention(chain)}>${name}</button>`;
+    return html`<p class="convention">${button}</p>${dhTable(chain, joints)}${framesTable(chain)}`;
+  }
 
   /** @param {number} chain @param {number} key @param {string[]} values that are shown now */
   function chainSection(chain, key, values) {
@@ -94,9 +124,9 @@ export function createChainTables(panel, store, cells, defaults, arrange, findSt
         <h3>${cells.input({ path: `chains[${chain}].name`, label: `name of chain ${chain + 1}`, text: true })}${type.field}</h3>
         ${chainMenu(chain)}
       </header>
-      ${type.note}${dhTable(chain, joints)}${framesTable(chain)}
+      ${type.note}${tablesOf(chain, joints)}
       <details ?open=${unfolded.has(key)} @toggle=${fold}>
-        <summary>Start values and limits</summary>
+        <summary>Start values and limits${isByAxes(store.doc.chains[chain]) ? ', counted from home' : ''}</summary>
         ${startTable(store, cells, chain, joints, values)}
         <button class="quiet edits" title="Let the planner look for start values that close the loops, in every chain" @click=${findStart}>find a start</button>
       </details>
@@ -110,15 +140,29 @@ export function createChainTables(panel, store, cells, defaults, arrange, findSt
     const values = keys.some((key) => unfolded.has(key)) ? shownValues(store) : [];
     const sections = chains.map((_, chain) => ({ key: keys[chain], section: () => chainSection(chain, keys[chain], values[chain] ?? []) }));
     const { field, choice } = unitField();
+    const byAxes = chains.some(isByAxes);
+    const angles = angleUnit(store.doc).name;
+    const askAngles = (/** @type {Event} */ event) => {
+      const select = /** @type {HTMLSelectElement} */ (event.target);
+      forms.angles(/** @type {'degrees' | 'radians'} */ (select.value));
+      select.value = angles;
+    };
     renderRows(
       html`<div class="heads">
           <label class="field"><span>Name</span>${cells.input({ path: 'name', label: 'name of the mechanism', text: true })}</label>
           <label class="field"><span>Unit of length</span>${field}</label>
+          <label class="field"><span>Angles</span><select class="cell" data-path="angles" aria-label="unit of angles" ?disabled=${store.readonly} @change=${askAngles}>
+            ${['degrees', 'radians'].map((unit) => html`<option value=${unit} .selected=${live(unit === angles)}>${unit}</option>`)}
+          </select></label>
         </div>
         ${choice}${parameters.section()}
         <h2 class="sr">Chains</h2>
+        ${byAxes ? axes()?.home() : nothing}
         <div data-path="chains">${repeat(sections, ({ key }) => key, ({ section }) => section())}</div>
-        <button class="wide" @click=${() => store.edit((doc) => edits.addChain(doc, defaults.chain))}>+ chain</button>`,
+        <div class="adders">
+          <button class="wide" title="A chain by a Denavit–Hartenberg table" @click=${() => store.edit((doc) => edits.addChain(doc, defaults.chain))}>+ chain</button>
+          <button class="wide" title="A chain by points and directions of its joints" @click=${() => store.edit((doc) => edits.addChain(doc, axesChain()))}>+ chain by axes</button>
+        </div>`,
       panel,
     );
   }

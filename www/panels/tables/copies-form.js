@@ -1,6 +1,7 @@
 /**
  * Asks how a chain is to be copied around an axis, and copies it.
  */
+import { isByAxes } from '../../core/by-axes.js';
 import { entry } from '../../core/edits.js';
 import { lengthUnit } from '../../core/format.js';
 import { turnedCopies, whyNotCopied } from '../../core/turned-copies.js';
@@ -30,8 +31,9 @@ export function openCopiesForm(root, store, chain) {
   const point = formField('A point of the axis: x y z', numeric('0 0 0'), { note: `In ${lengthUnit(doc.length_unit)}, in the fixed frame.` });
   const trouble = element('p', { class: 'fault', role: 'alert', hidden: true });
 
-  /** The chain as rows and numbers: of the planned document, if that is this one, else what is typed. */
-  const plain = () => (store.result.doc === doc && store.result.plain?.chains[chain]) || from;
+  /** Axes of numbers are turned as they are; else the chain as rows and numbers: of the planned document, if that is this one. */
+  const plain = () => (isByAxes(from) && !whyNotCopied(from, undefined) ? from : rows());
+  const rows = () => (store.result.doc === doc && store.result.plain?.chains[chain]) || from;
 
   /** The start values in the document, else those that the planner uses. */
   const start = () => {
@@ -51,7 +53,7 @@ export function openCopiesForm(root, store, chain) {
       const goodCount = typeof many === 'number' && Number.isInteger(many) && many >= 2 && many <= most;
       const goodPoint = place.length === 3 && place.every((value) => typeof value === 'number');
       const values = start();
-      const why = doc.angles === 'radians' ? 'The angles of this document are in radians, and copies are written in degrees: give its angles in degrees first.' : whyNotCopied(plain(), values);
+      const why = doc.angles === 'radians' && !isByAxes(plain()) ? 'The angles of this document are in radians, and copies are written in degrees: give its angles in degrees first.' : whyNotCopied(plain(), values);
       count.setFault(goodCount ? '' : `Accepted: a whole number from 2 to ${most}.`);
       point.setFault(goodPoint ? '' : 'Accepted: three numbers, such as 0 0 0.');
       setText(trouble, why);

@@ -4,7 +4,7 @@
  * @typedef {import('../../core/types.js').JointType} JointType
  */
 import * as edits from '../../core/edits.js';
-import { ANGLE_DECIMALS, lengthUnit } from '../../core/format.js';
+import { angleUnit, lengthUnit } from '../../core/format.js';
 import { JOINT_LETTERS, JOINT_TYPES, jointOf, variableName } from '../../core/joint-types.js';
 import { html, nothing, repeat } from '../../ui/render.js';
 
@@ -45,18 +45,19 @@ export function createDhTable(store, cells, defaults, arrange) {
   /** @param {number} chain @param {number[]} keys of its joints */
   return (chain, keys) => {
     const { length_unit: unit, chains } = store.doc;
+    const angles = angleUnit(store.doc);
     let number = 0;
     const bodies = chains[chain].joints.map((joint, j) => {
       const path = `chains[${chain}].joints[${j}]`;
       const rows = (jointOf(joint.type)?.rows ?? []).map((variables, r) => {
         const row = number++;
         const parameters = PARAMETERS.map(([key, symbol, kind]) => {
-          const label = `chain ${chain + 1}, row ${row + 1}, ${symbol} in ${kind === 'angle' ? 'degrees' : lengthUnit(unit)}`;
+          const label = `chain ${chain + 1}, row ${row + 1}, ${symbol} in ${kind === 'angle' ? angles.name : lengthUnit(unit)}`;
           const variable = (key === 'theta' || key === 'd') && variables.includes(key) ? key : null;
           const cell = cells.input({
             path: `${path}.rows[${r}].${key}`,
             column: key,
-            decimals: kind === 'angle' ? ANGLE_DECIMALS : undefined,
+            decimals: kind === 'angle' ? angles.decimals : undefined,
             label: variable ? `${label}, constant added to the joint variable` : label,
           });
           if (!variable) return html`<td>${cell}</td>`;
@@ -77,7 +78,7 @@ export function createDhTable(store, cells, defaults, arrange) {
       <thead><tr>
         <th scope="col"><span class="sr">row</span></th>
         <th scope="col">joint</th>
-        ${PARAMETERS.map(([, symbol, kind]) => html`<th scope="col"><var>${symbol}</var><small>${kind === 'angle' ? '°' : lengthUnit(unit)}</small></th>`)}
+        ${PARAMETERS.map(([, symbol, kind]) => html`<th scope="col"><var>${symbol}</var><small>${kind === 'angle' ? angles.sign : lengthUnit(unit)}</small></th>`)}
         <th><span class="sr">actions</span></th>
       </tr></thead>
       ${repeat(bodies, ({ key }) => key, ({ body }) => body)}

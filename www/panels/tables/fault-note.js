@@ -35,10 +35,13 @@ export function createFaultNote(root) {
       root.prepend(text);
       return null;
     }
-    if (!marked.includes(place)) {
-      if (place.matches('input, select')) place.setAttribute('aria-invalid', 'true');
-      place.setAttribute('aria-describedby', id);
-      marked.push(place);
+    // Of a vector or a matrix all cells are meant.
+    const fields = place.matches('input, select') ? [place] : [...place.querySelectorAll(':scope:is(.point, .matrix) > input')];
+    for (const field of new Set([place, ...fields])) {
+      if (marked.includes(field)) continue;
+      if (fields.includes(field)) field.setAttribute('aria-invalid', 'true');
+      field.setAttribute('aria-describedby', id);
+      marked.push(field);
     }
     const row = place.closest('tr');
     if (row) {

@@ -1,6 +1,9 @@
 /**
  * Dialogs that are opened from the tables, loaded when they are asked for: a frame's turn in other forms, copies of a
- * chain around an axis, and key frames from a table.
+ * chain around an axis, the convention of its table, the other unit of angles, a chain by its axes or by its rows, and
+ * key frames from a table.
+ *
+ * @typedef {(text: string, chain: number) => Promise<import('../../core/ask.js').Outcome<string>>} Rewrite gives a chain by its axes
  */
 
 /**
@@ -10,8 +13,9 @@
  * @param {import('./pose-table-form.js').ReadPoses} readPoses asks the planner
  * @param {(doc: import('../../core/types.js').MechanismDocument) => Promise<import('../../core/types.js').Fault | null>} check likewise
  * @param {(path: string) => string} label of a cell, in words
+ * @param {Rewrite} rewrite
  */
-export function createForms(root, store, say, readPoses, check, label) {
+export function createForms(root, store, say, readPoses, check, label, rewrite) {
   /** @param {string} what @param {() => Promise<void>} open */
   const asked = (what, open) => {
     open().catch((error) => say(`${what} could not be opened (${error instanceof Error ? error.message : error}). Try again.`));
@@ -22,6 +26,16 @@ export function createForms(root, store, say, readPoses, check, label) {
     poseTable: () => asked('The key frames from a table', async () => (await import('./pose-table-form.js')).openPoseTable(root, { store, say }, readPoses)),
     /** @param {string} path of a cell */
     parameter: (path) => asked('The form for a parameter', async () => (await import('./parameter-form.js')).openParameterForm(root, { store, say }, check, path, label)),
+    /** @param {number} chain */
+    convention: (chain) => asked('The convention of the table', async () => (await import('./convention-form.js')).openConventionForm(root, store, say, chain)),
+    /** @param {import('../../core/angle-unit.js').AngleUnit} unit */
+    angles: (unit) => asked('The unit of angles', async () => (await import('./angles-form.js')).openAnglesForm(root, store, unit)),
+    /** @param {number} chain */
+    rows: (chain) => asked('The rows', async () => (await import('./rows-form.js')).openRowsForm(root, store, chain)),
+    /** @param {number} chain */
+    byAxes: (chain) => asked('The axes', async () => (await import('./rewriting.js')).giveByAxes({ store, say, rewrite }, chain)),
+    /** @param {number} chain */
+    intoRows: (chain) => asked('The rows', async () => (await import('./rewriting.js')).turnIntoRows({ store, say }, chain)),
     /** @param {number} chain */
     copies: (chain) => asked('The copies around an axis', async () => (await import('./copies-form.js')).openCopiesForm(root, store, chain)),
   };

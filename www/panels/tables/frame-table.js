@@ -1,8 +1,9 @@
 /**
  * The paper's table of frames: x, y, z, longitude, latitude, roll, one frame a row.
  */
-import { ANGLE_DECIMALS, lengthUnit } from '../../core/format.js';
-import { html } from '../../ui/render.js';
+import { angleUnit, lengthUnit } from '../../core/format.js';
+import { valueAt } from '../../core/path.js';
+import { html, nothing } from '../../ui/render.js';
 
 /** @type {[import('../../core/types.js').Frame extends infer F ? keyof F : never, string, 'length' | 'angle', string][]} */
 const COORDINATES = [
@@ -14,20 +15,30 @@ const COORDINATES = [
   ['roll', 'roll', 'angle', 'roll'],
 ];
 
-/** The six column heads with their units. @param {string | undefined} unit */
-export const coordinateHeads = (unit) =>
-  COORDINATES.map(([, short, kind, long]) => html`<th scope="col"><abbr title=${long}>${short}</abbr><small>${kind === 'length' ? lengthUnit(unit) : '°'}</small></th>`);
+/** The six column heads with their units. @param {import('../../core/types.js').MechanismDocument} doc */
+export const coordinateHeads = (doc) =>
+  COORDINATES.map(([, short, kind, long]) => html`<th scope="col"><abbr title=${long}>${short}</abbr><small>${kind === 'length' ? lengthUnit(doc.length_unit) : angleUnit(doc).sign}</small></th>`);
+
+/** The forms of a rotation beside longitude, latitude, roll, whose cells are loaded when a document has one. */
+const OTHER = /** @type {const} */ (['quaternion_wxyz', 'quaternion_xyzw', 'matrix', 'roll_pitch_yaw']);
 
 /**
- * The six cells of one frame.
+ * The six cells of one frame; in place of the last three one with its rotation, where that has another form.
  * @param {ReturnType<typeof import('./cells.js').createCells>} cells
  * @param {string} path
  * @param {string} name for screen readers
- * @param {string | undefined} unit
+ * @param {import('../../core/types.js').MechanismDocument} doc
+ * @param {ReturnType<typeof import('./typed-parts.js').createTypedParts>} typed
  */
-export const coordinateCells = (cells, path, name, unit) =>
-  COORDINATES.map(([key, short, kind, long]) => {
-    const label = `${name}, ${long} in ${kind === 'length' ? lengthUnit(unit) : 'degrees'}`;
-    const cell = cells.input({ path: `${path}.${key}`, column: key, label, decimals: kind === 'angle' ? ANGLE_DECIMALS : undefined });
-    return html`<td data-head="${short} ${kind === 'length' ? lengthUnit(unit) : '°'}">${cell}</td>`;
+export function coordinateCells(cells, path, name, doc, typed) {
+  const form = OTHER.find((key) => valueAt(doc, path)?.[key] != null);
+  const { sign, name: angles, decimals } = angleUnit(doc);
+  const plain = (form ? COORDINATES.slice(0, 3) : COORDINATES).map(([key, short, kind, long]) => {
+    const label = `${name}, ${long} in ${kind === 'length' ? lengthUnit(doc.length_unit) : angles}`;
+    // Home may be left out, as a whole or in part.
+    const home = path === 'home' && { optional: true, fallback: () => 0 };
+    const cell = cells.input({ path: `${path}.${key}`, column: key, label, decimals: kind === 'angle' ? decimals : undefined, ...home });
+    return html`<td data-head="${short} ${kind === 'length' ? lengthUnit(doc.length_unit) : sign}">${cell}</td>`;
   });
+  return html`${plain}${form ? (typed.get()?.rotationCell(cells, `${path}.${form}`, form, name, doc) ?? html`<td colspan="3">…</td>`) : nothing}`;
+}

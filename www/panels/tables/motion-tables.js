@@ -25,8 +25,9 @@ import { pointCells, setting } from './settings.js';
  * @param {{goTo: (key: number) => void, compareMetrics: Parameters<typeof createMetricComparison>[1]}} outside `goTo` takes
  *   the playhead to a key frame; `compareMetrics` asks the planner
  * @param {ReturnType<typeof import('./forms.js').createForms>} forms
+ * @param {ReturnType<typeof import('./typed-parts.js').createTypedParts>} typed
  */
-export function createMotionTables(panel, store, cells, defaults, arrange, { goTo, compareMetrics }, forms) {
+export function createMotionTables(panel, store, cells, defaults, arrange, { goTo, compareMetrics }, forms, typed) {
   const unit = () => store.doc.length_unit;
   // Times stay where they are when poses change places.
   const rowKeys = createRowKeys((/** @type {import('../../core/types.js').KeyFrame} */ { time: _, ...pose }) => pose);
@@ -66,13 +67,13 @@ export function createMotionTables(panel, store, cells, defaults, arrange, { goT
             <td colspan="2" class="time"><span>time<small>s</small>${time}</span></td>
             <td colspan="2" class="act"><button class="quiet" aria-label="Go to ${label}" title="Go to its moment in the motion" @click=${() => goTo(index)}>go to</button>${menu}</td>
           </tr>
-          <tr>${coordinateCells(cells, path, label, unit())}</tr>
+          <tr>${coordinateCells(cells, path, label, store.doc, typed)}</tr>
         </tbody>`,
       };
     });
     return html`<div class="scroller" data-path="motion.key_frames"><table class="frames keys">
       <caption class="sr">Key frames</caption>
-      <thead><tr>${coordinateHeads(unit())}</tr></thead>
+      <thead><tr>${coordinateHeads(store.doc)}</tr></thead>
       ${repeat(rows, ({ key }) => key, ({ body }) => body)}
     </table></div>${keys.length > PAGE ? pager(keys.length) : nothing}`;
   }

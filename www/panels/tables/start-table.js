@@ -2,7 +2,7 @@
  * A chain's joint variables as a table: the value that is shown now, the start value and the limits.
  */
 import * as edits from '../../core/edits.js';
-import { ANGLE_DECIMALS, degrees, lengthUnit, short } from '../../core/format.js';
+import { angleUnit, degrees, lengthUnit, short } from '../../core/format.js';
 import { asWritten } from '../../core/document-angles.js';
 import { chainVariables, variableName } from '../../core/joint-types.js';
 import { groupAt, shown } from '../../core/shown.js';
@@ -14,11 +14,12 @@ export function shownValues(store) {
   const now = shown(store);
   if (!motion || !now) return [];
   const joints = groupAt(now.joints, now);
+  const { name, decimals } = angleUnit(store.doc);
   let at = 0;
   return motion.report.chains.map(({ variables }) =>
     variables.map(({ unit }) => {
       const value = joints[at++];
-      return unit === 'rad' ? short(degrees(value), ANGLE_DECIMALS) : short(value);
+      return unit === 'rad' ? short(name === 'radians' ? value : degrees(value), decimals) : short(value);
     }),
   );
 }
@@ -34,12 +35,13 @@ export function startTable(store, cells, chain, keys, values) {
   const variables = chainVariables(store.doc.chains[chain]);
   const lengths = lengthUnit(store.doc.length_unit);
   const freedoms = (/** @type {number} */ joint) => variables.filter((v) => v.joint === joint).length;
+  const angles = angleUnit(store.doc);
   // The planner tells them in degrees.
   const current = () => (store.result.motion?.report.start[chain] ?? []).map((value, at) => (variables[at]?.variable === 'theta' ? asWritten(store.doc, value) : value));
   const rows = variables.map(({ variable, joint, freedom, row }, index) => {
     const name = variableName(variable, row);
-    const label = `chain ${chain + 1}, ${name} in ${variable === 'theta' ? 'degrees' : lengths}`;
-    const decimals = variable === 'theta' ? ANGLE_DECIMALS : undefined;
+    const label = `chain ${chain + 1}, ${name} in ${variable === 'theta' ? angles.name : lengths}`;
+    const decimals = variable === 'theta' ? angles.decimals : undefined;
     const start = cells.input({
       path: `chains[${chain}].start[${index}]`,
       column: 'start',
@@ -63,7 +65,7 @@ export function startTable(store, cells, chain, keys, values) {
     return {
       key: `${keys[joint]} ${freedom}`,
       cells: html`<tr>
-        <th scope="row"><var>${name}</var><small>${variable === 'theta' ? '°' : lengths}</small></th>
+        <th scope="row"><var>${name}</var><small>${variable === 'theta' ? angles.sign : lengths}</small></th>
         <td class="now"><output>${values[index] ?? ''}</output></td>
         ${[start, ...bounds].map((cell) => html`<td>${cell}</td>`)}
       </tr>`,

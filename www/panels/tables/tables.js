@@ -15,6 +15,7 @@ import { createForms } from './forms.js';
 import { gridBlock } from './cell-block.js';
 import { gridKeys } from './grid-keys.js';
 import { createMotionTables } from './motion-tables.js';
+import { createTypedParts } from './typed-parts.js';
 
 /**
  * @param {{root: HTMLElement, mechanism: HTMLElement, motion: HTMLElement}} place
@@ -24,18 +25,21 @@ import { createMotionTables } from './motion-tables.js';
  *   compareMetrics: Parameters<typeof import('./metric-comparison.js').createMetricComparison>[1],
  *   readPoses: import('./pose-table-form.js').ReadPoses,
  *   check: (doc: import('../../core/types.js').MechanismDocument) => Promise<Fault | null>,
- *   bringOut: (target: Element) => void, say: import('../../ui/notice.js').Say}} outside
+ *   bringOut: (target: Element) => void, say: import('../../ui/notice.js').Say, rewrite: import('./forms.js').Rewrite,
+ *   view: import('./typed-parts.js').View}} outside
  *   `markFault` is told which panel holds the fault; `findStart` asks the planner for start values; `goToKey` takes
- *   the playhead to a key frame; `compareMetrics` asks the planner for both metrics' gaps, `readPoses` for a table's key frames, `check` for a document's
- *   fault;
- *   `bringOut` brings what has the focus out from under the view
+ *   the playhead to a key frame; `compareMetrics` asks the planner for both metrics' gaps, `readPoses` for a table's
+ *   key frames, `check` for a document's fault;
+ *   `bringOut` brings what has the focus out from under the view; `rewrite` asks the planner for a chain by its axes;
+ *   `view` is where points are picked and axes drawn
  */
-export function createTables({ root, mechanism, motion }, store, defaults, { markFault, findStart, goToKey, compareMetrics, readPoses, check, bringOut, say }) {
+export function createTables({ root, mechanism, motion }, store, defaults, { markFault, findStart, goToKey, compareMetrics, readPoses, check, bringOut, say, rewrite, view }) {
   const arrange = createArrange(root, store, bringOut);
   const cells = createCells(store);
-  const forms = createForms(root, store, say, readPoses, check, cells.label);
-  const chains = createChainTables(mechanism, store, cells, defaults, arrange, findStart, forms, say, check);
-  const keys = createMotionTables(motion, store, cells, defaults, arrange, { goTo: goToKey, compareMetrics }, forms);
+  const forms = createForms(root, store, say, readPoses, check, cells.label, rewrite);
+  const typed = createTypedParts(() => show(), say);
+  const chains = createChainTables(mechanism, store, cells, defaults, arrange, findStart, forms, say, check, { typed, view });
+  const keys = createMotionTables(motion, store, cells, defaults, arrange, { goTo: goToKey, compareMetrics }, forms, typed);
   const note = createFaultNote(root);
   /** @type {HTMLElement | null} */
   let culprit = null;

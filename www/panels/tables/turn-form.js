@@ -4,11 +4,11 @@
  *
  * @typedef {import('../../core/orientation.js').Form} Form
  */
-import { frameAsWritten } from '../../core/document-angles.js';
-import { frameNumbers, withoutForms } from '../../core/frame-numbers.js';
 import { setValue } from '../../core/edits.js';
-import { anglesOf, readTurn, turnOf, writeTurn } from '../../core/orientation.js';
+import { anglesOf, readTurn, writeTurn } from '../../core/orientation.js';
 import { valueAt } from '../../core/path.js';
+import { ORDERS, ROTATION_FORMS, frameWith, rotationForm, turnOfFrame } from '../../core/rotation-forms.js';
+import { withNumbers } from '../../core/typed-number.js';
 import { element, setText } from '../../ui/dom.js';
 import { formField, openFormDialog } from './form-dialog.js';
 
@@ -26,8 +26,19 @@ const FIELDS = [
  * @param {string} name of the frame
  */
 export function openTurnForm(root, store, path, name) {
-  const before = frameNumbers(store, path) ?? valueAt(store.doc, path);
-  let turn = turnOf(before);
+  const before = withNumbers(store, path) ?? {};
+  let turn = turnOfFrame(before, store.doc) ?? [1, 0, 0, 0, 1, 0, 0, 0, 1];
+  const kept = element('select', { class: 'cell', 'aria-label': 'form in the document' }, ...Object.entries(ROTATION_FORMS).map(([value, label]) => element('option', { value, selected: value === rotationForm(before) }, label)));
+  const order = element('select', { class: 'cell', 'aria-label': 'order of roll, pitch, yaw; capitals: about moving axes' }, ...ORDERS.map((value) => element('option', { value, selected: value === (before.order ?? 'xyz') }, value)));
+  const orderNote = element('small', {}, 'Small letters: about the fixed axes, one after the other; capitals: about the moving ones. xyz is URDF’s.');
+  const showOrder = () => {
+    order.hidden = orderNote.hidden = kept.value !== 'roll_pitch_yaw';
+    button.disabled = faulty !== null;
+  };
+  for (const select of [kept, order]) {
+    select.disabled = store.readonly;
+    select.addEventListener('change', showOrder);
+  }
   /** The field whose text is no turn. @type {ReturnType<typeof formField> | null} */
   let faulty = null;
   const angles = element('output', { class: 'turn-angles' });
@@ -56,7 +67,8 @@ export function openTurnForm(root, store, path, name) {
   /** @param {Form} [typed] the form that stays as it is typed */
   function show(typed) {
     for (const { form, control } of fields) if (form !== typed) control.value = writeTurn(form, turn);
-    const { longitude, latitude, roll } = typed ? anglesOf(turn, before) : { longitude: 0, latitude: 0, roll: 0, ...before };
+    const own = rotationForm(before) === 'angles' && store.doc.angles !== 'radians';
+    const { longitude, latitude, roll } = typed || !own ? anglesOf(turn, own ? before : undefined) : { longitude: 0, latitude: 0, roll: 0, ...before };
     setText(angles, `longitude ${longitude}°, latitude ${latitude}°, roll ${roll}°`.replaceAll('-', '−'));
   }
 
@@ -70,7 +82,8 @@ export function openTurnForm(root, store, path, name) {
   const { button } = openFormDialog(root, {
     title: `Turn of ${name}`,
     body: [
-      element('p', {}, 'In the tables: ', angles, ', which is Y(longitude) · X(−latitude) · Z(roll).'),
+      element('p', {}, 'As angles: ', angles, ', which is Y(longitude) · X(−latitude) · Z(roll).'),
+      element('div', { class: 'form-field' }, element('label', {}, 'The document gives it as ', kept, ' ', order), orderNote),
       ...fields.map((field) => field.root),
       told,
     ],
@@ -81,12 +94,14 @@ export function openTurnForm(root, store, path, name) {
         faulty.control.focus();
         return false;
       }
-      store.edit((doc) => setValue(doc, path, { ...withoutForms(valueAt(doc, path) ?? {}), ...frameAsWritten(doc, anglesOf(turn, before)) }));
+      const form = /** @type {import('../../core/rotation-forms.js').RotationForm} */ (kept.value);
+      store.edit((doc) => setValue(doc, path, frameWith(valueAt(doc, path), turn, doc, { form, order: order.value })));
       return true;
     },
   });
   // Until something is typed there is nothing to use.
   button.disabled = true;
+  order.hidden = orderNote.hidden = kept.value !== 'roll_pitch_yaw';
   show();
   fields[0].control.focus();
 }

@@ -1,14 +1,12 @@
 /**
  * The type of a chain as a text that can be typed: Enter applies it, Escape takes it back.
  */
+import { AXES_JOINTS } from '../../core/by-axes.js';
 import { setChainType } from '../../core/edits.js';
 import { chainType, isByAxes } from '../../core/joint-types.js';
 import { readType } from '../../core/type-letters.js';
 import { keyListener } from '../../ui/keys.js';
 import { html, live, nothing } from '../../ui/render.js';
-
-/** New joints have no axes. */
-const BY_AXES = 'This chain is given by the axes of its joints, which a type has not. Accepted: its own type; change its joints in its table.';
 
 /** @typedef {{text: string, of: string, fault: string}} Entry what is typed in place of the type `of`, and what is wrong with it */
 
@@ -36,12 +34,11 @@ export function createTypeField(store, defaults, draw) {
 
     /** @param {HTMLInputElement} field */
     function apply(field) {
-      const asked = readType(field.value);
-      const answer = !('fault' in asked) && isByAxes(store.doc.chains[chain]) && asked.letters.join('') !== type ? { fault: BY_AXES } : asked;
+      const answer = readType(field.value);
       if ('fault' in answer) entries.set(key, { text: field.value, of: type, fault: answer.fault });
       else {
         entries.delete(key);
-        store.edit((doc) => setChainType(doc, chain, answer.letters, defaults.joints));
+        store.edit((doc) => setChainType(doc, chain, answer.letters, isByAxes(doc.chains[chain]) ? AXES_JOINTS : defaults.joints));
       }
       draw();
       if (!('fault' in answer)) field.select();

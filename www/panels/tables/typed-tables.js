@@ -1,0 +1,5 @@
+/**
+ * Tables of what only some documents have, loaded together.
+ */
+export { createAxesTable } from './axes-table.js';
+export { rotationCell } from './rotation-cell.js';
