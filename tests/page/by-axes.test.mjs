@@ -9,8 +9,10 @@ import { entry } from '../../www/core/edits.js';
 import { ORDERS, frameWith, fromAngles, rotationForm, toAngles, turnOfFrame } from '../../www/core/rotation-forms.js';
 import { beginsElsewhere } from '../../www/core/standard-hint.js';
 import { stepOf } from '../../www/core/number-steps.js';
+import { createStore } from '../../www/core/store.js';
 import { turnedCopies } from '../../www/core/turned-copies.js';
 import { convertLengths } from '../../www/core/units.js';
+import { keyFrameTarget } from '../../www/view3d/hand/key-frame.js';
 
 const at = (path) => new URL(`../../www/${path}`, import.meta.url);
 const { initSync, Session } = await import(at('pkg/synthetica.js'));
@@ -146,7 +148,6 @@ test('the forms mean to the planner what they mean to the page', () => {
 
 test('a number slides by steps of its kind', () => {
   const doc = { angles: 'radians', chains: [{ joints: [{ type: 'R', point: [350, 0, 0], axis: [0, 0, 1] }] }], motion: { key_frames: [{ roll_pitch_yaw: [0, 0, 1] }] } };
-  assert.equal(stepOf(doc, 'chains[0].joints[0].point[1]', 0), 1);
   assert.equal(stepOf(doc, 'chains[0].joints[0].axis[2]', 1), 0.1);
   assert.equal(stepOf(doc, 'motion.key_frames[0].roll_pitch_yaw[2]', 1), 0.01);
   assert.equal(stepOf({ ...doc, angles: 'degrees' }, 'motion.key_frames[0].roll_pitch_yaw[2]', 1), 1);
@@ -169,4 +170,23 @@ test('angles are converted to radians and back, or only read anew', () => {
   for (const part of [{ base: { longitude: 'tilt' } }, { base: { x: 'r*cos(30)' } }]) {
     assert.match(convertAngles({ ...doc, chains: [{ ...doc.chains[0], ...part }] }, 'radians').fault, /tilt|cos/);
   }
+});
+
+test('a key frame that is turned by hand keeps its form', async () => {
+  const key = { x: 1, y: 0, z: 0, quaternion_wxyz: [1, 0, 0, 0] };
+  const doc = { version: 1, chains: [], motion: { key_frames: [key, { x: 2 }] } };
+  const plain = { ...doc, motion: { key_frames: [{ x: 1, y: 0, z: 0, longitude: 0, latitude: 0, roll: 0 }, { x: 2 }] } };
+  const store = createStore(doc);
+  store.setResult({ doc, plain });
+  const target = keyFrameTarget({ store, player: {}, say: () => {} }, 0, () => 1);
+  await new Promise((resolve) => setTimeout(resolve, 50));
+  target.begin('nudge');
+  for (const angle of [Math.PI / 6, Math.PI / 3]) {
+    target.to([1, 0, 0, 0, 0, Math.sin(angle), Math.cos(angle)], true);
+    const now = store.doc.motion.key_frames[0];
+    assert.deepEqual(Object.keys(now).sort(), ['quaternion_wxyz', 'x', 'y', 'z']);
+    assert.ok(farthest(now.quaternion_wxyz, [Math.cos(angle), 0, 0, Math.sin(angle)]) < 1e-4, JSON.stringify(now));
+  }
+  target.cancel();
+  assert.deepEqual(store.doc.motion.key_frames[0], key);
 });

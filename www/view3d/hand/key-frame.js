@@ -21,6 +21,9 @@ import { ANGLE_DIGITS, lengthDigits, rounded } from './steps.js';
 const LENGTHS = /** @type {const} */ (['x', 'y', 'z']);
 const ANGLES = /** @type {const} */ (['longitude', 'latitude', 'roll']);
 
+/** Turns are written in another form when a key frame has one. @type {typeof import('../../core/rotation-forms.js') | null} */
+let forms = null;
+
 let drags = 0;
 
 /**
@@ -33,7 +36,13 @@ export function keyFrameTarget({ store, player, say }, index, size) {
   const path = `motion.key_frames[${index}]`;
   const key = () => store.doc.motion.key_frames[index];
   /** Text that has no value would count as 0, and be lost with the next move: then there are none. */
-  const numbers = () => frameNumbers(store, path);
+  const numbers = () => (held?.key === key() ? held.numbers : frameNumbers(store, path));
+  /** What the hand made of a key frame in another form, whose numbers are known only when it is planned. @type {{key: object, numbers: NonNullable<ReturnType<typeof frameNumbers>>} | null} */
+  let held = null;
+  if (!forms && key() && withoutForms(key()) !== key()) {
+    // Until it is there, and where it cannot be loaded, the turn is written as angles.
+    import('../../core/rotation-forms.js').then((part) => (forms = part), () => {});
+  }
   /** Edits with one mark are one step of undo. */
   let mark = '';
   let before = key();
@@ -78,6 +87,14 @@ export function keyFrameTarget({ store, player, say }, index, size) {
       const digits = turned ? ANGLE_DIGITS : lengthDigits(size());
       const moved = Object.fromEntries(coordinates.flatMap((name) => (value(name, digits) === null ? [] : [[name, value(name, digits)]])));
       const isForm = turned && withoutForms(written) !== written;
+      if (isForm && forms) {
+        const { frameWith, turnOfFrame } = forms;
+        const fresh = { ...found, ...moved, x: old.x, y: old.y, z: old.z };
+        const turn = /** @type {number[]} */ (turnOfFrame(fresh, {}));
+        store.edit((doc) => setValue(doc, path, frameWith(written, turn, doc)), mark);
+        held = { key: key(), numbers: fresh };
+        return;
+      }
       // In another form all of the turn is written anew.
       const change = frameAsWritten(store.doc, isForm ? { ...found, ...moved, x: written.x, y: written.y, z: written.z } : moved);
       const gone = Object.keys(change).filter((name) => typeof written[/** @type {'x'} */ (name)] === 'string' && change[/** @type {'x'} */ (name)] !== written[/** @type {'x'} */ (name)]);
