@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { after, afterEach, before, test } from 'node:test';
+import { violations } from './axe.mjs';
 import { cell, doTo, faultBeside, noFault, openBrowser, openSample } from './browser.mjs';
 
 const PHONE = { viewport: { width: 390, height: 844 }, isMobile: true, hasTouch: true };
@@ -86,6 +87,7 @@ test('a four-bar is pasted and typed by its axes, and plans; what is wrong is to
   assert.match(await faultBeside(page, 'chains[1].joints[1].axis[2]'), /no length/);
   await page.getByRole('button', { name: 'Direction along z, joint 2' }).click();
   await noFault(page);
+  assert.deepEqual(await violations(page), []);
   await doTo(page, 'chain 2', 'Show the rows…');
   await page.locator('dialog .shown-rows').first().waitFor();
   assert.equal(await page.locator('dialog .shown-rows').first().locator('tbody tr').count(), 2);
@@ -96,7 +98,7 @@ test('the point of a joint is picked in the view', async () => {
   const page = await openPage();
   await open(page, crank);
   await cell(page, 'chains[0].joints[0].point[0]').fill('7');
-  await page.getByRole('button', { name: 'Pick the point in the view, joint 1' }).click();
+  await page.getByRole('button', { name: 'Pick point in the view, joint 1' }).click();
   await page.locator('#canvas.picking').waitFor();
   const canvas = page.locator('#canvas');
   const { width, height } = await canvas.boundingBox();
@@ -142,6 +144,7 @@ test('a table that was copied in the other convention is noticed, and switched b
   const before = await poses(page);
   await cell(page, 'chains[0].convention').click();
   await page.locator('dialog .shown-rows').nth(1).waitFor();
+  assert.deepEqual(await violations(page), []);
   await page.getByLabel('Convert the numbers').check();
   await page.getByRole('button', { name: 'Switch', exact: true }).click();
   await page.waitForFunction(() => /modified/.test(page$('[data-path="chains[0].convention"]').textContent));
@@ -190,4 +193,5 @@ test('a key frame gives its rotation as a quaternion, and keeps it so, also on a
   await cell(page, 'chains[0].joints[0].axis[2]').press('Tab');
   assert.deepEqual((await docOf(page)).chains[0].joints[0].axis, [0, 0, -1]);
   assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
+  assert.deepEqual(await violations(page), []);
 });

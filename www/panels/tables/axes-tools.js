@@ -93,7 +93,7 @@ export function createAxesTools(view, draw) {
         html`<button class="quiet" aria-label=${`${label}, ${name}`} title=${label} @pointerdown=${stay} @click=${act}>${text}</button>`;
       return html`<div class="axes-tools" role="group" aria-label=${`Point and direction of ${name}`}>
         <span>${name}:</span>
-        ${scene ? button(picking ? 'stop picking' : 'pick point', 'Pick the point in the view', () => (picking ? picking.abort() : pick('point', chain))) : nothing}
+        ${scene ? button(picking ? 'stop picking' : 'pick point', picking ? 'Stop picking in the view' : 'Pick point in the view', () => (picking ? picking.abort() : pick('point', chain))) : nothing}
         <span>${field === 'second' ? 'second' : 'direction'} along</span>
         ${Object.entries(AXES).map(([axis, direction]) => button(axis, `Direction along ${axis}`, () => edit((doc) => setValue(doc, `${active}.${field}`, [...direction]))))}
         ${scene ? button('line to…', 'Direction along the line to a second point, picked in the view', () => pick('direction', chain)) : nothing}

@@ -20,7 +20,7 @@ export function rowsTable(chain, title, doc) {
   const columns = /** @type {const} */ ([['alpha', 'α', sign], ['a', 'a', ''], ['theta', 'θ', sign], ['d', 'd', '']]);
   const text = (/** @type {unknown} */ value, /** @type {boolean} */ isAngle) => (typeof value === 'number' ? short(value, isAngle ? decimals : undefined) : String(value ?? 0));
   const rows = chain.joints.flatMap(({ type, rows: own = [] }) =>
-    own.map((row, r) => element('tr', {}, element('th', { scope: 'row' }, r ? '' : type), ...columns.map(([name, , unit]) => element('td', {}, text(row[name], unit !== ''))))),
+    own.map((row, r) => element('tr', {}, r ? element('td') : element('th', { scope: 'row' }, type), ...columns.map(([name, , unit]) => element('td', {}, text(row[name], unit !== ''))))),
   );
   const table = element(
     'table',
