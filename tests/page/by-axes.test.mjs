@@ -189,4 +189,6 @@ test('a key frame that is turned by hand keeps its form', async () => {
   }
   target.cancel();
   assert.deepEqual(store.doc.motion.key_frames[0], key);
+  // One that is no more.
+  assert.equal(keyFrameTarget({ store, player: {}, say: () => {} }, 7, () => 1).pose(), null);
 });

@@ -36,7 +36,7 @@ export function keyFrameTarget({ store, player, say }, index, size) {
   const path = `motion.key_frames[${index}]`;
   const key = () => store.doc.motion.key_frames[index];
   /** Text that has no value would count as 0, and be lost with the next move: then there are none. */
-  const numbers = () => (held?.key === key() ? held.numbers : frameNumbers(store, path));
+  const numbers = () => (held && held.key === key() ? held.numbers : frameNumbers(store, path));
   /** What the hand made of a key frame in another form, whose numbers are known only when it is planned. @type {{key: object, numbers: NonNullable<ReturnType<typeof frameNumbers>>} | null} */
   let held = null;
   if (!forms && key() && withoutForms(key()) !== key()) {
