@@ -1,7 +1,8 @@
 /**
  * The examples in their groups, each with its picture. Arrow keys go through them, Enter opens one.
  */
-import { sampleText, samples } from '../core/samples.js';
+import index from '../mechanisms/index.json';
+import { sampleText } from '../core/samples.js';
 import { inGroups } from '../core/mechanism-groups.js';
 import { plural } from '../core/format.js';
 import { element } from '../ui/dom.js';
@@ -14,7 +15,7 @@ const pictures = import.meta.glob('../thumbnails/*.webp', { query: '?url&no-inli
 
 /** @param {import('../element/workbench.js').App} app */
 export function openGallery({ store, open, say }) {
-  const groups = inGroups(samples).map(({ heading, members }, index) => {
+  const groups = inGroups(index).map(({ heading, members }, index) => {
     const title = element('h3', { id: `examples-${index}` }, heading);
     return element('section', {}, title, element('div', { class: 'cards', role: 'group', 'aria-labelledby': title.id }, ...members.map(cardOf)));
   });

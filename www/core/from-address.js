@@ -3,7 +3,7 @@
  */
 import { loaded } from '../ui/lazy.js';
 import { reason } from './open.js';
-import { sampleOf, sampleText, samples } from './samples.js';
+import { FIRST, sampleOf, sampleText } from './samples.js';
 
 /**
  * @param {ReturnType<typeof import('./address.js').readAddress>} asked
@@ -16,9 +16,9 @@ export async function answerTo({ payload, sample, sets }, linkage) {
   const { whole } = linkage;
   /** @type {string[]} */
   const problems = [];
-  let found = samples[0];
+  let found = FIRST;
   try {
-    if (sample !== null) found = sampleOf(sample);
+    if (sample !== null) found = await sampleOf(sample);
   } catch (error) {
     problems.push(reason(error));
   }

@@ -1,7 +1,6 @@
 /**
- * The sample documents, in the order of their index; their texts are loaded when they are asked for.
+ * The sample documents. What is said of them and their texts are loaded when they are asked for.
  */
-import index from '../mechanisms/index.json';
 import { Refusal } from './refusal.js';
 
 const texts = /** @type {Record<string, () => Promise<string>>} */ (
@@ -10,21 +9,27 @@ const texts = /** @type {Record<string, () => Promise<string>>} */ (
 
 /** @typedef {{file: string, title: string, line: string, mobility: number, group: string}} Sample `group` as in mechanism-groups.js */
 
-/** @type {Sample[]} */
-export const samples = index;
+/** What a page opens with. */
+export const FIRST = { file: '3rps.json' };
 
-/** @param {Sample} sample @returns {Promise<string>} */
+/** All, in the order of their index. @returns {Promise<Sample[]>} */
+export const samples = async () => (await import('../mechanisms/index.json')).default;
+
+/** @param {{file: string}} sample @returns {Promise<string>} */
 export const sampleText = ({ file }) => texts[`../mechanisms/${file}`]();
 
-/** By its file, with or without its ending, or by its title. @param {string} name @returns {Sample | undefined} */
-export function findSample(name) {
+/** By its file, with or without its ending, or by its title. @param {string} name @returns {Promise<{file: string} | undefined>} */
+export async function findSample(name) {
   const wanted = name.trim().toLowerCase();
-  return samples.find(({ file, title }) => [file, file.replace('.json', ''), title.toLowerCase()].includes(wanted));
+  const file = `${wanted.replace(/\.json$/, '')}.json`;
+  // What is asked for by its file needs no index.
+  if (`../mechanisms/${file}` in texts) return { file };
+  return (await samples()).find(({ title }) => title.toLowerCase() === wanted);
 }
 
-/** @param {string} name @returns {Sample} */
-export function sampleOf(name) {
-  const found = findSample(name);
-  if (!found) throw new Refusal(`There is no sample “${name}”. Accepted: ${samples.map(({ file }) => file).join(', ')}.`);
+/** @param {string} name @returns {Promise<{file: string}>} */
+export async function sampleOf(name) {
+  const found = await findSample(name);
+  if (!found) throw new Refusal(`There is no sample “${name}”. Accepted: ${(await samples()).map(({ file }) => file).join(', ')}.`);
   return found;
 }

@@ -15,7 +15,7 @@ export async function findDocument(element, assemble) {
   const inside = element.querySelector(':scope > script[type="application/json"]');
   if (inside) return { text: inside.textContent ?? '', title: '' };
   if (!type) return null;
-  const sample = findSample(type);
+  const sample = await findSample(type);
   if (sample) return { text: await sampleText(sample), title: sample.file };
   const made = await assemble(type);
   if (made.is === 'fault') throw new Refusal(made.message);

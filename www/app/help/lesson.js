@@ -60,10 +60,7 @@ export function showLesson(app, lesson) {
   /** What a button does, by its attributes. @type {Record<string, (data: DOMStringMap) => void | Promise<unknown>>} */
   const acts = {
     restart: () => app.open(lesson.doc),
-    sample({ sample }) {
-      const wanted = sampleOf(sample ?? '');
-      withPart(app, 'The example', () => sampleText(wanted), app.open);
-    },
+    sample: ({ sample }) => void withPart(app, 'The example', async () => sampleText(await sampleOf(sample ?? '')), app.open),
     play: () => player.play(),
     worst: () => {
       player.pause();
