@@ -3,6 +3,7 @@
  *
  * @typedef {import('./types.js').MechanismDocument} MechanismDocument
  */
+import { keyFramesOf } from './key-frames.js';
 import { length, short } from './format.js';
 import { chainVariables } from './joint-types.js';
 import { valueAt } from './path.js';
@@ -21,10 +22,11 @@ const SHARE = 1 / 100;
 const powerOfTen = (value) => Number((10 ** Math.floor(Math.log10(value))).toPrecision(1));
 
 /** The largest length among the links, frames and key frames; 1 where there is none. @param {MechanismDocument} doc */
-export function sizeOf({ chains, motion }) {
+export function sizeOf(doc) {
+  const { chains } = doc;
   /** @param {object | undefined} part @param {string[]} names */
   const numbers = (part, names) => names.map((name) => Math.abs(Number(/** @type {any} */ (part)?.[name]) || 0));
-  const frames = [...chains.flatMap(({ base, gripper }) => [base, gripper]), ...motion.key_frames];
+  const frames = [...chains.flatMap(({ base, gripper }) => [base, gripper]), ...keyFramesOf(doc)];
   const rows = chains.flatMap(({ joints }) => joints.flatMap(({ rows: own }) => own ?? []));
   const lengths = [...frames.flatMap((frame) => numbers(frame, ['x', 'y', 'z'])), ...rows.flatMap((row) => numbers(row, ['a', 'd']))];
   return lengths.reduce((most, length) => Math.max(most, length), 0) || 1;

@@ -2,6 +2,7 @@
  * Blocks of cells as in a spreadsheet: pasting one fills the cells from where one is; Shift with the arrows or a click
  * chooses one, to be copied in whole numbers or cleared. Each is one step of undo.
  */
+import { keyFramesOf } from '../../core/key-frames.js';
 import { blockText, parseBlock } from './block-text.js';
 import { entry } from '../../core/edits.js';
 import { addKeyFrame, setTimes } from '../../core/key-frame-edits.js';
@@ -70,7 +71,7 @@ export function gridBlock(root, store, cells, say) {
   /** The document with more key frames, each like the last, for a pasted block to be written into. @param {MechanismDocument} doc @param {number} more */
   function withMoreKeys(doc, more) {
     let next = doc;
-    for (let i = 0; i < more; i++) next = addKeyFrame(next, next.motion.key_frames[next.motion.key_frames.length - 1]);
+    for (let i = 0; i < more; i++) next = addKeyFrame(next, keyFramesOf(next)[keyFramesOf(next).length - 1]);
     return next;
   }
 
@@ -103,7 +104,7 @@ export function gridBlock(root, store, cells, say) {
     const place = (/** @type {import('./paste.js').Pasted} */ { row, column }) =>
       at.rows[row]?.[column].dataset.path ?? (own[column].dataset.path ?? '').replace(/\[\d+\]/, `[${row}]`);
     // Only a part of many rows is in the table.
-    if (path.startsWith(KEY_FRAMES) && (plan.more > MOST_ROWS || (plan.more > 0 && store.doc.motion.key_frames.length > at.rows.length))) {
+    if (path.startsWith(KEY_FRAMES) && (plan.more > MOST_ROWS || (plan.more > 0 && keyFramesOf(store.doc).length > at.rows.length))) {
       say(`The pasted block has ${plural(plan.rows, 'row')}, and from this cell on there is room for ${at.rows.length - at.row} in the table. Nothing was written: use From a table…, below the key frames.`);
       return;
     }

@@ -4,6 +4,7 @@
  * @typedef {import('../../core/store.js').Store} Store
  * @typedef {import('../../core/types.js').Defaults} Defaults
  */
+import { keyFramesOf } from '../../core/key-frames.js';
 import * as edits from '../../core/edits.js';
 import { addKeyFrame, duplicateKeyFrame, removeKeyFrame, setTime } from '../../core/key-frame-edits.js';
 import { lengthUnit, plural } from '../../core/format.js';
@@ -36,7 +37,7 @@ export function createMotionTables(panel, store, cells, defaults, arrange, { goT
   let first = 0;
 
   function keyTable() {
-    const keys = store.doc.motion.key_frames;
+    const keys = keyFramesOf(store.doc);
     first = pageWith(keys.length, first);
     const page = keys.slice(first, first + PAGE);
     const places = rowKeys(page);
@@ -99,7 +100,7 @@ export function createMotionTables(panel, store, cells, defaults, arrange, { goT
 
   /** @param {number} key that is on the page then */
   function turnTo(key) {
-    const next = pageWith(store.doc.motion.key_frames.length, key);
+    const next = pageWith(keyFramesOf(store.doc).length, key);
     if (next === first) return;
     first = next;
     draw();
@@ -148,7 +149,7 @@ export function createMotionTables(panel, store, cells, defaults, arrange, { goT
 
   function draw() {
     renderRows(
-      html`<div class="title"><h2>Key frames</h2><span>${plural(store.doc.motion.key_frames.length, 'pose')}</span></div>
+      html`<div class="title"><h2>Key frames</h2><span>${plural(keyFramesOf(store.doc).length, 'pose')}</span></div>
         ${keyTable()}
         <div class="adders">
           <button class="wide" title="A key frame where the workpiece is now" @click=${() => addShown('pose')}>+ at the shown pose</button>
@@ -174,19 +175,20 @@ export function createMotionTables(panel, store, cells, defaults, arrange, { goT
 
   /** @param {number} key */
   function takeShown(key) {
-    const { time, name } = store.doc.motion.key_frames[key];
+    const { time, name } = keyFramesOf(store.doc)[key];
     const frame = shownFrame(store, 'pose');
     if (frame) store.edit((doc) => edits.setValue(doc, `motion.key_frames[${key}]`, { name, ...frame, ...(time === undefined ? {} : { time }) }));
   }
 
   /** A new key frame begins where the last one is, so that it can be seen and moved from there. */
   function lastKey() {
-    const { time: _, ...last } = store.doc.motion.key_frames.at(-1) ?? defaults.key_frame;
+    const { time: _, ...last } = keyFramesOf(store.doc).at(-1) ?? defaults.key_frame;
     return last;
   }
 }
 
 /** The mean of the key frames' positions; what is no number counts as 0, and is at fault. @param {import('../../core/types.js').MechanismDocument} doc */
-function meanPosition({ motion: { key_frames: keys } }) {
+function meanPosition(doc) {
+  const keys = keyFramesOf(doc);
   return /** @type {const} */ (['x', 'y', 'z']).map((axis) => keys.reduce((sum, key) => sum + (Number(key[axis]) || 0), 0) / keys.length);
 }
