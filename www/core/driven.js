@@ -26,6 +26,10 @@ export function drivenVariables({ report }) {
 /** A variable's label with its number below: θ₁. @param {string} label */
 export const subscript = (label) => label.replace(/\d/g, (digit) => '₀₁₂₃₄₅₆₇₈₉'[Number(digit)]);
 
+/** Which driver drives a variable, all counted from 0; −1 for none. @param {MechanismDocument} doc @param {{chain: number, joint: number, freedom: number}} variable */
+export const driverIndex = ({ motion: { drivers = [] } }, { chain, joint, freedom }) =>
+  drivers.findIndex((one) => Number(one.chain) === chain + 1 && Number(one.joint) === joint + 1 && Number(one.freedom ?? 1) === freedom + 1);
+
 /** What a driver drives: "θ₁ of crank"; what there is not is at fault, and is called by its number. @param {MechanismDocument} doc @param {import('./types.js').Driver} driver */
 export function driverName(doc, { chain, joint, freedom = 1 }) {
   const at = Number(chain) - 1;

@@ -32,14 +32,22 @@ export function sizeOf(doc) {
   return lengths.reduce((most, length) => Math.max(most, length), 0) || 1;
 }
 
-/** What a start value or a limit is of: `theta` or `d`. @param {MechanismDocument} doc @param {string} path */
+/** What a start value, a limit or a driver's value is of: `theta` or `d`. @param {MechanismDocument} doc @param {string} path */
 function variableAt(doc, path) {
   const start = /^chains\[(\d+)\]\.start\[(\d+)\]$/.exec(path);
   const limit = /^chains\[(\d+)\]\.joints\[(\d+)\]\.limits\[(\d+)\]/.exec(path);
+  const driver = /^motion\.drivers\[(\d+)\]\.values\[\d+\]\.value$/.exec(path);
+  if (driver) return drivenBy(doc, valueAt(doc, `motion.drivers[${driver[1]}]`));
   const [, chain, first, second] = start ?? limit ?? [];
   if (chain === undefined) return undefined;
   const all = chainVariables(valueAt(doc, `chains[${chain}]`));
   return start ? all[Number(first)]?.variable : all.find(({ joint, freedom }) => joint === Number(first) && freedom === Number(second))?.variable;
+}
+
+/** What a driver's values are of. @param {MechanismDocument} doc @param {import('./types.js').Driver} driver */
+function drivenBy(doc, { chain, joint, freedom = 1 }) {
+  const own = doc.chains[Number(chain) - 1];
+  return own && chainVariables(own).find((one) => one.joint === Number(joint) - 1 && one.freedom === Number(freedom) - 1)?.variable;
 }
 
 /** @param {MechanismDocument} doc @param {string} path of a number */

@@ -1,5 +1,5 @@
 /**
- * The goal motion and the planner's settings as tables.
+ * The motion, by key frames or by driven joints, and the planner's settings as tables.
  *
  * @typedef {import('../../core/store.js').Store} Store
  * @typedef {import('../../core/types.js').Defaults} Defaults
@@ -9,7 +9,8 @@ import * as edits from '../../core/edits.js';
 import { addKeyFrame, duplicateKeyFrame, removeKeyFrame, setTime } from '../../core/key-frame-edits.js';
 import { lengthUnit, plural } from '../../core/format.js';
 import { keyFrameIn, PAGE, pageWith } from '../../core/row-window.js';
-import { html, nothing, renderRows, repeat } from '../../ui/render.js';
+import { hasDrivers } from '../../core/driven.js';
+import { html, live, nothing, renderRows, repeat } from '../../ui/render.js';
 import { shownFrame } from '../../core/shown-frame.js';
 import { coordinateCells, coordinateHeads } from './frame-table.js';
 import { createMetricComparison } from './metric-comparison.js';
@@ -145,10 +146,43 @@ export function createMotionTables(panel, store, cells, defaults, arrange, { goT
     </div>`;
   }
 
+  /** The tables of driven joints, once they are asked for. @type {(() => unknown) | null} */
+  let driverTable = null;
+  let asking = false;
+
+  function driverTables() {
+    if (driverTable) return driverTable();
+    if (!asking) {
+      asking = true;
+      forms.driverTable(cells, (made) => {
+        driverTable = made;
+        if (hasDrivers(store.doc)) draw();
+      }).finally(() => (asking = false));
+    }
+    return html`<p class="muted">Loading …</p>`;
+  }
+
+  /** By what the motion is given. */
+  function kindChoice() {
+    const driven = hasDrivers(store.doc);
+    const choice = (/** @type {string} */ text, /** @type {boolean} */ on) =>
+      html`<label><input type="radio" name="motion-kind" .checked=${live(on === driven)} ?disabled=${store.readonly} @change=${() => forms.drive(on)} />${text}</label>`;
+    return html`<div class="motion-kind" role="radiogroup" aria-label="The motion is given by">${choice('Key frames', false)}${choice('Driven joints', true)}</div>`;
+  }
+
   const comparison = createMetricComparison(store, compareMetrics);
 
   function draw() {
     renderRows(
+      html`${kindChoice()}${hasDrivers(store.doc) ? driverTables() : keyFrameTables()}
+        <div class="title"><h2>Planner</h2></div>
+        ${plannerSettings(store, cells, defaults)}${comparison}`,
+      panel,
+    );
+  }
+
+  /** The key frames, and how the goal goes from one to the next. */
+  const keyFrameTables = () =>
       html`<div class="title"><h2>Key frames</h2><span>${plural(keyFramesOf(store.doc).length, 'pose')}</span></div>
         ${keyTable()}
         <div class="adders">
@@ -158,12 +192,7 @@ export function createMotionTables(panel, store, cells, defaults, arrange, { goT
           <button class="wide" title="A copy of the last key frame, to be changed" @click=${() => store.edit((doc) => addKeyFrame(doc, lastKey()))}>+ like the last</button>
         </div>
         <div class="title"><h2>Goal motion</h2></div>
-        ${goalSettings()}
-        <div class="title"><h2>Planner</h2></div>
-        ${plannerSettings(store, cells, defaults)}${comparison}`,
-      panel,
-    );
-  }
+        ${goalSettings()}`;
 
   return { draw, reveal };
 
