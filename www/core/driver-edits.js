@@ -128,11 +128,11 @@ const kept = new WeakMap();
 /** @param {import('./store.js').Store} store */
 const keep = (store) => kept.set(store.origin, { ...kept.get(store.origin), ...(hasDrivers(store.doc) ? { drivers: store.doc.motion.drivers } : { key_frames: keyFramesOf(store.doc) }) });
 
-/** What the motion goes back to, in words; empty where nothing is kept. @param {import('./store.js').Store} store */
+/** What is kept of the other kind of motion, in words; empty where nothing is kept. @param {import('./store.js').Store} store */
 export function keptWords(store) {
   const other = kept.get(store.origin);
-  const what = hasDrivers(store.doc) ? other?.key_frames && plural(other.key_frames.length, 'key frame') : other?.drivers && plural(other.drivers.length, 'driven joint');
-  return what ? `${what} kept until another linkage is opened.` : '';
+  const [list, name] = hasDrivers(store.doc) ? [other?.key_frames, 'key frame'] : [other?.drivers, 'driven joint'];
+  return list?.length ? `${plural(list.length, name)} ${list.length === 1 ? 'is' : 'are'} kept until another linkage is opened.` : '';
 }
 
 /** The motion by driven joints in place of key frames: those of before, else the first joint. @param {Parts} parts */
@@ -143,7 +143,7 @@ export function goToDrivers({ store, say }) {
   const drivers = kept.get(store.origin)?.drivers ?? [freshDriver(store, first)];
   keep(store);
   store.edit((doc) => withDrivers(doc, drivers));
-  sayUndo({ store, say }, former, `Joints are driven: ${keptWords(store)}`);
+  sayUndo({ store, say }, former, `Joints are driven. ${keptWords(store)}`.trim());
 }
 
 /** The motion by key frames in place of driven joints: those of before, else poses of the motion that is shown. @param {Parts} parts */
@@ -154,7 +154,7 @@ export function goToKeyFrames({ store, say }) {
   const keys = before?.length ? before : posesShown(store);
   keep(store);
   store.edit((doc) => withKeyFrames(doc, keys));
-  sayUndo({ store, say }, former, `The motion has key frames: ${keptWords(store)}`);
+  sayUndo({ store, say }, former, `The motion has key frames. ${keptWords(store)}`.trim());
 }
 
 /** First, middle and last pose of the motion, as key frames. @param {Shown} store @returns {import('./types.js').KeyFrame[]} */

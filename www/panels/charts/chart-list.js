@@ -87,7 +87,7 @@ function drivenCharts(motion, length) {
     unit,
     values: Float64Array.from({ length: motion.frames }, (_, frame) => inUnit(motion.joints[frame * width + index], unit)),
   }));
-  return byKind(series, length).map(({ kind, ...rest }) => ({ id: `driven ${kind}`, group: 'driven', title: `${GROUPS.driven}, ${kind}`, ...rest }));
+  return byKind(series, length).map(({ kind, ...rest }) => ({ id: `driven ${kind}`, group: 'driven', title: rest.series.length === 1 ? `Driven joint, ${rest.series[0].name}` : `${GROUPS.driven}, ${kind}`, ...rest }));
 }
 
 /** The way of the workpiece, in the fixed frame. @param {Motion} motion @param {string} length @returns {Chart} */
