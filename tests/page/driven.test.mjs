@@ -4,6 +4,7 @@ import { test } from 'node:test';
 import {
   addValue, drivable, driveJoint, freshDriver, freshRange, fullTurn, goToDrivers, goToKeyFrames, removeValue,
 } from '../../www/core/driver-edits.js';
+import * as edits from '../../www/core/edits.js';
 import { driverName, drivenWords, driveReasons, drivesJoints } from '../../www/core/driven.js';
 import { createKeeper } from '../../www/app/files/browser-storage.js';
 import { kindOf } from '../../www/core/number-steps.js';
@@ -170,4 +171,23 @@ test('one joint more is driven, each of them once', () => {
   assert.equal(driverName(store.doc, store.doc.motion.drivers[1]), 'd₂ of arm');
   assert.match(said.at(-1), /^d₂ of arm is driven from −20 mm to 60 mm/);
   assert.equal(driverName(store.doc, { chain: 9, joint: 1, values: [] }), 'joint 1 of chain 9', 'what there is not is at fault, and has a name');
+});
+
+test('drivers keep their joints where chains and joints change places, and go with them', () => {
+  const R = { type: 'R', rows: [{}] };
+  const [P, C] = [{ type: 'P', rows: [{}] }, { type: 'C', rows: [{}] }];
+  const driver = (chain, joint) => ({ chain, joint, values: [{ time: 0, value: 0 }, { time: 1, value: 1 }] });
+  // The same new joint twice, as the page inserts it.
+  const doc = { version: 1, chains: [{ joints: [R, R, P] }, { joints: [C, P] }], motion: { drivers: [driver(1, 2), driver(2, 1)] } };
+  const drives = (next) => next.motion.drivers.map(({ chain, joint }) => `${chain}.${joint}`);
+  assert.deepEqual(drives(edits.moveChain(doc, 0, 1)), ['2.2', '1.1']);
+  assert.deepEqual(drives(edits.duplicateChain(doc, 0)), ['1.2', '3.1']);
+  assert.deepEqual(drives(edits.removeChain(doc, 0)), ['1.1']);
+  assert.deepEqual(drives(edits.insertJoint(doc, 0, 0, C)), ['1.3', '2.1']);
+  assert.deepEqual(drives(edits.moveJoint(doc, 1, 0, 1)), ['1.2', '2.2']);
+  assert.deepEqual(drives(edits.removeJoint(doc, 1, 0)), ['1.2']);
+  assert.deepEqual(drives(edits.setJoint(doc, 1, 0, R)), ['1.2', '2.1'], 'another type in the same place');
+  const last = { ...doc, motion: { drivers: [driver(1, 2)] } };
+  assert.deepEqual(drives(edits.removeChain(last, 0)), ['1.2'], 'the last driver stays, to be given another joint');
+  assert.equal(edits.moveChain({ ...doc, motion: { key_frames: [] } }, 0, 1).motion.drivers, undefined);
 });

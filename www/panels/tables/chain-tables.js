@@ -50,7 +50,7 @@ export function createChainTables(panel, store, cells, defaults, arrange, findSt
   let axesTable;
   const axes = () => {
     const parts = typed.get();
-    return (axesTable ??= parts?.createAxesTable(store, cells, arrange, view, typed, draw));
+    return (axesTable ??= parts?.createAxesTable(store, cells, arrange, view, typed, draw, forms));
   };
 
   /** @param {number} chain */
