@@ -125,6 +125,8 @@ test('a rocker comes to its dead point: where, and why', async () => {
   await page.locator('#why').filter({ hasText: 'What stops the drivers' }).filter({ hasText: 'a dead point is met' }).waitFor();
   assert.match(await text(page, 'frame-meaning'), /driven joints cannot have their values here/);
   assert.match(await text(page, 'motion-summary'), /\d+ reached, \d+ stalled/);
+  // What is spoken comes a moment later.
+  await page.locator('#live').filter({ hasText: 'stalled' }).waitFor({ state: 'attached' });
   assert.doesNotMatch(await told(page), /goal|gap|closest|metric|gradient/i);
   assert.deepEqual(await holes(page), []);
 });
