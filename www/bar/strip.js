@@ -1,9 +1,11 @@
 /**
- * The strip of the animation bar: the gap of every frame as a curve and its status as a band; of a motion that was stopped
+ * The strip of the animation bar: the gap of every frame as a curve, where there is a goal, and its status as a band; of a motion that was stopped
  * the frames that are not planned are left open.
  *
  * @typedef {import('../core/types.js').Motion} Motion
  */
+import { drivesJoints } from '../core/driven.js';
+
 const SVG = 'http://www.w3.org/2000/svg';
 const HEIGHT = 24;
 const BAND = 4;
@@ -21,21 +23,10 @@ export function drawStrip(svg, motion) {
   svg.setAttribute('viewBox', `0 0 ${last} ${HEIGHT}`);
   svg.replaceChildren();
 
-  const gaps = stripGaps(motion);
-  const highest = gaps.reduce((most, gap) => Math.max(most, gap), 0);
-  const top = HEIGHT - BAND - 2;
-  let path = `M0 ${top}`;
-  // Of a long motion the largest gap of each piece.
-  const piece = Math.ceil(motion.frames / PIECES);
-  for (let first = 0; first < motion.frames; first += piece) {
-    let at = first;
-    for (let frame = first; frame < Math.min(motion.frames, first + piece); frame++) if (gaps[frame] > gaps[at]) at = frame;
-    const share = highest > 0 ? gaps[at] / highest : 0;
-    path += `L${at} ${(top - share * (top - 1)).toFixed(2)}`;
-  }
-  add(svg, 'path', { d: `${path}L${motion.frames - 1} ${top}Z`, class: 'gap' });
+  if (!drivesJoints(motion)) drawGaps(svg, motion);
   if (motion.partial) add(svg, 'path', { d: `M${motion.frames - 0.5} ${HEIGHT - BAND / 2}H${last}`, class: 'unplanned' });
 
+  const piece = pieceOf(motion);
   // One rectangle a run of equal status, half a frame to either side of its frames; of a long motion the worst of each piece.
   const worst = (/** @type {number} */ first) => motion.status.subarray(first, first + piece).reduce((most, code) => Math.max(most, code), 0);
   for (let first = 0; first < motion.frames; ) {
@@ -55,6 +46,26 @@ export function drawStrip(svg, motion) {
     first = end + 1;
   }
 }
+
+/** @param {SVGSVGElement} svg @param {Motion} motion */
+function drawGaps(svg, motion) {
+  const gaps = stripGaps(motion);
+  const highest = gaps.reduce((most, gap) => Math.max(most, gap), 0);
+  const top = HEIGHT - BAND - 2;
+  let path = `M0 ${top}`;
+  // Of a long motion the largest gap of each piece.
+  const piece = pieceOf(motion);
+  for (let first = 0; first < motion.frames; first += piece) {
+    let at = first;
+    for (let frame = first; frame < Math.min(motion.frames, first + piece); frame++) if (gaps[frame] > gaps[at]) at = frame;
+    const share = highest > 0 ? gaps[at] / highest : 0;
+    path += `L${at} ${(top - share * (top - 1)).toFixed(2)}`;
+  }
+  add(svg, 'path', { d: `${path}L${motion.frames - 1} ${top}Z`, class: 'gap' });
+}
+
+/** Frames that are drawn as one. @param {Motion} motion */
+const pieceOf = ({ frames }) => Math.ceil(frames / PIECES);
 
 /**
  * The gap of every frame: the square root of ½|q − g|², which is quadratic in the gap, so that a small one is still seen; none

@@ -2,6 +2,8 @@
  * The track of the animation bar: strip, key frames, playhead and slider as one control, by pointer, touch and keyboard.
  * The slider itself is not drawn; it has the focus, the keys and the words.
  */
+import { keyFramesOf } from '../core/key-frames.js';
+import { drivenWords, drivesJoints } from '../core/driven.js';
 import { angle, length } from '../core/format.js';
 import { setText } from '../ui/dom.js';
 import { onKeys } from '../ui/keys.js';
@@ -55,8 +57,8 @@ export function createTrack({ find, store }, goTo) {
     const { motion, doc } = store.result;
     if (!motion || frame >= motion.frames) return;
     const { sign, word } = statusWords(statusName(motion, frame));
-    const gap = `${length(motion.translation_gap[frame], doc?.length_unit)}, ${angle(motion.rotation_gap[frame])}`;
-    setText(tip, `frame ${frame + 1}: ${sign} ${word.toLowerCase()}, gap ${gap}`);
+    const told = drivesJoints(motion) ? drivenWords(motion, doc, frame) : `gap ${length(motion.translation_gap[frame], doc?.length_unit)}, ${angle(motion.rotation_gap[frame])}`;
+    setText(tip, `frame ${frame + 1}: ${sign} ${word.toLowerCase()}, ${told}`);
     tip.hidden = false;
     const at = (frame / last()) * lane.clientWidth + lane.offsetLeft;
     tip.style.left = `${Math.min(track.clientWidth - tip.offsetWidth, Math.max(0, at - tip.offsetWidth / 2))}px`;
@@ -101,7 +103,7 @@ export function createTrack({ find, store }, goTo) {
     render(
       some.map((i, at) => {
         const frame = keys[i];
-        const name = doc.motion.key_frames[i].name || `key frame ${i + 1}`;
+        const name = keyFramesOf(doc)[i].name || `key frame ${i + 1}`;
         const place = `motion.key_frames[${i}]`;
         const room = Math.min(...[keys[some[at - 1]], keys[some[at + 1]]].filter((other) => other !== undefined).map((other) => Math.abs(other - frame))) / last();
         // By a screen reader; a pointer has gone there when it went down.
@@ -136,7 +138,8 @@ export function createTrack({ find, store }, goTo) {
     keys = keyFrameFrames(plain, allTimes(motion));
     if (scrub.max !== String(motion.frames - 1)) scrub.max = String(motion.frames - 1);
     drawStrip(strip, motion);
-    strip.setAttribute('aria-label', `Gap at every frame, ${most(motion)}: ${countStatuses(motion)}. ${partSentence(motion)}`.trim());
+    const what = drivesJoints(motion) ? 'Every frame' : `Gap at every frame, ${most(motion)}`;
+    strip.setAttribute('aria-label', `${what}: ${countStatuses(motion)}. ${partSentence(motion)}`.trim());
     show();
   }
   store.subscribe('result', take);

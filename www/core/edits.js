@@ -6,6 +6,7 @@
  * @typedef {import('./types.js').Joint} Joint
  * @typedef {import('./types.js').Chain} Chain
  */
+import { withChain, withChains } from './driver-places.js';
 import { copyName, freshName, insert, moved, without } from './lists.js';
 import { plainLetter } from './joint-types.js';
 import { valueAt, withValueAt } from './path.js';
@@ -54,9 +55,7 @@ export function setCoordinate(doc, path, axis, value, others) {
  */
 function changeJoints(doc, chain, change) {
   const { start: _, ...rest } = doc.chains[chain];
-  const chains = [...doc.chains];
-  chains[chain] = { ...rest, joints: change(rest.joints) };
-  return { ...doc, chains };
+  return withChain(doc, chain, { ...rest, joints: change(rest.joints) });
 }
 
 /** @param {MechanismDocument} doc @param {number} chain @param {number} joint @param {Joint} fresh */
@@ -107,16 +106,14 @@ export const addChain = (doc, fresh) => ({
 });
 
 /** @param {MechanismDocument} doc @param {number} chain */
-export const duplicateChain = (doc, chain) => ({
-  ...doc,
-  chains: insert(doc.chains, chain + 1, { ...doc.chains[chain], name: copyName(doc.chains[chain].name, doc.chains) }),
-});
+export const duplicateChain = (doc, chain) =>
+  withChains(doc, insert(doc.chains, chain + 1, { ...doc.chains[chain], name: copyName(doc.chains[chain].name, doc.chains) }));
 
 /** @param {MechanismDocument} doc @param {number} from @param {number} to */
-export const moveChain = (doc, from, to) => ({ ...doc, chains: moved(doc.chains, from, to) });
+export const moveChain = (doc, from, to) => withChains(doc, moved(doc.chains, from, to));
 
 /** @param {MechanismDocument} doc @param {number} chain */
-export const removeChain = (doc, chain) => ({ ...doc, chains: without(doc.chains, chain) });
+export const removeChain = (doc, chain) => withChains(doc, without(doc.chains, chain));
 
 /**
  * @param {MechanismDocument} doc

@@ -5,6 +5,7 @@
  * @typedef {import('./types.js').Entry} Entry
  * @typedef {import('./types.js').KeyFrame} KeyFrame
  */
+import { keyFramesOf } from './key-frames.js';
 import { freshName, insert, moved, without } from './lists.js';
 import { withValueAt } from './path.js';
 
@@ -18,8 +19,8 @@ const withKeys = (doc, keys) => ({ ...doc, motion: { ...doc.motion, key_frames: 
  * @param {KeyFrame} fresh
  * @param {number} [at] at the end unless told
  */
-export function addKeyFrame(doc, fresh, at = doc.motion.key_frames.length) {
-  const keys = doc.motion.key_frames;
+export function addKeyFrame(doc, fresh, at = keyFramesOf(doc).length) {
+  const keys = keyFramesOf(doc);
   return duplicateTime(withKeys(doc, insert(keys, at, { ...fresh, name: freshName('key', keys) })), at);
 }
 
@@ -30,7 +31,7 @@ export function addKeyFrame(doc, fresh, at = doc.motion.key_frames.length) {
  * @param {number} to
  */
 export function moveKeyFrame(doc, from, to) {
-  const keys = doc.motion.key_frames;
+  const keys = keyFramesOf(doc);
   const timed = moved(keys, from, to).map(({ time: _, ...pose }, index) => ({
     ...pose,
     ...(keys[index].time === undefined ? {} : { time: keys[index].time }),
@@ -40,7 +41,7 @@ export function moveKeyFrame(doc, from, to) {
 
 /** @param {MechanismDocument} doc @param {number} key */
 export function duplicateKeyFrame(doc, key) {
-  const keys = doc.motion.key_frames;
+  const keys = keyFramesOf(doc);
   return duplicateTime(withKeys(doc, insert(keys, key + 1, { ...keys[key], name: freshName('key', keys) })), key + 1);
 }
 
@@ -50,7 +51,7 @@ export function duplicateKeyFrame(doc, key) {
  * @param {number} index
  */
 function duplicateTime(doc, index) {
-  const keys = doc.motion.key_frames;
+  const keys = keyFramesOf(doc);
   const before = keys[index - 1]?.time;
   if (before == null) return doc;
   const after = keys[index + 1]?.time;
@@ -71,10 +72,10 @@ function timeBetween(before, after) {
  * @param {import('./types.js').Frame} frame
  */
 export const setKeyFramePose = (doc, key, frame) =>
-  withKeys(doc, doc.motion.key_frames.map((old, index) => (index === key ? { ...old, ...frame } : old)));
+  withKeys(doc, keyFramesOf(doc).map((old, index) => (index === key ? { ...old, ...frame } : old)));
 
 /** @param {MechanismDocument} doc @param {number} key */
-export const removeKeyFrame = (doc, key) => withKeys(doc, without(doc.motion.key_frames, key));
+export const removeKeyFrame = (doc, key) => withKeys(doc, without(keyFramesOf(doc), key));
 
 /**
  * Sets some key frames' times at once, as given; those of the others are made up only where there are none yet. Without a
@@ -103,7 +104,7 @@ export function setTime(doc, key, value) {
     if (typeof value !== 'number') return index;
     return key === 0 ? value + index : (value / key) * index;
   };
-  const keys = doc.motion.key_frames.map(({ time, ...rest }, index) => {
+  const keys = keyFramesOf(doc).map(({ time, ...rest }, index) => {
     if (value === undefined) return rest;
     return { ...rest, time: index === key ? value : (time ?? even(index)) };
   });

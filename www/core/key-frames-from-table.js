@@ -4,6 +4,7 @@
  * @typedef {import('./types.js').MechanismDocument} MechanismDocument
  * @typedef {import('./types.js').PoseTable['key_frames']} Taken
  */
+import { keyFramesOf } from './key-frames.js';
 
 /** Frames that a document without a number of them has. */
 const FRAMES = 33;
@@ -14,7 +15,7 @@ const FRAMES = 33;
  * @returns {MechanismDocument}
  */
 export function takeKeyFrames(doc, fresh, append) {
-  const old = append ? doc.motion.key_frames : [];
+  const old = append ? keyFramesOf(doc) : [];
   const key_frames = [...old, ...timed(old, fresh).map(({ name, ...pose }) => (name ? { name, ...pose } : pose))];
   const { frames = FRAMES } = doc.motion;
   const more = typeof frames === 'number' && frames < key_frames.length ? { frames: key_frames.length } : {};

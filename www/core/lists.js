@@ -12,6 +12,20 @@ export const moved = (list, from, to) => insert(without(list, from), to, list[fr
 export const without = (list, index) => list.filter((_, i) => i !== index);
 
 /**
+ * Where the items of a list are in a changed one; −1 for an item that is gone. The same item twice is told apart by its order.
+ * @param {unknown[]} before @param {unknown[]} after
+ */
+export function placesIn(before, after) {
+  /** @type {Set<number>} */
+  const taken = new Set();
+  return before.map((item) => {
+    const at = after.findIndex((other, index) => other === item && !taken.has(index));
+    taken.add(at);
+    return at;
+  });
+}
+
+/**
  * A new name of the form "chain 4" that no item has yet.
  * @param {string} word
  * @param {{name?: string}[]} items

@@ -3,6 +3,7 @@
  *
  * @typedef {import('./types.js').MechanismDocument} MechanismDocument
  */
+import { keyFramesOf } from './key-frames.js';
 import { length, short } from './format.js';
 import { chainVariables } from './joint-types.js';
 import { valueAt } from './path.js';
@@ -21,23 +22,32 @@ const SHARE = 1 / 100;
 const powerOfTen = (value) => Number((10 ** Math.floor(Math.log10(value))).toPrecision(1));
 
 /** The largest length among the links, frames and key frames; 1 where there is none. @param {MechanismDocument} doc */
-export function sizeOf({ chains, motion }) {
+export function sizeOf(doc) {
+  const { chains } = doc;
   /** @param {object | undefined} part @param {string[]} names */
   const numbers = (part, names) => names.map((name) => Math.abs(Number(/** @type {any} */ (part)?.[name]) || 0));
-  const frames = [...chains.flatMap(({ base, gripper }) => [base, gripper]), ...motion.key_frames];
+  const frames = [...chains.flatMap(({ base, gripper }) => [base, gripper]), ...keyFramesOf(doc)];
   const rows = chains.flatMap(({ joints }) => joints.flatMap(({ rows: own }) => own ?? []));
   const lengths = [...frames.flatMap((frame) => numbers(frame, ['x', 'y', 'z'])), ...rows.flatMap((row) => numbers(row, ['a', 'd']))];
   return lengths.reduce((most, length) => Math.max(most, length), 0) || 1;
 }
 
-/** What a start value or a limit is of: `theta` or `d`. @param {MechanismDocument} doc @param {string} path */
+/** What a start value, a limit or a driver's value is of: `theta` or `d`. @param {MechanismDocument} doc @param {string} path */
 function variableAt(doc, path) {
   const start = /^chains\[(\d+)\]\.start\[(\d+)\]$/.exec(path);
   const limit = /^chains\[(\d+)\]\.joints\[(\d+)\]\.limits\[(\d+)\]/.exec(path);
+  const driver = /^motion\.drivers\[(\d+)\]\.values\[\d+\]\.value$/.exec(path);
+  if (driver) return drivenBy(doc, valueAt(doc, `motion.drivers[${driver[1]}]`));
   const [, chain, first, second] = start ?? limit ?? [];
   if (chain === undefined) return undefined;
   const all = chainVariables(valueAt(doc, `chains[${chain}]`));
   return start ? all[Number(first)]?.variable : all.find(({ joint, freedom }) => joint === Number(first) && freedom === Number(second))?.variable;
+}
+
+/** What a driver's values are of. @param {MechanismDocument} doc @param {import('./types.js').Driver} driver */
+function drivenBy(doc, { chain, joint, freedom = 1 }) {
+  const own = doc.chains[Number(chain) - 1];
+  return own && chainVariables(own).find((one) => one.joint === Number(joint) - 1 && one.freedom === Number(freedom) - 1)?.variable;
 }
 
 /** @param {MechanismDocument} doc @param {string} path of a number */

@@ -3,6 +3,8 @@
  *
  * @typedef {'once' | 'loop' | 'bounce'} Loop
  */
+import { hasDrivers } from './driven.js';
+import { keyFramesOf } from './key-frames.js';
 
 /**
  * Where the playhead is after a step of the motion's own time.
@@ -39,7 +41,7 @@ export function frameAt(times, time) {
 }
 
 /** @param {import('./types.js').MechanismDocument | null} doc */
-export const isTimed = (doc) => doc?.motion.key_frames[0]?.time != null;
+export const isTimed = (doc) => doc != null && (hasDrivers(doc) || keyFramesOf(doc)[0]?.time != null);
 
 /**
  * The times of all frames of the goal motion, which are equally spaced: those that are not planned come after the others.
@@ -56,7 +58,7 @@ export function allTimes({ time, frames, goal_frames, partial }) {
  * @param {import('./types.js').MechanismDocument} doc @param {ArrayLike<number>} times of the frames
  */
 export function keyFrameFrames(doc, times) {
-  const { key_frames: keys } = doc.motion;
+  const keys = keyFramesOf(doc);
   const [from, to] = [times[0], times[times.length - 1]];
   return keys.map(({ time }, key) => frameAt(times, time == null ? from + ((to - from) * key) / Math.max(1, keys.length - 1) : Number(time)));
 }

@@ -19,6 +19,6 @@ export const plain = (value) => Number(value.toFixed(DECIMALS)) || 0;
 export function shownFrame(store, which) {
   const now = shown(store);
   if (!now) return null;
-  const frame = frameOf(groupAt(now[which], now), store.result.plain?.motion.key_frames.at(-1));
+  const frame = frameOf(groupAt(now[which], now), store.result.plain?.motion.key_frames?.at(-1));
   return frameAsWritten(store.doc, Object.fromEntries(Object.entries(frame).map(([name, value]) => [name, plain(value)])));
 }

@@ -2,9 +2,11 @@
  * What is shown now: a frame of the motion, or the posture that stands in its place while the linkage is moved by hand.
  */
 
+import { drivesJoints } from './driven.js';
+
 /**
  * Columns with the index of the shown frame in them, and how many frames they hold. The document is the one that
- * the motion belongs to.
+ * the motion belongs to. Where there is no goal, the reached pose stands in its place.
  * @param {{result: import('./types.js').Result, view: import('./types.js').View}} store
  */
 export function shown({ result: { motion, doc }, view: { frame, posture } }) {
@@ -13,7 +15,8 @@ export function shown({ result: { motion, doc }, view: { frame, posture } }) {
     const { joints, pose, rows, goal } = posture;
     return { doc, index: 0, frames: 1, joints, pose, rows, goal };
   }
-  const { frames, joints, pose, rows, goal } = motion;
+  const { frames, joints, pose, rows } = motion;
+  const goal = drivesJoints(motion) ? pose : motion.goal;
   return { doc, index: Math.min(frame, frames - 1), frames, joints, pose, rows, goal };
 }
 
@@ -22,6 +25,12 @@ export function shown({ result: { motion, doc }, view: { frame, posture } }) {
  * @param {import('./types.js').View['posture']} posture
  */
 export const isDriven = (posture) => posture?.value !== undefined;
+
+/**
+ * Whether what is shown has no goal: joints are driven, by hand or by the motion.
+ * @param {{result: Pick<import('./types.js').Result, 'motion'>, view: Pick<import('./types.js').View, 'posture'>}} store
+ */
+export const hasNoGoal = ({ result: { motion }, view: { posture } }) => (posture ? isDriven(posture) : drivesJoints(motion));
 
 /** One frame's group of a column. @param {Float64Array} column @param {{index: number, frames: number}} at */
 export function groupAt(column, { index, frames }) {

@@ -5,6 +5,7 @@
  * @typedef {import('./types.js').MechanismDocument} MechanismDocument
  * @typedef {import('./types.js').Motion} Motion
  */
+import { drivesJoints } from './driven.js';
 import { ask } from './ask.js';
 import { textOf } from './document-text.js';
 
@@ -37,7 +38,7 @@ export function createStandardHint({ store, planner }, tell) {
   let found = null;
   store.select(({ result }) => result.motion, async (motion) => {
     const { doc } = store.result;
-    if (!motion || !doc || motion.partial || store.readonly || asked === doc) return;
+    if (!motion || !doc || motion.partial || drivesJoints(motion) || store.readonly || asked === doc) return;
     const named = doc.chains.some(({ convention, joints }) => convention || !joints.every(({ rows }) => rows));
     if (named || motion.report.warnings.some(({ code }) => code === 'standard-table') || !beginsElsewhere(doc, motion)) return;
     asked = doc;

@@ -37,7 +37,7 @@ export function createStore(first) {
   /** @type {View} */
   let view = {
     frame: 0, playing: false, posture: null, selected: '', hovered: '',
-    speed: 1, loop: 'once', side: '', charts: ['translation', 'rotation', 'joints', 'sigma'],
+    speed: 1, loop: 'once', side: '', charts: ['translation', 'rotation', 'driven', 'path', 'joints', 'sigma'],
     projection: 'perspective', show: { goal: true, closest: true, gaps: true, names: true, axes: true, ground: true }, ghosts: 'none',
   };
   let readonly = false;

@@ -6,6 +6,8 @@
  * @typedef {import('./types.js').MechanismDocument} MechanismDocument
  * @typedef {Pick<import('./store.js').Store, 'result' | 'view'>} Shown
  */
+import { keyFramesOf } from './key-frames.js';
+import { driverName, drivesJoints } from './driven.js';
 import { chainName } from './chain-name.js';
 import { angle, length } from './format.js';
 import { chainType, jointOf } from './joint-types.js';
@@ -17,7 +19,7 @@ export function thingsOf(doc) {
     const place = `chains[${chain}]`;
     return [`${place}.base`, ...joints.map((_, joint) => `${place}.joints[${joint}]`), `${place}.gripper`];
   });
-  return ['workpiece', ...chains, ...doc.motion.key_frames.map((_, key) => `motion.key_frames[${key}]`), 'goal', 'closest', 'gap'];
+  return ['workpiece', ...chains, ...keyFramesOf(doc).map((_, key) => `motion.key_frames[${key}]`), 'goal', 'closest', 'gap'];
 }
 
 /**
@@ -49,12 +51,16 @@ export function nameOf(place, { result, view }) {
   if (!doc) return '';
   if (place === 'workpiece') return 'workpiece';
   if (place === 'goal') return 'goal motion';
-  if (place === 'closest') return 'closest motion';
+  if (place === 'closest') return drivesJoints(result.motion) ? 'path of the workpiece' : 'closest motion';
   if (head === 'gap') return gapName(typeof first === 'number' ? first : null, { result, view });
   if (head === 'ghost') return `ghost of the workpiece at frame ${Number(first) + 1}`;
   if (head === 'motion' && first === 'key_frames' && typeof part === 'number') {
-    const key = doc.motion.key_frames[part];
+    const key = keyFramesOf(doc)[part];
     return key ? `key frame ${key.name ? `“${key.name}”` : part + 1}` : '';
+  }
+  if (head === 'motion' && first === 'drivers' && typeof part === 'number') {
+    const driver = doc.motion.drivers?.[part];
+    return driver ? `driver of ${driverName(doc, driver)}` : '';
   }
   const chain = head === 'chains' && typeof first === 'number' ? doc.chains[first] : undefined;
   if (!chain) return '';

@@ -10,6 +10,7 @@
  * @typedef {{count: number, axis: 'x' | 'y' | 'z', point: number[]}} Around `count` chains in all, the first included; the axis
  *   goes through the point
  */
+import { withChains } from './driver-places.js';
 import { Matrix4, Quaternion, Vector3 } from 'three';
 import { isByAxes } from './by-axes.js';
 import { copyName } from './lists.js';
@@ -103,8 +104,11 @@ export function turnedCopies(doc, chain, { count, axis, point }, start, plain = 
     };
     chains.splice(chain + k, 0, copy);
   }
-  return { ...doc, chains };
+  return withCopies(doc, chain, chains);
 }
+
+/** Drivers keep their chains, also behind the copies. @param {MechanismDocument} doc @param {number} chain @param {Chain[]} chains */
+const withCopies = (doc, chain, chains) => withChains({ ...doc, chains: doc.chains.map((old, i) => (i === chain ? chains[chain] : old)) }, chains);
 
 /** Of a chain by its axes: its points and directions are turned, and all copies meet at home. @param {MechanismDocument} doc @param {number} chain @param {Around} around @returns {MechanismDocument} */
 function turnedAxes(doc, chain, { count, axis, point }) {
@@ -125,5 +129,5 @@ function turnedAxes(doc, chain, { count, axis, point }) {
     }));
     chains.splice(chain + k, 0, { ...old, name: copyName(old.name, chains), joints });
   }
-  return { ...doc, chains };
+  return withCopies(doc, chain, chains);
 }

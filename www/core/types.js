@@ -31,7 +31,7 @@
  *   one of them in place of the three angles
  * @typedef {{name?: string, base?: Frame, joints: Joint[], gripper?: Frame, start?: Entry[] | null, convention?: string}} Chain
  * @typedef {Frame & {name?: string, time?: Entry | null}} KeyFrame
- * @typedef {{key_frames: KeyFrame[], drivers?: Driver[], interpolation?: string, frames?: Entry, reference?: Entry[] | null, radius?: Entry | null}} MotionSpec
+ * @typedef {{key_frames?: KeyFrame[], drivers?: Driver[], interpolation?: string, frames?: Entry, reference?: Entry[] | null, radius?: Entry | null}} MotionSpec
  * @typedef {{chain: Entry, joint: Entry, freedom?: Entry, values: {time: Entry, value: Entry}[], ramp?: string}} Driver counted from 1
  * @typedef {{method?: string, metric?: string, metric_length?: Entry | null, metric_origin?: Entry[] | null,
  *   dimension_tolerance?: Entry, max_iterations?: Entry | null}} PlannerSpec

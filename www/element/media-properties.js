@@ -25,7 +25,7 @@ export class LinkageWords extends Base {
     return this.linkage.player.paused;
   }
 
-  /** From the first key frame: seconds, or parts of the way from 0 to 1 where the key frames name no times. */
+  /** From the first frame: seconds, or parts of the way from 0 to 1 where the key frames name no times. */
   get currentTime() {
     return this.linkage.player.currentTime;
   }

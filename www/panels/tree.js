@@ -7,6 +7,9 @@
 import { element, focusBeside } from '../ui/dom.js';
 import { onKeys } from '../ui/keys.js';
 import { chainName } from '../core/chain-name.js';
+import { driverName, hasDrivers } from '../core/driven.js';
+import { plural } from '../core/format.js';
+import { keyFramesOf } from '../core/key-frames.js';
 import { html, nothing, render, repeat } from '../ui/render.js';
 import { jointOf, chainType } from '../core/joint-types.js';
 
@@ -19,7 +22,9 @@ const MORE = 'motion.key_frames';
 const isNoThing = (path) => path === 'motion' || path === MORE;
 
 /** @param {import('../core/types.js').MechanismDocument} doc @returns {Item[]} */
-function itemsOf({ chains, motion }) {
+function itemsOf(doc) {
+  const { chains, motion } = doc;
+  const keys = keyFramesOf(doc);
   return [
     ...chains.map((chain, c) => {
       const path = `chains[${c}]`;
@@ -38,18 +43,21 @@ function itemsOf({ chains, motion }) {
     {
       path: 'motion',
       name: 'motion',
-      more: `${motion.key_frames.length} key frames`,
-      children: keyFramesOf(motion.key_frames),
+      more: hasDrivers(doc) ? plural((motion.drivers ?? []).length, 'driven joint') : `${keys.length} key frames`,
+      children: hasDrivers(doc) ? driversOf(doc) : listed(keys),
     },
   ];
 }
 
 /** The first ones, and how many more there are: all are in the table. @param {import('../core/types.js').KeyFrame[]} keys @returns {Item[]} */
-function keyFramesOf(keys) {
+function listed(keys) {
   const first = keys.slice(0, keys.length > MOST ? MOST - 1 : MOST).map((key, k) => ({ path: `motion.key_frames[${k}]`, name: key.name || `key frame ${k + 1}` }));
   const more = keys.length - first.length;
   return more ? [...first, { path: MORE, name: `${more} more`, more: 'in the table of key frames' }] : first;
 }
+
+/** @param {import('../core/types.js').MechanismDocument} doc @returns {Item[]} */
+const driversOf = (doc) => (doc.motion.drivers ?? []).map((driver, d) => ({ path: `motion.drivers[${d}]`, name: driverName(doc, driver) }));
 
 /**
  * @param {HTMLDetailsElement} place

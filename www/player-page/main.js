@@ -7,12 +7,13 @@ import '../style/view.css';
 import './player-page.css';
 import { byId, element, setText } from '../ui/dom.js';
 import { inWords, keyTip, onKeys } from '../ui/keys.js';
+import { drivenWords, drivesJoints } from '../core/driven.js';
 import { angle, length } from '../core/format.js';
 import { Player } from '../core/player.js';
 import { createScene } from '../view3d/scene/scene.js';
 import { shown } from '../core/shown.js';
 import { createStore } from '../core/store.js';
-import { countStatuses, describeScene, statusName, statusWords } from '../core/status-words.js';
+import { BY_DRIVERS, countStatuses, describeScene, statusName, statusWords } from '../core/status-words.js';
 import { unpack } from './pack.js';
 
 const { motion, doc: mechanism, plain } = await unpack(byId('motion').textContent ?? '');
@@ -34,7 +35,9 @@ const play = element('button', { id: 'play' }, 'Play');
 const scrub = element('input', { id: 'scrub', type: 'range', min: 0, max: motion.frames - 1, step: 1, value: 0, 'aria-label': 'Frame' });
 const number = element('output', { id: 'frame-number' });
 const status = element('p', { id: 'status' });
-const legend = [['goal', 'goal motion'], ['closest', 'closest motion'], ['gap', 'gap']].map(([name, words]) => element('li', { class: name }, words));
+const driven = drivesJoints(motion);
+const lines = driven ? [['closest', 'path of the workpiece']] : [['goal', 'goal motion'], ['closest', 'closest motion'], ['gap', 'gap']];
+const legend = lines.map(([name, words]) => element('li', { class: name }, words));
 
 document.body.append(
   element('header', {}, element('h1', {}, mechanism.name || 'Linkage'), element('p', {}, mechanism.about ?? '')),
@@ -62,8 +65,8 @@ function tell() {
   setText(play, playing ? 'Pause' : 'Play');
   setText(number, `${frame + 1} / ${motion.frames}`);
   const { sign, word, meaning } = statusWords(statusName(motion, frame));
-  const gap = `${length(motion.translation_gap[frame], mechanism.length_unit)} and ${angle(motion.rotation_gap[frame])} from the goal`;
-  setText(status, `${sign} ${word}: ${gap}. ${meaning}`);
+  const told = driven ? drivenWords(motion, mechanism, frame) : `${length(motion.translation_gap[frame], mechanism.length_unit)} and ${angle(motion.rotation_gap[frame])} from the goal`;
+  setText(status, `${sign} ${word}: ${told}. ${(driven && BY_DRIVERS[statusName(motion, frame)]) || meaning}`);
   if (playing) return;
   scrub.setAttribute('aria-valuetext', `Frame ${frame + 1}: ${word}`);
   setText(description, describeScene(store));

@@ -2,7 +2,8 @@
  * The legend of the 3D view: which line is which, and which gap is how large.
  */
 import { length } from '../core/format.js';
-import { isDriven } from '../core/shown.js';
+import { drivesJoints } from '../core/driven.js';
+import { hasNoGoal } from '../core/shown.js';
 import { html, render } from '../ui/render.js';
 import { gapClass, gapFrames } from './scene/gap-lines.js';
 
@@ -11,17 +12,17 @@ export function createLegend(list, { store, scene }) {
   function show() {
     const { motion, doc } = store.result;
     if (!motion || !scene) return;
-    // A joint that is driven goes to no goal.
-    const driven = isDriven(store.view.posture);
-    const goal = store.view.show.goal && !driven;
-    const gaps = store.view.show.gaps && !driven;
+    // A joint that is driven goes to no goal; where the motion drives joints, a hand may still pull.
+    const driven = drivesJoints(motion);
+    const goal = store.view.show.goal && !driven && !hasNoGoal(store);
+    const gaps = store.view.show.gaps && !hasNoGoal(store);
     const steps = scene.gapSteps;
     const seen = new Set(gaps ? gapFrames(motion, scene.linkRadius).map((frame) => gapClass(motion.translation_gap[frame], steps)) : []);
     const size = (/** @type {number} */ step) => length(step, doc?.length_unit);
     /** @type {[boolean, string, string][]} */
     const lines = [
       [goal, 'goal', 'goal motion'],
-      [store.view.show.closest, 'closest', 'closest motion'],
+      [store.view.show.closest, 'closest', driven ? 'path of the workpiece' : 'closest motion'],
       [gaps, 'gap', store.view.posture ? 'gap here' : 'gap at this frame'],
       [seen.has(0), 'gap-0', `gap < ${size(steps[1])}`],
       [seen.has(1), 'gap-1', `gap ≥ ${size(steps[1])}`],

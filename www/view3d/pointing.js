@@ -4,7 +4,7 @@
  */
 import { element, setText } from '../ui/dom.js';
 import { onKeys } from '../ui/keys.js';
-import { isDriven } from '../core/shown.js';
+import { hasNoGoal } from '../core/shown.js';
 import { nameOf, thingsOf } from '../core/things.js';
 
 /** How far a pointer may move in a click, in pixels: a hand on a touch screen is less steady. */
@@ -24,8 +24,8 @@ export function createPointing({ find, store, player, scene }) {
   /** Where a press began. @type {{x: number, y: number, id: number} | null} */
   let press = null;
 
-  /** What is not drawn while a joint is driven. @param {string} place */
-  const isAway = (place) => isDriven(store.view.posture) && /^(goal|gap)/.test(place);
+  /** What is not drawn where there is no goal. @param {string} place */
+  const isAway = (place) => hasNoGoal(store) && /^(goal|gap)/.test(place);
 
   /** @param {PointerEvent} event */
   const thingAt = (event) => (scene.claims(event) ? '' : scene.pick(event));

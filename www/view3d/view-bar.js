@@ -3,6 +3,7 @@
  *
  * @typedef {import('../core/standard-views.js').StandardView} StandardView
  */
+import { drivesJoints } from '../core/driven.js';
 import { element, setText } from '../ui/dom.js';
 import { ghostFrames, ghostStep } from './scene/ghosts.js';
 import { KEYS, keyTip, onKeys, spokenKey, withKey } from '../ui/keys.js';
@@ -56,14 +57,15 @@ export function createViewBar({ find, store, scene, say }) {
     const { show, ghosts, frame } = store.view;
     const { motion, plain: doc } = store.result;
     const frames = motion && doc ? ghostFrames(ghosts, motion, doc) : [];
+    const driven = drivesJoints(motion);
     const here = frames.includes(frame);
     const others = here ? frames.filter((other) => other !== frame) : [...frames, frame].sort((a, b) => a - b);
     const choose = (/** @type {import('../core/types.js').View['ghosts']} */ next) => () => store.setView({ ghosts: next });
     return [
-      ...PARTS.map(([part, label]) => ({ label, checked: show[part], act: () => store.setView({ show: { ...show, [part]: !show[part] } }) })),
+      ...PARTS.filter(([part]) => !(driven && ['goal', 'gaps'].includes(part))).map(([part, label]) => ({ label: driven && part === 'closest' ? 'Path of the workpiece' : label, checked: show[part], act: () => store.setView({ show: { ...show, [part]: !show[part] } }) })),
       'line',
       { label: 'No ghosts', checked: frames.length === 0, act: choose('none') },
-      { label: 'Ghosts at key frames', checked: ghosts === 'keys', act: choose('keys') },
+      ...(driven ? [] : [{ label: 'Ghosts at key frames', checked: ghosts === 'keys', act: choose('keys') }]),
       { label: `Ghosts every ${ghostStep(motion?.frames ?? 1)} frames`, checked: ghosts === 'spread', act: choose('spread') },
       { label: 'Ghost at this frame', checked: here, act: choose(others.length ? others : 'none') },
     ];

@@ -168,4 +168,6 @@ function parse(text) {
 const isDocument = (value) =>
   typeof value === 'object' && value !== null && Array.isArray(value.chains) &&
   value.chains.every((/** @type {any} */ chain) => Array.isArray(chain?.joints) && chain.joints.every((/** @type {any} */ joint) => typeof joint?.type === 'string')) &&
-  Array.isArray(value.motion?.key_frames) && value.motion.key_frames.every((/** @type {any} */ key) => typeof key === 'object' && key !== null);
+  isList(value.motion?.key_frames ?? value.motion?.drivers) && isList(value.motion.drivers ?? []) && (value.motion.drivers ?? []).every((/** @type {any} */ { values }) => isList(values));
+
+const isList = (/** @type {unknown} */ list) => Array.isArray(list) && list.every((item) => typeof item === 'object' && item !== null);

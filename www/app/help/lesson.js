@@ -9,6 +9,7 @@ import look from '../../style/lesson.css?inline';
 import { withPart } from '../../ui/lazy.js';
 import { element, setText } from '../../ui/dom.js';
 import { setValue } from '../../core/edits.js';
+import { drivesJoints } from '../../core/driven.js';
 import { angle, length } from '../../core/format.js';
 import { parsePath, valueAt } from '../../core/path.js';
 import { sampleOf, sampleText } from '../../core/samples.js';
@@ -64,7 +65,7 @@ export function showLesson(app, lesson) {
     play: () => player.play(),
     worst: () => {
       player.pause();
-      if (store.result.motion) player.frame = largestGaps(store.result.motion).shift.frame;
+      if (store.result.motion && !drivesJoints(store.result.motion)) player.frame = largestGaps(store.result.motion).shift.frame;
     },
     panel: ({ panel: id }) => {
       const target = find(id ?? '');
@@ -109,7 +110,8 @@ export function showLesson(app, lesson) {
   function show() {
     const { motion, doc, fault } = store.result;
     // Numbers of the motion before, beside a text about this one, would contradict it.
-    const values = motion && doc && doc === store.doc ? valuesOf(motion, doc) : {};
+    // Its numbers are distances from a goal.
+    const values = motion && doc && doc === store.doc && !drivesJoints(motion) ? valuesOf(motion, doc) : {};
     for (const output of body.querySelectorAll('output')) {
       const name = output.dataset.value ?? '';
       setText(output, name === 'warnings' && fault ? fault.message : (values[name] ?? (name === 'warnings' ? '' : UNKNOWN)));

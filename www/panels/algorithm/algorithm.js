@@ -9,6 +9,7 @@
 import { ask } from '../../core/ask.js';
 import { textOf } from '../../core/document-text.js';
 import { chainName } from '../../core/chain-name.js';
+import { drivesJoints } from '../../core/driven.js';
 import { element } from '../../ui/dom.js';
 import { html, render } from '../../ui/render.js';
 import { scientific } from '../../core/format.js';
@@ -84,6 +85,13 @@ export function createAlgorithm({ root, store, planner, player, signal }, panel)
   async function refresh() {
     const { motion, doc } = store.result;
     if (!seen || !motion || !doc) return;
+    if (drivesJoints(motion)) {
+      release();
+      trace = null;
+      body.hidden = true;
+      made = { doc: null, frame: -1 };
+      return say('Joints are driven in this motion: there is no goal, and so no iterations towards the pose that is closest to it. A motion with key frames has them.');
+    }
     const { playing, posture } = store.view;
     const away = posture !== null && posture !== mine;
     if (playing || away) {

@@ -17,6 +17,7 @@
  * @property {number} span smallest extent of the scale: less is rounding
  */
 import { chainName } from '../../core/chain-name.js';
+import { drivenVariables, drivesJoints, subscript } from '../../core/driven.js';
 import { degrees, lengthUnit, scientific, short } from '../../core/format.js';
 import { roundingGaps, statusName, worstFrame } from '../../core/status-words.js';
 
@@ -25,12 +26,21 @@ export const GROUPS = {
   translation: 'Translation gap',
   rotation: 'Rotation gap',
   metric: 'Metric ½‖q − g‖²',
+  driven: 'Driven joints',
+  path: 'Workpiece’s origin',
   joints: 'Joint variables',
   sigma: 'Smallest singular value of [A]',
   closure: 'Closure of the loops',
   misfit: 'Misfit of rounded dimensions',
   iterations: 'Iterations',
 };
+
+/** Groups that need a goal, and those that take their place where joints are driven. */
+const OF_GOAL = ['translation', 'rotation', 'metric'];
+const OF_DRIVERS = ['driven', 'path'];
+
+/** Whether a motion has a group of charts. @param {string} group @param {Motion | null} motion */
+export const isOffered = (group, motion) => !(drivesJoints(motion) ? OF_GOAL : OF_DRIVERS).includes(group);
 
 /** How much larger than rounding the smallest extent of a scale is: what is told apart there is no rounding. */
 const ABOVE_ROUNDING = 100;
@@ -41,25 +51,55 @@ const MAX_ROWS = 500;
 /** @param {Motion} motion @param {string | undefined} unit of length @returns {Chart[]} */
 export function chartsOf(motion, unit) {
   const length = lengthUnit(unit);
+  return (drivesJoints(motion) ? [...drivenCharts(motion, length), pathChart(motion, length)] : goalCharts(motion, length)).concat(otherCharts(motion, length));
+}
+
+/** @param {string} group @param {ArrayLike<number>} values @param {string} of unit @param {Partial<Chart>} more @returns {Chart} */
+const single = (group, values, of, more) => ({
+  id: group,
+  group,
+  title: GROUPS[group],
+  unit: of,
+  series: [{ name: GROUPS[group], values }],
+  zero: true,
+  span: 0,
+  ...more,
+});
+
+/** How far each frame is from its goal. @param {Motion} motion @param {string} length @returns {Chart[]} */
+function goalCharts(motion, length) {
   const rounding = roundingGaps(motion);
   // What a goal that is met leaves is rounding: which frames those are is Rust's word.
   const met = Uint8Array.from({ length: motion.frames }, (_, frame) => Number(statusName(motion, frame) === 'reached'));
   const gap = (/** @type {Float64Array} */ values) => values.map((value, frame) => (met[frame] ? 0 : value));
-  /** @param {string} group @param {ArrayLike<number>} values @param {string} of unit @param {Partial<Chart>} more @returns {Chart} */
-  const single = (group, values, of, more) => ({
-    id: group,
-    group,
-    title: GROUPS[group],
-    unit: of,
-    series: [{ name: GROUPS[group], values }],
-    zero: true,
-    span: 0,
-    ...more,
-  });
   return [
     single('translation', gap(motion.translation_gap), length, { span: ABOVE_ROUNDING * rounding.shift }),
     single('rotation', gap(motion.rotation_gap).map(degrees), '°', { span: degrees(ABOVE_ROUNDING * rounding.turn) }),
     single('metric', gap(motion.metric), '', { span: ABOVE_ROUNDING ** 2 * motion.report.bounds.reached }),
+  ];
+}
+
+/** The driven joints, angles and lengths. @param {Motion} motion @param {string} length @returns {Chart[]} */
+function drivenCharts(motion, length) {
+  const width = motion.joints.length / motion.frames;
+  const series = drivenVariables(motion).map(({ index, label, unit, chain }) => ({
+    name: `${chainName(motion.report.chains[chain], chain)} ${subscript(label)}`,
+    unit,
+    values: Float64Array.from({ length: motion.frames }, (_, frame) => inUnit(motion.joints[frame * width + index], unit)),
+  }));
+  return byKind(series, length).map(({ kind, ...rest }) => ({ id: `driven ${kind}`, group: 'driven', title: rest.series.length === 1 ? `Driven joint, ${rest.series[0].name}` : `${GROUPS.driven}, ${kind}`, ...rest }));
+}
+
+/** The way of the workpiece, in the fixed frame. @param {Motion} motion @param {string} length @returns {Chart} */
+function pathChart({ pose, frames }, length) {
+  const width = pose.length / frames;
+  const series = ['x', 'y', 'z'].map((name, axis) => ({ name, values: Float64Array.from({ length: frames }, (_, frame) => pose[frame * width + axis]) }));
+  return { id: 'path', group: 'path', title: GROUPS.path, unit: length, span: LENGTH_SPAN, series };
+}
+
+/** @param {Motion} motion @param {string} length @returns {Chart[]} */
+function otherCharts(motion, length) {
+  return [
     ...jointCharts(motion, length),
     single('sigma', motion.sigma_min, '', { log: true, zero: false, floor: 1e-12 }),
     single('closure', motion.closure, '', { log: true, zero: false }),
@@ -78,28 +118,24 @@ function jointCharts(motion, length) {
     const series = variables.map(({ label, unit }, i) => ({
       name: subscript(label),
       unit,
-      values: Float64Array.from({ length: motion.frames }, (_, frame) => {
-        const value = motion.joints[frame * width + at + i];
-        return unit === 'rad' ? degrees(value) : value;
-      }),
+      values: Float64Array.from({ length: motion.frames }, (_, frame) => inUnit(motion.joints[frame * width + at + i], unit)),
     }));
-    return [
-      { kind: 'angles', unit: '°', span: 1, series: series.filter((one) => one.unit === 'rad') },
-      { kind: 'lengths', unit: length, span: 1e-3, series: series.filter((one) => one.unit === 'length') },
-    ]
-      .filter((one) => one.series.length > 0)
-      .map((one) => ({
-        id: `joints ${chain} ${one.kind}`,
-        group: 'joints',
-        title: `${chainName({ name }, chain)}, ${one.kind}`,
-        unit: one.unit,
-        span: one.span,
-        series: one.series,
-      }));
+    return byKind(series, length).map(({ kind, ...rest }) => ({ id: `joints ${chain} ${kind}`, group: 'joints', title: `${chainName({ name }, chain)}, ${kind}`, ...rest }));
   });
 }
 
-const subscript = (/** @type {string} */ label) => label.replace(/\d/g, (digit) => '₀₁₂₃₄₅₆₇₈₉'[Number(digit)]);
+/** @param {number} value @param {'rad' | 'length'} unit */
+const inUnit = (value, unit) => (unit === 'rad' ? degrees(value) : value);
+
+/** Smallest extent of a scale of lengths. */
+const LENGTH_SPAN = 1e-3;
+
+/** Angles and lengths apart. @param {(ChartSeries & {unit: 'rad' | 'length'})[]} series @param {string} length */
+const byKind = (series, length) =>
+  [
+    { kind: 'angles', unit: '°', span: 1, series: series.filter((one) => one.unit === 'rad') },
+    { kind: 'lengths', unit: length, span: LENGTH_SPAN, series: series.filter((one) => one.unit === 'length') },
+  ].filter((one) => one.series.length > 0);
 
 /** A value with the digits that its chart is read with, without the unit. @param {Chart} chart @param {number} value */
 export function writeValue(chart, value) {

@@ -10,7 +10,7 @@ import { short } from '../../core/format.js';
 import { allTimes, isTimed } from '../../core/playhead.js';
 import { wear } from '../../ui/style-sheets.js';
 import { createCard } from './chart-card.js';
-import { chartsOf, GROUPS } from './chart-list.js';
+import { chartsOf, GROUPS, isOffered } from './chart-list.js';
 import { plotLook } from './plot.js';
 
 /** Least heights of a plot in pixels: where there is room for two rows, and where there is hardly any. */
@@ -157,14 +157,18 @@ const shape = ({ title, unit, series }) => [title, unit, ...series.map(({ name }
 
 /** Which charts are shown: boxes in a popover. @param {import('../../core/store.js').Store} store */
 function chooser(store) {
-  const boxes = Object.entries(GROUPS).map(([group, title]) => {
+  const rows = Object.entries(GROUPS).map(([group, title]) => {
     const box = element('input', { type: 'checkbox', checked: store.view.charts.includes(group) });
     box.addEventListener('change', () => {
       const others = store.view.charts.filter((one) => one !== group);
       store.setView({ charts: box.checked ? [...others, group] : others });
     });
-    return element('label', {}, box, title);
+    return { group, label: element('label', {}, box, title) };
   });
+  const boxes = rows.map(({ label }) => label);
+  const offer = () => rows.forEach(({ group, label }) => (label.hidden = !isOffered(group, store.result.motion)));
+  store.subscribe('result', offer);
+  offer();
   const list = element('div', { class: 'menu choose', popover: 'auto', id: 'chart-choice', role: 'group', 'aria-label': 'Charts shown' }, ...boxes);
   const button = element('button', { popovertarget: list.id, 'aria-expanded': 'false' }, 'Choose charts');
   list.addEventListener('toggle', (event) => {
@@ -174,7 +178,7 @@ function chooser(store) {
     const at = button.getBoundingClientRect();
     list.style.left = `${Math.max(4, Math.min(at.left, innerWidth - list.offsetWidth - 4))}px`;
     list.style.top = `${Math.max(4, Math.min(at.bottom + 4, innerHeight - list.offsetHeight - 4))}px`;
-    boxes[0].querySelector('input')?.focus();
+    boxes.find((box) => !box.hidden)?.querySelector('input')?.focus();
   });
   return element('div', {}, button, list);
 }

@@ -6,9 +6,10 @@ import { html, nothing, render } from '../../ui/render.js';
 import { setText } from '../../ui/dom.js';
 import { chainName } from '../../core/chain-name.js';
 import { createStandardHint } from '../../core/standard-hint.js';
-import { isDriven, shownEnd } from '../../core/shown.js';
+import { drivesJoints } from '../../core/driven.js';
+import { hasNoGoal, isDriven, shownEnd } from '../../core/shown.js';
 import {
-  PULLED, countStatuses, largestGaps, metricSentence, mobilitySentence, partSentence, singularSentence, statusName, statusWords,
+  BY_DRIVERS, PULLED, countStatuses, largestGaps, metricSentence, mobilitySentence, partSentence, singularSentence, statusName, statusWords,
 } from '../../core/status-words.js';
 
 /** What the planner says where it knows of other conventions. */
@@ -37,11 +38,12 @@ export function createStatus({ find, store, player, planner }) {
     find('frame-status').dataset.status = name;
     setText(find('frame-sign'), sign);
     setText(find('frame-word'), word);
-    setText(find('frame-meaning'), (posture && !posture.note && PULLED[name]) || meaning);
-    // A joint that is driven has no goal: nothing is said of one.
+    const special = posture ? (posture.note ? '' : PULLED[name]) : drivesJoints(store.result.motion) ? BY_DRIVERS[name] : '';
+    setText(find('frame-meaning'), special || meaning);
+    // Where joints are driven there is no goal: nothing is said of one.
     for (const id of ['gap-translation', 'gap-rotation', 'metric', 'gradient', 'curvature']) {
       const row = find(id).closest('div');
-      if (row) row.hidden = driven;
+      if (row) row.hidden = hasNoGoal(store);
     }
     find('misfit-row').hidden = !(end.misfit > 0);
     const numbers = certificateNumbers(store, end);
@@ -71,6 +73,7 @@ export function createStatus({ find, store, player, planner }) {
 
   /** The two largest gaps, each a way to its frame. @param {import('../../core/types.js').Motion} motion @param {string | undefined} unit */
   function gapsSentence(motion, unit) {
+    if (drivesJoints(motion)) return '';
     const reached = Array.from({ length: motion.frames }, (_, frame) => statusName(motion, frame)).every((name) => name === 'reached');
     if (reached) return 'Every frame reaches its goal.';
     const { shift, turn } = largestGaps(motion);
@@ -87,7 +90,7 @@ export function createStatus({ find, store, player, planner }) {
       html`${plural(motion.frames, 'frame')}: ${countStatuses(motion)}. ${gapsSentence(motion, unit)} ${partSentence(motion)}`,
       find('motion-summary'),
     );
-    setText(find('motion-metric'), metricSentence(report.metric, unit));
+    setText(find('motion-metric'), drivesJoints(motion) ? 'Joints are driven: there is no goal, and no distance from one.' : metricSentence(report.metric, unit));
     setText(find('mobility-count'), short(report.mobility_count));
     setText(find('mobility-difference'), unknownsLessEquations(report.chains));
     setText(find('mobility-rank'), String(report.mobility_rank));

@@ -7,7 +7,9 @@
 import { html, nothing, render, repeat } from '../../ui/render.js';
 import { capital, chainName } from '../../core/chain-name.js';
 import { freedomInWords } from '../../core/freedom-words.js';
-import { groupAt, isDriven, shown, shownEnd } from '../../core/shown.js';
+import { driveReasons, drivesJoints } from '../../core/driven.js';
+import { sentence } from '../../core/format.js';
+import { groupAt, hasNoGoal, shown, shownEnd } from '../../core/shown.js';
 import { atLimits, certificate, mostHolding, percentages, twistInWords, wrenchInWords } from './why-words.js';
 
 /** @param {Pick<import('../../element/workbench.js').App, 'find' | 'store'>} app */
@@ -69,6 +71,13 @@ export function createWhy({ find, store }) {
     </details>`;
   }
 
+  /** Why the driven joints of the motion do not have their values at this frame. */
+  function ofDrivers() {
+    const { result: { motion }, view: { frame, posture } } = store;
+    if (posture || !motion || !drivesJoints(motion)) return nothing;
+    return driveReasons(motion, frame).map((text) => html`<p class="why-sentence">${sentence(text)}</p>`);
+  }
+
   /** What is said of the goal. @param {string} kind @param {Why | null} why */
   function ofGoal(kind, why) {
     if (kind === 'closure_lost') return html`<p class="why-sentence">The loops are open here, so nothing can be said of what holds the workpiece.</p>`;
@@ -87,11 +96,12 @@ export function createWhy({ find, store }) {
       root.hidden = true;
       return;
     }
-    const driven = isDriven(store.view.posture);
-    const kind = driven ? 'driven' : ['reached', 'closure_lost'].includes(end.status) ? end.status : 'held';
+    const driven = hasNoGoal(store);
+    const byMotion = driven && !store.view.posture;
+    const kind = byMotion ? `by drivers ${end.status}` : driven ? 'driven' : ['reached', 'closure_lost'].includes(end.status) ? end.status : 'held';
     const { of } = why ?? {};
     const fits = of !== undefined && of.joints === what.joints && of.goal === what.goal && of.index === what.index;
-    const stale = !fits && kind !== 'closure_lost';
+    const stale = !fits && end.status !== 'closure_lost';
     const contradicts = said !== kind || of?.doc !== what.doc;
     root.classList.toggle('waiting', stale && !contradicts);
     root.classList.toggle('unsaid', stale && contradicts);
@@ -99,8 +109,8 @@ export function createWhy({ find, store }) {
     if (stale) return;
     said = kind;
     render(
-      html`<h2 id="why-title">${driven ? 'What is free here' : 'Why not closer'}</h2>
-        ${ofGoal(kind, why)}${why && kind !== 'closure_lost' ? freedoms(why) : nothing}`,
+      html`<h2 id="why-title">${byMotion && ['at_limit', 'stalled'].includes(end.status) ? 'What stops the drivers' : driven ? 'What is free here' : 'Why not closer'}</h2>
+        ${ofDrivers()}${ofGoal(kind, why)}${why && end.status !== 'closure_lost' ? freedoms(why) : nothing}`,
       root,
     );
   }

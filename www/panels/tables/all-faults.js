@@ -5,6 +5,7 @@
  * @typedef {import('../../core/types.js').Fault} Fault
  * @typedef {import('../../core/types.js').MechanismDocument} MechanismDocument
  */
+import { keyFramesOf } from '../../core/key-frames.js';
 import { valueAt, withValueAt } from '../../core/path.js';
 
 /** Optional numbers: where they are not given, nothing is wrong. */
@@ -43,13 +44,13 @@ function fill(doc, where) {
   // Whatever a parameter were, it may put others at fault.
   if (where.startsWith('parameters.')) return null;
   const key = TIME.exec(where)?.[1];
-  if (key) return withValueAt(doc, where, timeBetween(doc.motion.key_frames, Number(key)));
+  if (key) return withValueAt(doc, where, timeBetween(keyFramesOf(doc), Number(key)));
   if (OPTIONAL.test(where)) return withValueAt(doc, where, undefined);
   if (NUMBER.test(where)) return valueAt(doc, where) === 0 ? null : withValueAt(doc, where, 0);
   return /name$/.test(where) ? withValueAt(doc, where, '') : null;
 }
 
-/** A time between those of the neighbours that have one. @param {MechanismDocument['motion']['key_frames']} keys @param {number} index */
+/** A time between those of the neighbours that have one. @param {import('../../core/types.js').KeyFrame[]} keys @param {number} index */
 function timeBetween(keys, index) {
   const known = keys.flatMap(({ time }, at) => (typeof time === 'number' && at !== index ? [{ time, at }] : []));
   const before = known.filter(({ at }) => at < index).at(-1);

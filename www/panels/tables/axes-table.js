@@ -11,6 +11,7 @@ import { lengthUnit, plural } from '../../core/format.js';
 import { JOINT_LETTERS, JOINT_TYPES } from '../../core/joint-types.js';
 import { sayUndo } from '../../core/undo.js';
 import { html, nothing, repeat } from '../../ui/render.js';
+import { driveItems } from './drive-items.js';
 import { createAxesTools } from './axes-tools.js';
 import { coordinateCells, coordinateHeads } from './frame-table.js';
 
@@ -25,8 +26,9 @@ const DECIMALS = 6;
  * @param {import('./typed-parts.js').View} view
  * @param {ReturnType<typeof import('./typed-parts.js').createTypedParts>} typed
  * @param {() => void} draw
+ * @param {ReturnType<typeof import('./forms.js').createForms>} forms
  */
-export function createAxesTable(store, cells, arrange, view, typed, draw) {
+export function createAxesTable(store, cells, arrange, view, typed, draw, forms) {
   const tools = createAxesTools(view, draw);
 
   /** Three cells of a vector. @param {number} chain @param {number} joint @param {'point' | 'axis' | 'second'} field @param {string} what @param {boolean} optional */
@@ -52,6 +54,7 @@ export function createAxesTable(store, cells, arrange, view, typed, draw) {
     return arrange.menu(`chains[${chain}].joints[${joint}]`, `joint ${joint + 1} of chain ${chain + 1}`, () => [
       { label: 'Insert a joint before', act: insert(joint) },
       { label: 'Insert a joint after', act: insert(joint + 1) },
+      ...driveItems(store, forms, chain, joint),
       { label: 'Remove', disabled: joints.length === 1 ? 'A chain has at least one joint' : '', act: () => store.edit((doc) => edits.removeJoint(doc, chain, joint)) },
     ]);
   }

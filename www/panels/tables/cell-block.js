@@ -2,13 +2,14 @@
  * Blocks of cells as in a spreadsheet: pasting one fills the cells from where one is; Shift with the arrows or a click
  * chooses one, to be copied in whole numbers or cleared. Each is one step of undo.
  */
+import { keyFramesOf } from '../../core/key-frames.js';
 import { blockText, parseBlock } from './block-text.js';
 import { entry } from '../../core/edits.js';
 import { addKeyFrame, setTimes } from '../../core/key-frame-edits.js';
 import { element, focusBeside, setText } from '../../ui/dom.js';
 import { onKeys } from '../../ui/keys.js';
 import { plural } from '../../core/format.js';
-import { valueAt } from '../../core/path.js';
+import { valueAt, withValueAt } from '../../core/path.js';
 import { sayUndo } from '../../core/undo.js';
 import { gridAt } from './grid.js';
 import { placed } from './paste.js';
@@ -18,9 +19,11 @@ import { placed } from './paste.js';
 /** Where each arrow key goes, rows down and cells to the right, in the order of the list of keys. */
 const ARROWS = [[0, -1], [0, 1], [-1, 0], [1, 0]];
 
-const KEY_FRAMES = 'motion.key_frames';
+/** Lists that grow with what is pasted into their rows. */
+const GROWING = /^(motion\.key_frames|motion\.drivers\[\d+\]\.values)\[\d+\]/;
 /** Rows that a pasted block may add: each is written cell by cell. */
 const MOST_ROWS = 1_000;
+const KEY_FRAMES = 'motion.key_frames';
 const TIME = /^motion\.key_frames\[(\d+)\]\.time$/;
 
 /**
@@ -67,10 +70,15 @@ export function gridBlock(root, store, cells, say) {
     return times.length ? setTimes(rest, times) : rest;
   }
 
-  /** The document with more key frames, each like the last, for a pasted block to be written into. @param {MechanismDocument} doc @param {number} more */
-  function withMoreKeys(doc, more) {
+  /**
+   * The document with more rows of a list, each like the last, for a pasted block to be written into.
+   * @param {MechanismDocument} doc @param {string} list @param {number} more
+   */
+  function withMore(doc, list, more) {
+    const rows = list === KEY_FRAMES ? [] : valueAt(doc, list);
+    if (rows?.length && more) return withValueAt(doc, list, [...rows, ...Array.from({ length: more }, () => rows[rows.length - 1])]);
     let next = doc;
-    for (let i = 0; i < more; i++) next = addKeyFrame(next, next.motion.key_frames[next.motion.key_frames.length - 1]);
+    for (let i = 0; i < more; i++) next = addKeyFrame(next, keyFramesOf(next)[keyFramesOf(next).length - 1]);
     return next;
   }
 
@@ -87,12 +95,13 @@ export function gridBlock(root, store, cells, say) {
     event.stopPropagation();
     const path = field.dataset.path ?? '';
     const own = at.rows[at.row];
+    const list = GROWING.exec(path)?.[1];
     const plan = placed(rows, {
       columns: own.map((cell) => cell.dataset.column ?? ''),
       rows: at.rows.length,
       row: at.row,
       column: at.column,
-      grows: path.startsWith(KEY_FRAMES),
+      grows: list !== undefined,
     });
     const { room } = plan;
     if (room) {
@@ -101,15 +110,15 @@ export function gridBlock(root, store, cells, say) {
     }
     // In rows that are not there yet, cells have the names of those above them.
     const place = (/** @type {import('./paste.js').Pasted} */ { row, column }) =>
-      at.rows[row]?.[column].dataset.path ?? (own[column].dataset.path ?? '').replace(/\[\d+\]/, `[${row}]`);
+      at.rows[row]?.[column].dataset.path ?? (own[column].dataset.path ?? '').replace(GROWING, `$1[${row}]`);
     // Only a part of many rows is in the table.
-    if (path.startsWith(KEY_FRAMES) && (plan.more > MOST_ROWS || (plan.more > 0 && store.doc.motion.key_frames.length > at.rows.length))) {
-      say(`The pasted block has ${plural(plan.rows, 'row')}, and from this cell on there is room for ${at.rows.length - at.row} in the table. Nothing was written: use From a table…, below the key frames.`);
+    if (list && (plan.more > MOST_ROWS || (plan.more > 0 && valueAt(store.doc, list).length > at.rows.length))) {
+      say(`The pasted block has ${plural(plan.rows, 'row')}, and from this cell on there is room for ${at.rows.length - at.row} in the table. Nothing was written${list === KEY_FRAMES ? ': use From a table…, below the key frames' : ''}.`);
       return;
     }
     const { doc: former } = store;
-    store.edit((doc) => written(withMoreKeys(doc, plan.more), plan.cells.map((cell) => [place(cell), cell.text])));
-    const added = plan.more ? ` ${plural(plan.more, 'key frame')} added.` : '';
+    store.edit((doc) => written(withMore(doc, list ?? '', plan.more), plan.cells.map((cell) => [place(cell), cell.text])));
+    const added = plan.more ? ` ${plural(plan.more, list === KEY_FRAMES ? 'key frame' : 'value')} added.` : '';
     sayUndo({ store, say }, former, `${size(plan.rows, plan.width)} pasted.${added}${plan.head ? ' The row of heads was skipped.' : ''}`);
   });
 

@@ -42,7 +42,7 @@ export function createChainTables(panel, store, cells, defaults, arrange, findSt
   /** Keys of the chains whose start values are unfolded. @type {Set<number>} */
   const unfolded = new Set();
   const typeField = createTypeField(store, defaults, draw);
-  const dhTable = createDhTable(store, cells, defaults, arrange);
+  const dhTable = createDhTable(store, cells, defaults, arrange, forms);
   const unitField = createUnitField(store, say);
   const parameters = createParametersSection(store, cells, { check, say, nameCell: forms.parameter });
 
@@ -50,7 +50,7 @@ export function createChainTables(panel, store, cells, defaults, arrange, findSt
   let axesTable;
   const axes = () => {
     const parts = typed.get();
-    return (axesTable ??= parts?.createAxesTable(store, cells, arrange, view, typed, draw));
+    return (axesTable ??= parts?.createAxesTable(store, cells, arrange, view, typed, draw, forms));
   };
 
   /** @param {number} chain */

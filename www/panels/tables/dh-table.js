@@ -6,6 +6,7 @@
 import * as edits from '../../core/edits.js';
 import { angleUnit, lengthUnit } from '../../core/format.js';
 import { JOINT_LETTERS, JOINT_TYPES, jointOf, variableName } from '../../core/joint-types.js';
+import { driveItems } from './drive-items.js';
 import { html, nothing, repeat } from '../../ui/render.js';
 
 /** @type {['alpha' | 'a' | 'theta' | 'd', string, 'angle' | 'length'][]} */
@@ -21,8 +22,9 @@ const PARAMETERS = [
  * @param {ReturnType<typeof import('./cells.js').createCells>} cells
  * @param {import('../../core/types.js').Defaults} defaults
  * @param {ReturnType<typeof import('./reorder.js').createArrange>} arrange
+ * @param {ReturnType<typeof import('./forms.js').createForms>} forms
  */
-export function createDhTable(store, cells, defaults, arrange) {
+export function createDhTable(store, cells, defaults, arrange, forms) {
   /** @param {number} chain @param {number} joint */
   const picker = (chain, joint) =>
     cells.select({
@@ -38,6 +40,7 @@ export function createDhTable(store, cells, defaults, arrange) {
     return arrange.menu(`chains[${chain}].joints[${joint}]`, `joint ${joint + 1} of chain ${chain + 1}`, () => [
       { label: 'Insert a joint before', act: insert(joint) },
       { label: 'Insert a joint after', act: insert(joint + 1) },
+      ...driveItems(store, forms, chain, joint),
       { label: 'Remove', act: () => store.edit((doc) => edits.removeJoint(doc, chain, joint)) },
     ]);
   }

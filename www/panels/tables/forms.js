@@ -1,7 +1,7 @@
 /**
  * Dialogs that are opened from the tables, loaded when they are asked for: a frame's turn in other forms, copies of a
  * chain around an axis, the convention of its table, the other unit of angles, a chain by its axes or by its rows, and
- * key frames from a table.
+ * key frames from a table; and what a motion with driven joints needs, loaded in the same way.
  *
  * @typedef {(text: string, chain: number) => Promise<import('../../core/ask.js').Outcome<string>>} Rewrite gives a chain by its axes
  */
@@ -17,9 +17,8 @@
  */
 export function createForms(root, store, say, readPoses, check, label, rewrite) {
   /** @param {string} what @param {() => Promise<void>} open */
-  const asked = (what, open) => {
+  const asked = (what, open) =>
     open().catch((error) => say(`${what} could not be opened (${error instanceof Error ? error.message : error}). Try again.`));
-  };
   return {
     /** @param {string} path of a frame @param {string} name "key frame 2", "base frame of chain 1" */
     turn: (path, name) => asked(`The turn of ${name}`, async () => (await import('./turn-form.js')).openTurnForm(root, store, path, name)),
@@ -38,5 +37,11 @@ export function createForms(root, store, say, readPoses, check, label, rewrite) 
     intoRows: (chain) => asked('The rows', async () => (await import('./rewriting.js')).turnIntoRows({ store, say }, chain)),
     /** @param {number} chain */
     copies: (chain) => asked('The copies around an axis', async () => (await import('./copies-form.js')).openCopiesForm(root, store, chain)),
+    /** The motion by driven joints, or by key frames. @param {boolean} driven */
+    drive: (driven) => asked('Driven joints', async () => (await import('../../core/driver-edits.js'))[driven ? 'goToDrivers' : 'goToKeyFrames']({ store, say })),
+    /** One joint variable is driven. @param {import('../../core/driver-edits.js').Place} place */
+    driveJoint: (place) => asked('Driven joints', async () => (await import('../../core/driver-edits.js')).driveJoint({ store, say }, place)),
+    /** @param {ReturnType<typeof import('./cells.js').createCells>} cells @param {(table: () => unknown) => void} made */
+    driverTable: (cells, made) => asked('The table of driven joints', async () => made((await import('./driver-table.js')).createDriverTable(root, store, cells))),
   };
 }

@@ -5,6 +5,7 @@
  * @typedef {import('../../core/types.js').MetricGaps} MetricGaps
  */
 import { textOf } from '../../core/document-text.js';
+import { drivesJoints } from '../../core/driven.js';
 import { element, setText } from '../../ui/dom.js';
 import { angle, length } from '../../core/format.js';
 import { METRICS } from '../../core/status-words.js';
@@ -25,11 +26,13 @@ export function createMetricComparison(store, ask) {
     return { name, mark, gaps, root: element('div', {}, element('dt', {}, words, ' ', mark), element('dd', {}, gaps)) };
   });
   const note = element('p', { class: 'muted' });
+  const intro = element('p', {}, 'This motion in either metric, largest shift and largest turn:');
+  const lines = element('dl', {}, ...parts.map((part) => part.root));
   const root = element(
     'div',
     { class: 'comparison waiting', role: 'group', 'aria-label': 'Largest gaps of this motion in either metric' },
-    element('p', {}, 'This motion in either metric, largest shift and largest turn:'),
-    element('dl', {}, ...parts.map((part) => part.root)),
+    intro,
+    lines,
     note,
   );
   /** The document that the numbers are of. @type {unknown} */
@@ -48,6 +51,13 @@ export function createMetricComparison(store, ask) {
   function follow() {
     const { motion, doc, fault, trouble } = store.result;
     for (const { name, mark } of parts) setText(mark, name === motion?.report.metric.kind ? 'in use' : '');
+    const driven = drivesJoints(motion);
+    lines.hidden = intro.hidden = driven;
+    if (driven) {
+      leave();
+      shown = null;
+      return setText(note, 'Joints are driven: there is no goal, and no gap in either metric. Method and metric are used where the workpiece is pulled by hand.');
+    }
     if (!seen) return;
     if (doc === shown) {
       root.classList.remove('waiting');

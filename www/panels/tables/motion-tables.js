@@ -1,14 +1,16 @@
 /**
- * The goal motion and the planner's settings as tables.
+ * The motion, by key frames or by driven joints, and the planner's settings as tables.
  *
  * @typedef {import('../../core/store.js').Store} Store
  * @typedef {import('../../core/types.js').Defaults} Defaults
  */
+import { keyFramesOf } from '../../core/key-frames.js';
 import * as edits from '../../core/edits.js';
 import { addKeyFrame, duplicateKeyFrame, removeKeyFrame, setTime } from '../../core/key-frame-edits.js';
 import { lengthUnit, plural } from '../../core/format.js';
 import { keyFrameIn, PAGE, pageWith } from '../../core/row-window.js';
-import { html, nothing, renderRows, repeat } from '../../ui/render.js';
+import { hasDrivers } from '../../core/driven.js';
+import { html, live, nothing, renderRows, repeat } from '../../ui/render.js';
 import { shownFrame } from '../../core/shown-frame.js';
 import { coordinateCells, coordinateHeads } from './frame-table.js';
 import { createMetricComparison } from './metric-comparison.js';
@@ -36,7 +38,7 @@ export function createMotionTables(panel, store, cells, defaults, arrange, { goT
   let first = 0;
 
   function keyTable() {
-    const keys = store.doc.motion.key_frames;
+    const keys = keyFramesOf(store.doc);
     first = pageWith(keys.length, first);
     const page = keys.slice(first, first + PAGE);
     const places = rowKeys(page);
@@ -99,7 +101,7 @@ export function createMotionTables(panel, store, cells, defaults, arrange, { goT
 
   /** @param {number} key that is on the page then */
   function turnTo(key) {
-    const next = pageWith(store.doc.motion.key_frames.length, key);
+    const next = pageWith(keyFramesOf(store.doc).length, key);
     if (next === first) return;
     first = next;
     draw();
@@ -144,11 +146,44 @@ export function createMotionTables(panel, store, cells, defaults, arrange, { goT
     </div>`;
   }
 
+  /** The tables of driven joints, once they are asked for. @type {(() => unknown) | null} */
+  let driverTable = null;
+  let asking = false;
+
+  function driverTables() {
+    if (driverTable) return driverTable();
+    if (!asking) {
+      asking = true;
+      forms.driverTable(cells, (made) => {
+        driverTable = made;
+        if (hasDrivers(store.doc)) draw();
+      }).finally(() => (asking = false));
+    }
+    return html`<p class="muted">Loading …</p>`;
+  }
+
+  /** By what the motion is given. */
+  function kindChoice() {
+    const driven = hasDrivers(store.doc);
+    const choice = (/** @type {string} */ text, /** @type {boolean} */ on) =>
+      html`<label><input type="radio" name="motion-kind" .checked=${live(on === driven)} ?disabled=${store.readonly} @change=${() => forms.drive(on)} />${text}</label>`;
+    return html`<div class="motion-kind" role="radiogroup" aria-label="The motion is given by">${choice('Key frames', false)}${choice('Driven joints', true)}</div>`;
+  }
+
   const comparison = createMetricComparison(store, compareMetrics);
 
   function draw() {
     renderRows(
-      html`<div class="title"><h2>Key frames</h2><span>${plural(store.doc.motion.key_frames.length, 'pose')}</span></div>
+      html`${kindChoice()}${hasDrivers(store.doc) ? driverTables() : keyFrameTables()}
+        <div class="title"><h2>Planner</h2></div>
+        ${plannerSettings(store, cells, defaults)}${comparison}`,
+      panel,
+    );
+  }
+
+  /** The key frames, and how the goal goes from one to the next. */
+  const keyFrameTables = () =>
+      html`<div class="title"><h2>Key frames</h2><span>${plural(keyFramesOf(store.doc).length, 'pose')}</span></div>
         ${keyTable()}
         <div class="adders">
           <button class="wide" title="A key frame where the workpiece is now" @click=${() => addShown('pose')}>+ at the shown pose</button>
@@ -157,12 +192,7 @@ export function createMotionTables(panel, store, cells, defaults, arrange, { goT
           <button class="wide" title="A copy of the last key frame, to be changed" @click=${() => store.edit((doc) => addKeyFrame(doc, lastKey()))}>+ like the last</button>
         </div>
         <div class="title"><h2>Goal motion</h2></div>
-        ${goalSettings()}
-        <div class="title"><h2>Planner</h2></div>
-        ${plannerSettings(store, cells, defaults)}${comparison}`,
-      panel,
-    );
-  }
+        ${goalSettings()}`;
 
   return { draw, reveal };
 
@@ -174,19 +204,20 @@ export function createMotionTables(panel, store, cells, defaults, arrange, { goT
 
   /** @param {number} key */
   function takeShown(key) {
-    const { time, name } = store.doc.motion.key_frames[key];
+    const { time, name } = keyFramesOf(store.doc)[key];
     const frame = shownFrame(store, 'pose');
     if (frame) store.edit((doc) => edits.setValue(doc, `motion.key_frames[${key}]`, { name, ...frame, ...(time === undefined ? {} : { time }) }));
   }
 
   /** A new key frame begins where the last one is, so that it can be seen and moved from there. */
   function lastKey() {
-    const { time: _, ...last } = store.doc.motion.key_frames.at(-1) ?? defaults.key_frame;
+    const { time: _, ...last } = keyFramesOf(store.doc).at(-1) ?? defaults.key_frame;
     return last;
   }
 }
 
 /** The mean of the key frames' positions; what is no number counts as 0, and is at fault. @param {import('../../core/types.js').MechanismDocument} doc */
-function meanPosition({ motion: { key_frames: keys } }) {
+function meanPosition(doc) {
+  const keys = keyFramesOf(doc);
   return /** @type {const} */ (['x', 'y', 'z']).map((axis) => keys.reduce((sum, key) => sum + (Number(key[axis]) || 0), 0) / keys.length);
 }

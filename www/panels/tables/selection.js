@@ -4,8 +4,8 @@
  */
 import { covers } from '../../core/path.js';
 
-/** The things that can be selected: chains, joints, base and gripper frames, key frames. */
-const THING = /^(?:chains\[\d+\](?:\.joints\[\d+\]|\.base|\.gripper)?|motion\.key_frames\[\d+\])/;
+/** The things that can be selected: chains, joints, base and gripper frames, key frames, drivers. */
+const THING = /^(?:chains\[\d+\](?:\.joints\[\d+\]|\.base|\.gripper)?|motion\.(?:key_frames|drivers)\[\d+\])/;
 
 /** The thing that a place of the document belongs to, '' if it is none. @param {string} path */
 const thingOf = (path) => THING.exec(path)?.[0] ?? '';

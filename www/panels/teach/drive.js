@@ -6,6 +6,8 @@
  * @typedef {object} Variable one joint variable; values in degrees or lengths
  * @property {number} index in the columns of all joint variables
  * @property {number} chain
+ * @property {number} joint of the chain
+ * @property {number} freedom of the joint
  * @property {string} name θ₁ or d₂
  * @property {boolean} turns
  * @property {number | null} min its limits
@@ -41,6 +43,8 @@ export function variablesOf(motion, doc) {
       return {
         index: index++,
         chain: number,
+        joint,
+        freedom,
         name: variableName(variable, row),
         turns,
         min,

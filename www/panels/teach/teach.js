@@ -6,7 +6,9 @@
  * @typedef {{text: string, stage: 'typing' | 'driven' | 'refused'}} Entry what was typed into a number's field and is not its value yet
  */
 import { chainName } from '../../core/chain-name.js';
+import { driverIndex } from '../../core/driven.js';
 import { element } from '../../ui/dom.js';
+import { withPart } from '../../ui/lazy.js';
 import { entry } from '../../core/edits.js';
 import { html, live, nothing, render } from '../../ui/render.js';
 import { ANGLE_DECIMALS, lengthUnit, short } from '../../core/format.js';
@@ -79,6 +81,15 @@ export function createTeach(app, panel) {
     return `${name} takes a number${bounds} (${unitInWords(variable)}), not “${typed.trim()}”.`;
   }
 
+  /** Makes the motion drive this joint. @param {Variable} variable */
+  function driveButton({ chain, joint, freedom, name }) {
+    if (store.readonly) return nothing;
+    const driven = driverIndex(store.doc, { chain, joint, freedom }) >= 0;
+    const load = () => withPart(app, 'Driven joints', () => import('../../core/driver-edits.js'), (edits) => edits.driveJoint(app, { chain, joint, freedom }));
+    return html`<button class="link teach-drive" ?disabled=${driven} aria-label=${`Drive ${name} of ${chainName(store.doc.chains[chain], chain)} in the motion`} @click=${load}
+      >${driven ? 'Driven in the motion' : 'Drive this joint'}</button>`;
+  }
+
   /** @param {Variable} variable @param {number} value */
   function row(variable, value) {
     const { index, chain, name, range, min, max } = variable;
@@ -119,6 +130,7 @@ export function createTeach(app, panel) {
           @change=${(/** @type {Event} */ event) => take(variable, input(event).value, words)} />
         <small>${unit}</small>
       </span>
+      ${driveButton(variable)}
       <p class="fault" role="status" id="teach-note-${index}" ?hidden=${!why}>${why}</p>
     </div>`;
   }

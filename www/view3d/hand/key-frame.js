@@ -9,6 +9,7 @@
  * @property {() => void} cancel back to where it was
  * @property {() => string} tell where it is, in words
  */
+import { keyFramesOf } from '../../core/key-frames.js';
 import { Quaternion, Vector3 } from 'three';
 import { frameAsWritten } from '../../core/document-angles.js';
 import { frameNumbers, withoutForms } from '../../core/frame-numbers.js';
@@ -34,7 +35,7 @@ let drags = 0;
  */
 export function keyFrameTarget({ store, player, say }, index, size) {
   const path = `motion.key_frames[${index}]`;
-  const key = () => store.doc.motion.key_frames[index];
+  const key = () => keyFramesOf(store.doc)[index];
   /** Text that has no value would count as 0, and be lost with the next move: then there are none. */
   const numbers = () => (held && held.key === key() ? held.numbers : frameNumbers(store, path));
   /** What the hand made of a key frame in another form, whose numbers are known only when it is planned. @type {{key: object, numbers: NonNullable<ReturnType<typeof frameNumbers>>} | null} */
@@ -51,7 +52,7 @@ export function keyFrameTarget({ store, player, say }, index, size) {
   function goThere() {
     const { motion, plain } = store.result;
     if (!motion || !plain) return;
-    const keys = plain.motion.key_frames;
+    const keys = keyFramesOf(plain);
     const { time } = keys[index] ?? {};
     const first = motion.time[0];
     const last = motion.time[motion.frames - 1];

@@ -1,9 +1,11 @@
 /**
  * What can be made of a posture that the linkage was moved to by hand: a key frame or the start.
  */
+import { keyFramesOf } from '../../core/key-frames.js';
 import { takeStarts } from '../../core/edits.js';
 import { asWritten } from '../../core/document-angles.js';
 import { addKeyFrame } from '../../core/key-frame-edits.js';
+import { hasDrivers } from '../../core/driven.js';
 import { element } from '../../ui/dom.js';
 import { degrees } from '../../core/format.js';
 import { plain, shownFrame } from '../../core/shown-frame.js';
@@ -18,7 +20,7 @@ export function postureActions({ store }) {
     const fresh = shownFrame(store, 'pose');
     if (!fresh) return;
     store.edit((doc) => addKeyFrame(doc, fresh));
-    store.setView({ selected: `motion.key_frames[${store.doc.motion.key_frames.length - 1}]` });
+    store.setView({ selected: `motion.key_frames[${keyFramesOf(store.doc).length - 1}]` });
   }
 
   function useAsStart() {
@@ -33,8 +35,13 @@ export function postureActions({ store }) {
   }
 
   if (store.readonly) return [];
+  const key = element('button', { class: 'link', title: 'The pose reached here becomes the last key frame', click: addKey }, 'Add key frame here');
+  // Where joints are driven there are no key frames.
+  const offer = () => (key.hidden = hasDrivers(store.doc));
+  store.subscribe('document', offer);
+  offer();
   return [
-    element('button', { class: 'link', title: 'The pose reached here becomes the last key frame', click: addKey }, 'Add key frame here'),
+    key,
     element('button', { class: 'link', title: 'Plan the motion from these joint values', click: useAsStart }, 'Use as start'),
   ];
 }

@@ -71,8 +71,10 @@ export class GapLines {
     for (const mesh of this.#meshes) mesh.count = 0;
     // Counted from the goal's first pose, as a tube's points are.
     const first = originOf(motion.goal, 0);
-    this.group.position.copy(first);
-    for (const frame of gapFrames(motion, r)) {
+    const frames = gapFrames(motion, r);
+    // Where there is no goal there is no line.
+    if (frames.length) this.group.position.copy(first);
+    for (const frame of frames) {
       const from = originOf(motion.goal, frame).sub(first);
       const to = originOf(motion.pose, frame).sub(first);
       const length = from.distanceTo(to);

@@ -3,6 +3,7 @@
  *
  * @typedef {import('../../core/types.js').Motion} Motion
  */
+import { keyFramesOf } from '../../core/key-frames.js';
 import { BufferGeometry, InstancedMesh, Matrix4, Vector3 } from 'three';
 import { frameMatrix, originOf, turnOf } from '../../core/poses.js';
 import { spreadOver } from '../../core/spread.js';
@@ -26,7 +27,7 @@ export const ghostStep = (frames) => Math.max(1, Math.round((frames - 1) / SPREA
 export function ghostFrames(ghosts, motion, doc) {
   const { frames } = motion;
   if (ghosts === 'none') return [];
-  if (ghosts === 'keys') return ghostsOfKeys(motion, doc.motion.key_frames);
+  if (ghosts === 'keys') return ghostsOfKeys(motion, keyFramesOf(doc));
   if (ghosts === 'spread') return Array.from({ length: Math.floor((frames - 1) / ghostStep(frames)) + 1 }, (_, i) => i * ghostStep(frames));
   return ghosts.filter((frame) => frame < frames).slice(0, MOST);
 }

@@ -2,7 +2,9 @@
  * How large the scene is and where: measured from the motion, and the proportions of its bodies kept while they still fit,
  * so that typing and dragging do not make the bodies and the ground jump.
  */
+import { keyFramesOf } from '../../core/key-frames.js';
 import { Box3, Vector3 } from 'three';
+import { drivesJoints } from '../../core/driven.js';
 import { POSE } from '../../core/poses.js';
 import { spreadOver } from '../../core/spread.js';
 
@@ -80,9 +82,11 @@ function radiusOf(box) {
  * @param {import('../../core/types.js').Motion} motion
  * @param {import('../../core/types.js').MechanismDocument} doc
  */
-function boxesOf({ rows, pose, goal, frames }, doc) {
+function boxesOf(motion, doc) {
+  let { rows, pose, frames } = motion;
+  let goal = drivesJoints(motion) ? pose : motion.goal;
   const number = (/** @type {unknown} */ value) => (typeof value === 'number' ? value : 0);
-  const all = doc.motion.key_frames;
+  const all = keyFramesOf(doc);
   const keys = Float64Array.from(spreadOver(all.length, FRAMES).flatMap((key) => [number(all[key].x), number(all[key].y), number(all[key].z), 0, 0, 0, 1]));
   const some = (/** @type {Float64Array} */ column) => thinned(column, frames);
   [rows, pose, goal] = [rows, pose, goal].map(some);

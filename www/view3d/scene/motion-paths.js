@@ -1,5 +1,5 @@
 /**
- * The goal motion (dark) and the closest motion (light), key frames, the goal's ghost, gaps, and ghosts of the workpiece.
+ * The goal motion (dark), where there is a goal, and the closest motion (light), key frames, the goal's ghost, gaps, and ghosts of the workpiece.
  * Laid anew in place: a goal that is dragged costs no new bodies.
  *
  * @typedef {import('../../core/types.js').Motion} Motion
@@ -7,7 +7,9 @@
  * @typedef {{goal: Material, closest: Material, gap: Material, gaps: Material[], ghost: Material, ghosts: Material, key: Material,
  *   axes: Material[], keyAxes: Material[], faintAxes: Material[]}} PathMaterials
  */
+import { keyFramesOf } from '../../core/key-frames.js';
 import { BufferGeometry, Group, Mesh, SphereGeometry, Vector3 } from 'three';
+import { drivesJoints } from '../../core/driven.js';
 import { frameMatrix, moveTo } from '../../core/poses.js';
 import { spreadOver } from '../../core/spread.js';
 import { GapLines } from './gap-lines.js';
@@ -80,7 +82,8 @@ export class MotionPaths {
   update(motion, doc, { link: r, radius }, body, ghosts) {
     this.#gaps.lay(motion, r, radius);
     if (body) this.#ghosts.lay(motion, ghosts, body);
-    this.#goal.lay(motion.goal, motion.frames, PATH * r);
+    if (drivesJoints(motion)) this.#goal.mesh.visible = false;
+    else this.#goal.lay(motion.goal, motion.frames, PATH * r);
     this.#closest.lay(motion.pose, motion.frames, PATH * r);
     if (body) this.#ghostBody.geometry = body;
     this.#ghostAxes.scale.setScalar(AXES * r);
@@ -90,11 +93,12 @@ export class MotionPaths {
     for (const end of ends) end.scale.setScalar(GAP * r);
 
     this.#link = r;
-    this.#markKeys(doc.motion.key_frames);
+    this.#markKeys(keyFramesOf(doc));
   }
 
   /** Marks a key frame that was left out among many. @param {string} place @param {import('../../core/types.js').MechanismDocument} doc @returns {boolean} whether it was */
-  keep(place, { motion: { key_frames: keys } }) {
+  keep(place, doc) {
+    const keys = keyFramesOf(doc);
     const own = Number(/^motion\.key_frames\[(\d+)]/.exec(place)?.[1] ?? -1);
     if (own === this.#own || keys.length <= MARKS) return false;
     this.#own = own;

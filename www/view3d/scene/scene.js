@@ -16,7 +16,7 @@ import { createMarks } from './marks.js';
 import { createMaterials } from './materials.js';
 import { createMeasure } from './measure.js';
 import { MotionPaths } from './motion-paths.js';
-import { isDriven } from '../../core/shown.js';
+import { hasNoGoal, isDriven } from '../../core/shown.js';
 import { readPalette } from './palette.js';
 import { createPicker } from './pick.js';
 import { createPoster } from './poster.js';
@@ -81,10 +81,16 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
 
   const name = () => marks.name(options.show.names ? names() : []);
 
-  /** @type {Pick<import('../../core/types.js').View, 'show' | 'ghosts'> & {driven: boolean}} */
-  let options = { show: { goal: true, closest: true, gaps: true, names: true, ground: true, axes: true }, ghosts: 'none', driven: false };
+  /** @type {Pick<import('../../core/types.js').View, 'show' | 'ghosts' | 'posture'>} */
+  let options = { show: { goal: true, closest: true, gaps: true, names: true, ground: true, axes: true }, ghosts: 'none', posture: null };
   /** @type {Pick<Result, 'motion' | 'doc'>} */
   let shown = { motion: null, doc: null };
+
+  /** Nothing is drawn of a goal where there is none. */
+  function showParts() {
+    const { show } = options;
+    materials.show(hasNoGoal({ result: shown, view: options }) ? { ...show, goal: false, gaps: false } : show);
+  }
 
   let built = false;
   let draws = 0;
@@ -158,10 +164,10 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
     },
     /** What is drawn, and where ghosts stand. @param {Pick<import('../../core/types.js').View, 'show' | 'ghosts' | 'posture'>} next */
     choose({ show, ghosts, posture }) {
-      const driven = isDriven(posture);
-      if (show === options.show && ghosts === options.ghosts && driven === options.driven) return;
-      options = { show, ghosts, driven };
-      materials.show(driven ? { ...show, goal: false, gaps: false } : show);
+      const before = options;
+      options = { show, ghosts, posture };
+      showParts();
+      if (show === before.show && ghosts === before.ghosts && isDriven(posture) === isDriven(before.posture)) return;
       ground.group.visible = show.ground;
       const { motion, doc } = shown;
       if (motion && doc) paths.showGhosts(motion, ghostFrames(ghosts, motion, doc), linkage.body);
@@ -224,6 +230,7 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
       if (!motion || !doc) return;
       built = true;
       shown = { motion, doc };
+      showParts();
       if (take(motion, doc, afresh)) light.aim(size.centre, size.radius);
       view.setHome(size.home.centre, size.home.radius);
       ground.lay(size.centre, size.radius, size.ground);
