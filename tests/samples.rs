@@ -28,6 +28,7 @@ const FILES: &[(&str, &str)] = files![
     "2tpr.json",
     "four-bar.json",
     "five-link.json",
+    "slider-crank.json",
     "cartesian.json",
     "delta.json",
     "tripod.json",
@@ -41,7 +42,8 @@ const FILES: &[(&str, &str)] = files![
 ];
 
 /// Those that makers made: documents with parameters and axes.
-const MADE: [&str; 6] = [
+const MADE: [&str; 7] = [
+    "slider-crank.json",
     "delta.json",
     "tripod.json",
     "agile-eye.json",
@@ -232,6 +234,7 @@ fn chains_and_mobilities() {
         ("2tpr.json", "TPR TPR", 2, 2),
         ("four-bar.json", "RR RR", -2, 1),
         ("five-link.json", "TS TS TS TS TS", 1, 1),
+        ("slider-crank.json", "RR PR", -2, 1),
         ("cartesian.json", "CRR CRR CRR", 0, 3),
         ("delta.json", "RTT RTT RTT", 3, 3),
         ("tripod.json", "RPS RPS RPS", 3, 3),
@@ -268,6 +271,23 @@ fn lambda_linkage_draws_a_straight_stroke() {
     assert!(stroke.len() > 12, "{} frames", stroke.len());
     // Exact at x = 0, 0.8 and 1.6; between them at most 0.0039 off, of a stroke of 1.6.
     assert!(stroke.iter().all(|[_, z]| (z - 1.6).abs() < 5e-3));
+}
+
+/// What its text says: the slider's pin keeps its line while the crank turns by 360°, as far as crank and rod reach.
+#[test]
+fn slider_crank_keeps_its_line() {
+    let Sample { motion, .. } = named("slider-crank.json");
+    let pin = |frame: usize| motion.poses[frame].translation;
+    let along: Vec<f64> = (0..motion.frames()).map(|frame| pin(frame).x).collect();
+    assert!((0..motion.frames()).all(|frame| libm::hypot(pin(frame).y, pin(frame).z) < 1e-8));
+    let most = along.iter().copied().fold(f64::MIN, f64::max);
+    let least = along.iter().copied().fold(f64::MAX, f64::min);
+    // Crank and rod in one line: 150 + 50 and 150 - 50, at a frame each.
+    assert!(
+        (most - 200.0).abs() < 1e-8 && (least - 100.0).abs() < 1e-8,
+        "{least} {most}"
+    );
+    assert!((along[0] - along[motion.frames() - 1]).abs() < 1e-8);
 }
 
 /// What their texts say: the Delta's platform is never turned, the middle of the agile eye's never shifted, and Sarrus's
