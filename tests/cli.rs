@@ -8,7 +8,7 @@ use std::io::{Read, Write};
 use std::path::PathBuf;
 use std::process::{Command, Output, Stdio};
 use synthetica::document::number::readable;
-use synthetica::document::{problem::Problem, schema, text};
+use synthetica::document::{problem::Problem, schema};
 use synthetica::exchange::export;
 use synthetica::makers::from_type::from_type;
 use synthetica::makers::list::list as makers;

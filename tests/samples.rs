@@ -28,6 +28,7 @@ const FILES: &[(&str, &str)] = files![
     "2tpr.json",
     "four-bar.json",
     "five-link.json",
+    "slider-crank.json",
     "cartesian.json",
     "delta.json",
     "tripod.json",
@@ -41,7 +42,8 @@ const FILES: &[(&str, &str)] = files![
 ];
 
 /// Those that makers made: documents with parameters and axes.
-const MADE: [&str; 6] = [
+const MADE: [&str; 7] = [
+    "slider-crank.json",
     "delta.json",
     "tripod.json",
     "agile-eye.json",
@@ -232,6 +234,7 @@ fn chains_and_mobilities() {
         ("2tpr.json", "TPR TPR", 2, 2),
         ("four-bar.json", "RR RR", -2, 1),
         ("five-link.json", "TS TS TS TS TS", 1, 1),
+        ("slider-crank.json", "RR PR", -2, 1),
         ("cartesian.json", "CRR CRR CRR", 0, 3),
         ("delta.json", "RTT RTT RTT", 3, 3),
         ("tripod.json", "RPS RPS RPS", 3, 3),
@@ -270,6 +273,23 @@ fn lambda_linkage_draws_a_straight_stroke() {
     assert!(stroke.iter().all(|[_, z]| (z - 1.6).abs() < 5e-3));
 }
 
+/// What its text says: the slider's pin keeps its line while the crank turns by 360°, as far as crank and rod reach.
+#[test]
+fn slider_crank_keeps_its_line() {
+    let Sample { motion, .. } = named("slider-crank.json");
+    let pin = |frame: usize| motion.poses[frame].translation;
+    let along: Vec<f64> = (0..motion.frames()).map(|frame| pin(frame).x).collect();
+    assert!((0..motion.frames()).all(|frame| libm::hypot(pin(frame).y, pin(frame).z) < 1e-8));
+    let most = along.iter().copied().fold(f64::MIN, f64::max);
+    let least = along.iter().copied().fold(f64::MAX, f64::min);
+    // Crank and rod in one line: 150 + 50 and 150 - 50, at a frame each.
+    assert!(
+        (most - 200.0).abs() < 1e-8 && (least - 100.0).abs() < 1e-8,
+        "{least} {most}"
+    );
+    assert!((along[0] - along[motion.frames() - 1]).abs() < 1e-8);
+}
+
 /// What their texts say: the Delta's platform is never turned, the middle of the agile eye's never shifted, and Sarrus's
 /// platform keeps its line.
 #[test]
@@ -280,7 +300,7 @@ fn made_samples_move_as_they_say() {
     assert!((eye.poses.iter()).all(|pose| pose.translation.vector.norm() < 1e-8));
     let sarrus = named("sarrus.json").motion;
     for pose in &sarrus.poses {
-        let aside = pose.translation.x.hypot(pose.translation.y);
+        let aside = libm::hypot(pose.translation.x, pose.translation.y);
         assert!(aside < 1e-7 && pose.rotation.angle() < 1e-9, "{aside}");
     }
 }
@@ -289,7 +309,7 @@ fn made_samples_move_as_they_say() {
 #[test]
 fn tripod_moves_aside() {
     let Sample { motion, .. } = named("tripod.json");
-    let aside = 250.0 * (1.0 - 20_f64.to_radians().cos()) / 2.0;
+    let aside = 250.0 * (1.0 - libm::cos(20_f64.to_radians())) / 2.0;
     let tilted = motion.poses[(motion.frames() - 1) / 4];
     assert!((tilted.rotation.angle() - 20_f64.to_radians()).abs() < 1e-8);
     assert!((tilted.translation.x + aside).abs() < 1e-6);
