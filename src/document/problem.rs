@@ -10,7 +10,7 @@ use crate::document::drivers::schedule_of;
 use crate::document::fault::{Fault, FaultCode, Place};
 use crate::document::motion::goal_of;
 use crate::document::number::typed;
-use crate::document::parts::{each, frame};
+use crate::document::parts::{each, frame, inner_length, inner_twist};
 use crate::document::planner::settings;
 use crate::document::schema::{ChainEntry, Document, JointEntry, LimitsEntry, RowEntry};
 use crate::math::pose::Pose;
@@ -245,16 +245,10 @@ fn joint(entry: &JointEntry, place: &Place<'_>) -> Result<Joint, Fault> {
         }
         JointFault::NotFinite { row } => not_finite(&row_list.item(row)),
         JointFault::InnerTwist { row, .. } => {
-            let alpha = entry.rows[row].alpha;
-            let what =
-                format!("the axes inside a joint of type {letter} are at right angles, here at {}", typed(alpha));
-            inner(row, "alpha", what, "90 or -90")
+            inner_twist(kind, entry.rows[row].alpha, &row_list.item(row))
         }
         JointFault::InnerLength { row, .. } => {
-            let a = entry.rows[row].a;
-            let what =
-                format!("the axes inside a joint of type {letter} meet, here they are {} apart", typed(a));
-            inner(row, "a", what, "0")
+            inner_length(kind, entry.rows[row].a, &row_list.item(row))
         }
         JointFault::InnerOffset { row, .. } => {
             let d = entry.rows[row].d;
@@ -266,7 +260,7 @@ fn joint(entry: &JointEntry, place: &Place<'_>) -> Result<Joint, Fault> {
             let what = format!(
                 "the axis of a joint of type E is at right angles to both sliders, here turned by {}", typed(theta)
             );
-            inner(row, "theta", what, "90 or -90")
+            inner(row, "theta", what, "90 or -90 degrees")
         }
         JointFault::LimitOrder { freedom, .. } => {
             let what = "the smallest value is above the largest";

@@ -81,7 +81,11 @@ pub(crate) fn evaluate(node: &mut Node) -> Result<(Parameters, Vec<ExpressionVal
         let value = value.map_err(|fault| {
             let path = &fault.place;
             let optional = OPTIONAL.iter().any(|name| path.ends_with(name));
-            if optional && !path.contains("drivers") { fault.or_null() } else { fault }
+            if optional && !path.contains("drivers") {
+                fault.or_null()
+            } else {
+                fault
+            }
         })?;
         let path = place.path();
         expressions.push(ExpressionValue { path, value });
