@@ -13,12 +13,14 @@ const TABLES: &str = r#"{"version": 1, "name": "all", "angles": "radians", "leng
     {"name": "arm", "convention": "standard", "base": {"x": "l", "quaternion_wxyz": ["cos(q/2)", 0, 0, "sin(q/2)"]},
       "joints": [{"type": "R", "rows": [{"alpha": "-q", "a": "r", "theta": 0.2, "d": 10}], "limits": [{"min": -2, "max": "q"}]},
         {"type": "u", "rows": [{"alpha": "q"}, {"a": "l", "alpha": 0.3}]},
-        {"type": "S", "rows": [{"alpha": "q"}, {"alpha": "-q"}, {"alpha": 0.1, "a": 5, "d": "l/3"}]}],
-      "gripper": {"z": 7, "matrix": [[0, -1, 0], [1, 0, 0], [0, 0, 1]]}, "start": [0.1, "q/9", -0.2, 0.3, 0.1, 0]},
+        {"type": "P", "rows": [{"theta": 1}], "limits": [{"max": "r"}]}],
+      "gripper": {"z": 7, "matrix": [[0, -1, 0], [1, 0, 0], [0, 0, 1]]}, "start": [0.1, "q/9", -0.2, 0.3]},
+    {"convention": "standard", "joints": [{"type": "p", "rows": [{"a": 7}]},
+      {"type": "S", "rows": [{"alpha": "q"}, {"alpha": "-q"}, {"alpha": 0.1, "a": 5, "d": "l/3"}]}]},
     {"joints": [{"type": "C", "rows": [{"theta": "q"}]}, {"type": "E", "rows": [{}, {"alpha": "q", "theta": "q"}, {"alpha": "q"}]}]}],
   "motion": {"key_frames": [{"x": "l", "roll_pitch_yaw": [0.1, "q/5", 0.3], "order": "ZYX", "time": 0},
       {"x": 250, "quaternion_xyzw": [0, 0, 0, 1], "time": "2+1"}],
-    "frames": "4+5", "radius": "l/7", "reference": [0, "r", 1]},
+    "frames": "4+5", "radius": "l*7", "reference": [0, "r", 1]},
   "planner": {"metric_length": "r+1", "dimension_tolerance": "1/1000", "max_iterations": 50}}"#;
 
 fn texts() -> Vec<String> {
@@ -104,36 +106,47 @@ fn tokens(text: &str) -> Vec<(usize, usize)> {
 
 /// The fault is at a value of the text, or at a field that could be beside those there are.
 fn is_typed(text: &str, fault: &Fault) -> bool {
-    let Ok(mut value) = serde_json::from_str::<Value>(text) else {
-        return fault.code == FaultCode::Syntax || fault.place.is_empty();
+    let Ok(value) = serde_json::from_str::<Value>(text) else {
+        return fault.code == FaultCode::Syntax || fault.code == FaultCode::DuplicateField;
     };
-    let mut steps = Vec::new();
-    for part in fault.place.split('.').filter(|part| !part.is_empty()) {
-        let (name, indices) = part.split_once('[').unwrap_or((part, ""));
-        steps.push(name.to_owned());
-        steps.extend(
-            indices
-                .split(['[', ']'])
-                .filter(|index| !index.is_empty())
-                .map(str::to_owned),
-        );
-    }
-    let last = steps.pop();
-    for step in &steps {
-        let next = match step.parse::<usize>() {
-            Ok(index) => value.get_mut(index),
-            Err(_) => value.get_mut(step.as_str()),
+    let (mut value, mut rest) = (&value, fault.place.as_str());
+    while !rest.is_empty() {
+        let next = match value {
+            Value::Object(fields) => {
+                let name = rest.strip_prefix('.').unwrap_or(rest);
+                // Names may have points and brackets in them: the longest that fits.
+                let fits = |(key, _): &(&String, &Value)| {
+                    let end = name.strip_prefix(key.as_str());
+                    end.is_some_and(|end| end.is_empty() || end.starts_with(['.', '[']))
+                };
+                let found = fields.iter().filter(fits).max_by_key(|(key, _)| key.len());
+                let Some((key, value)) = found else {
+                    // Of a long name of a field that there is not only the beginning is told.
+                    return !name.contains(['.', '[']) || name.ends_with('\u{2026}');
+                };
+                (value, &name[key.len()..])
+            }
+            Value::Array(items) => {
+                let index = rest.strip_prefix('[').and_then(|rest| rest.split_once(']'));
+                let found = index.and_then(|(index, rest)| {
+                    Some((items.get(index.parse::<usize>().ok()?)?, rest))
+                });
+                let Some(found) = found else {
+                    return false;
+                };
+                found
+            }
+            Value::Null | Value::Bool(_) | Value::Number(_) | Value::String(_) => return false,
         };
-        let Some(next) = next else {
-            return false;
-        };
-        value = next.take();
+        (value, rest) = next;
     }
-    match last.map(|last| last.parse::<usize>()) {
-        Some(Ok(index)) => value.get(index).is_some(),
-        Some(Err(_)) => value.is_object(),
-        None => !value.is_object() || fault.code == FaultCode::DuplicateField,
-    }
+    // A field without a name has the place of what it is in.
+    !fault.place.is_empty()
+        || !value.is_object()
+        || matches!(
+            fault.code,
+            FaultCode::UnknownField | FaultCode::DuplicateField
+        )
 }
 
 #[test]
@@ -151,10 +164,14 @@ fn mutilated_typed_documents_have_an_answer_or_a_fault_at_a_typed_place() {
         usize::try_from((state >> 33) % below as u64).expect("below")
     };
     let (mut accepted, mut refused) = (0, 0);
-    for round in 0..6_000 {
+    for round in 0..4_000 {
         let mut text = texts[round % texts.len()].clone();
-        for _ in 0..=random(3) {
-            let found = tokens(&text);
+        for _ in 0..=random(2) {
+            let mut found = tokens(&text);
+            if random(4) > 0 {
+                // Values rather than names of fields.
+                found.retain(|&(_, end)| !text[end..].starts_with(':'));
+            }
             if found.is_empty() {
                 break;
             }
@@ -186,5 +203,5 @@ fn mutilated_typed_documents_have_an_answer_or_a_fault_at_a_typed_place() {
         assert!(is_typed(&text, &fault), "{}: {fault}\n{text}", fault.place);
     }
     // The mutations are mild enough to get past the reader, and strong enough to be refused.
-    assert!(accepted > 300 && refused > 1_000, "{accepted} {refused}");
+    assert!(accepted > 200 && refused > 1_000, "{accepted} {refused}");
 }
