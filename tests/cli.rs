@@ -269,6 +269,16 @@ fn a_maker_makes_what_its_options_say() {
     let asked = "delta?base=400&platform=50&arms=300,580&unit=mm";
     assert_eq!(printed(&["new", asked]), made);
     assert_eq!(made, from_type(asked).expect("a delta"));
+    // Inputs in the name and as options together.
+    let some = [
+        "new",
+        "delta?base=400&platform=50",
+        "--arms",
+        "300,580",
+        "--unit",
+        "mm",
+    ];
+    assert_eq!(printed(&some), made);
     let (out, err, code) = fed(&["check"], &made);
     assert_eq!((err.as_str(), code), ("", 0), "{out}");
     assert!(out.contains("  mobility  3 by rank"), "{out}");

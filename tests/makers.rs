@@ -357,6 +357,23 @@ fn inputs_that_are_none_are_refused_at_their_name() {
             FaultCode::OutOfRange,
             "do not reach the platform",
         ),
+        (
+            &[("base", "1e13")],
+            "base",
+            FaultCode::OutOfRange,
+            "lengths of at most 1e12",
+        ),
+        // Each may be, but not the sum that the document has of them.
+        (
+            &[
+                ("platform", "9e11"),
+                ("base", "9e11"),
+                ("arms", "9e11,1e12"),
+            ],
+            "platform",
+            FaultCode::OutOfRange,
+            "with these numbers",
+        ),
     ] {
         let fault = fault(delta(), pairs);
         assert_eq!((fault.place.as_str(), fault.code), (place, code), "{fault}");
@@ -394,7 +411,7 @@ fn a_name_makes_a_maker_or_a_type() {
         ("nonsense?a=1", "type", "Accepted: "),
         ("delta?base", "type", "gives no value"),
         ("delta?base=400&base=3", "base", "twice"),
-        ("delta?unit=mm&unit=m", "unit", "no such input"),
+        ("delta?unit=mm&unit=m", "unit", "given twice"),
         ("", "type", "there is no chain"),
     ] {
         let fault = from_type(text).expect_err(text);

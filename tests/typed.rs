@@ -214,6 +214,14 @@ fn rotations_are_given_in_any_form() {
         ),
         (r#""order": "xyz""#, "motion.key_frames[0].order"),
         (
+            r#""quaternion_wxyz": [1, 0, 0, 0], "order": "xyz""#,
+            "motion.key_frames[0].order",
+        ),
+        (
+            r#""roll_pitch_yaw": [0, 1e300, 0]"#,
+            "motion.key_frames[0].roll_pitch_yaw[1]",
+        ),
+        (
             r#""roll": 3, "roll_pitch_yaw": [1, 0, 0]"#,
             "motion.key_frames[0].roll",
         ),
@@ -299,4 +307,64 @@ fn every_fault_has_its_place() {
             "{fault}"
         );
     }
+}
+
+#[test]
+fn a_fault_of_a_standard_table_is_at_the_row_that_was_typed() {
+    let with = |first: &str, second: &str| {
+        format!(
+            r#"{{"version": 1, "chains": [{{"convention": "standard", "joints": [
+                {{"type": "R", "rows": [{{{first}}}]}}, {{"type": "T", "rows": [{{{second}}}, {{"a": 1}}]}}]}}],
+            "motion": {{"key_frames": [{{"x": 1}}, {{"roll": 5}}]}}}}"#
+        )
+    };
+    let right = r#""alpha": 90"#;
+    assert_eq!(
+        session(&with(right, right)).problem().mechanism.variables(),
+        3
+    );
+    for (first, second, place) in [
+        (r#""a": 1e13"#, right, "chains[0].joints[0].rows[0].a"),
+        (
+            r#""alpha": 1e7"#,
+            right,
+            "chains[0].joints[0].rows[0].alpha",
+        ),
+        (
+            r#""alpha": null"#,
+            right,
+            "chains[0].joints[0].rows[0].alpha",
+        ),
+        (r#""a": true"#, right, "chains[0].joints[0].rows[0].a"),
+        ("", r#""alpha": 80"#, "chains[0].joints[1].rows[0].alpha"),
+        (
+            "",
+            r#""alpha": 90, "a": 1"#,
+            "chains[0].joints[1].rows[0].a",
+        ),
+        (
+            "",
+            r#""alpha": 90, "d": 1e13"#,
+            "chains[0].joints[1].rows[0].d",
+        ),
+    ] {
+        let fault = fault(&with(first, second));
+        assert_eq!(fault.place, place, "{fault}");
+    }
+}
+
+#[test]
+fn rows_too_long_for_a_document_are_told_at_the_axes() {
+    let with = |x: &str, home: &str| {
+        format!(
+            r#"{{"version": 1, "home": {{{home}}}, "chains": [{{"joints": [{{"type": "R", "point": [0, 0, 0], "axis": [0, 0, 1]}},
+                {{"type": "R", "point": [{x}, 0, 0], "axis": [0, 0.00001, 1]}}]}}],
+            "motion": {{"key_frames": [{{"x": 1}}, {{"x": 2}}]}}}}"#
+        )
+    };
+    assert_eq!(session(&with("1", "")).problem().mechanism.variables(), 2);
+    let far = with("1", "").replace("\"point\": [1, 0, 0]", "\"point\": [0, 1e9, 0]");
+    let fault = fault(&far);
+    assert!(fault.place.starts_with("chains[0].joints["), "{fault}");
+    assert!(fault.message.contains("common normal"), "{fault}");
 }

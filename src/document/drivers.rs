@@ -10,7 +10,7 @@ use crate::document::schema::MotionEntry;
 use crate::document::wording::Wording;
 use crate::model::chain::Chain;
 use crate::model::mechanism::Mechanism;
-use crate::motion::drivers::{Course, Driver};
+use crate::motion::drivers::{Driver, Schedule};
 use crate::motion::goal::MAX_FRAMES;
 use crate::motion::key_frames::MAX_KEY_FRAMES;
 
@@ -21,10 +21,10 @@ const DRIVERS: Place<'static> = MOTION.field("drivers");
 ///
 /// # Errors
 /// One fault, where there are any.
-pub(crate) fn course_of(
+pub(crate) fn schedule_of(
     motion: &MotionEntry,
     mechanism: &Mechanism,
-) -> Result<Option<Course>, Fault> {
+) -> Result<Option<Schedule>, Fault> {
     if motion.drivers.is_empty() {
         return Ok(None);
     }
@@ -63,7 +63,7 @@ pub(crate) fn course_of(
             return Err(Fault::new(FaultCode::WrongCount, &place, &what, accepted));
         }
     }
-    Ok(Some(Course { drivers, frames }))
+    Ok(Some(Schedule { drivers, frames }))
 }
 
 fn driver(entry: &DriverEntry, mechanism: &Mechanism, place: &Place<'_>) -> Result<Driver, Fault> {

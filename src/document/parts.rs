@@ -1,9 +1,11 @@
-//! What chains, motion and planner have in common: frames, points, and lists of entries.
+//! What the readers of a document have in common: frames, points, lists of entries, links within joints.
 
 use crate::document::bounds::{angle, length, wrong_count};
-use crate::document::fault::{Fault, Place};
+use crate::document::fault::{Fault, FaultCode, Place};
+use crate::document::number::typed;
 use crate::document::schema::FrameEntry;
 use crate::math::pose::{FrameCoordinates, Pose};
+use crate::model::joint::JointKind;
 use nalgebra::Vector3;
 
 /// The pose of a frame, in radians.
@@ -45,4 +47,24 @@ pub(crate) fn each<E, T>(
         converted.push(convert(i, entry)?);
     }
     Ok(converted)
+}
+
+/// The fault of a row whose `alpha`, degrees, is a link within a joint of this kind.
+pub(crate) fn inner_twist(kind: JointKind, alpha: f64, row: &Place<'_>) -> Fault {
+    let (letter, alpha) = (kind.letter(), typed(alpha));
+    let what =
+        format!("the axes inside a joint of type {letter} are at right angles, here at {alpha}");
+    Fault::new(
+        FaultCode::InnerRow,
+        &row.field("alpha"),
+        &what,
+        "90 or -90 degrees",
+    )
+}
+
+/// The same of a row whose `a` is a link within a joint.
+pub(crate) fn inner_length(kind: JointKind, a: f64, row: &Place<'_>) -> Fault {
+    let (letter, a) = (kind.letter(), typed(a));
+    let what = format!("the axes inside a joint of type {letter} meet, here they are {a} apart");
+    Fault::new(FaultCode::InnerRow, &row.field("a"), &what, "0")
 }

@@ -6,11 +6,11 @@ use crate::document::bounds::{
     length, not_finite, out_of_range, wrong_count,
 };
 #[cfg(feature = "study")]
-use crate::document::drivers::course_of;
+use crate::document::drivers::schedule_of;
 use crate::document::fault::{Fault, FaultCode, Place};
 use crate::document::motion::goal_of;
 use crate::document::number::typed;
-use crate::document::parts::{each, frame};
+use crate::document::parts::{each, frame, inner_length, inner_twist};
 use crate::document::planner::settings;
 use crate::document::schema::{ChainEntry, Document, JointEntry, LimitsEntry, RowEntry};
 use crate::math::pose::Pose;
@@ -19,7 +19,7 @@ use crate::model::dh::DhRow;
 use crate::model::joint::{Joint, JointFault, JointKind, Limits};
 use crate::model::mechanism::{MAX_CHAINS, Mechanism, MechanismFault};
 #[cfg(feature = "study")]
-use crate::motion::drivers::Course;
+use crate::motion::drivers::Schedule;
 use crate::motion::goal::Goal;
 use crate::motion::trajectory::{Trajectory, Warning};
 use crate::plan::follow;
@@ -53,7 +53,7 @@ pub struct Problem {
     pub goals: Vec<Goal>,
     /// What drives the joints, in place of goals.
     #[cfg(feature = "study")]
-    pub course: Option<Course>,
+    pub schedule: Option<Schedule>,
     /// What the key frames give reason to warn of; a plan's warnings begin with them.
     pub notes: Vec<Warning>,
     /// How to find the closest motion.
@@ -77,9 +77,9 @@ impl Problem {
         let mechanism = mechanism(&document.chains)?;
         let start = given_start(&document.chains, &mechanism)?;
         #[cfg(feature = "study")]
-        let course = course_of(&document.motion, &mechanism)?;
+        let schedule = schedule_of(&document.motion, &mechanism)?;
         #[cfg(feature = "study")]
-        let driven = course.is_some();
+        let driven = schedule.is_some();
         #[cfg(not(feature = "study"))]
         let driven = false;
         let (goals, notes) = if driven {
@@ -93,7 +93,7 @@ impl Problem {
             start,
             goals,
             #[cfg(feature = "study")]
-            course,
+            schedule,
             notes,
             settings,
             length_unit: document.length_unit.clone(),
@@ -105,8 +105,8 @@ impl Problem {
     /// Frames of the motion.
     pub fn frames(&self) -> usize {
         #[cfg(feature = "study")]
-        if let Some(course) = &self.course {
-            return course.frames;
+        if let Some(schedule) = &self.schedule {
+            return schedule.frames;
         }
         self.goals.len()
     }
@@ -115,8 +115,13 @@ impl Problem {
     /// it is one with their first values, if there is one.
     pub fn find_start(&self) -> Vec<f64> {
         #[cfg(feature = "study")]
-        if let Some(course) = &self.course {
-            return driven_start::find_start(&self.mechanism, &self.start, course, &self.settings);
+        if let Some(schedule) = &self.schedule {
+            return driven_start::find_start(
+                &self.mechanism,
+                &self.start,
+                schedule,
+                &self.settings,
+            );
         }
         modes::find(
             &self.mechanism,
@@ -146,8 +151,8 @@ impl Problem {
     /// The extent of the motion, which stands in for the size of a mechanism without lengths.
     pub fn extent(&self) -> f64 {
         #[cfg(feature = "study")]
-        if let Some(course) = &self.course {
-            return driven_start::extent(&self.mechanism, course);
+        if let Some(schedule) = &self.schedule {
+            return driven_start::extent(&self.mechanism, schedule);
         }
         extent(&self.goals)
     }
@@ -160,9 +165,10 @@ impl Problem {
     /// Plans the motion in portions, from these joint values.
     pub fn planning(&self, start: &[f64]) -> Planning {
         #[cfg(feature = "study")]
-        if let Some(course) = &self.course {
+        if let Some(schedule) = &self.schedule {
             let (mechanism, settings) = (&self.mechanism, &self.settings);
-            let planning = driven::Planning::new(mechanism, start, course, self.extent(), settings);
+            let planning =
+                driven::Planning::new(mechanism, start, schedule, self.extent(), settings);
             return Planning::Driven(Box::new(planning));
         }
         let planning = follow::Planning::new(&self.mechanism, start, &self.goals, &self.settings)
@@ -239,16 +245,10 @@ fn joint(entry: &JointEntry, place: &Place<'_>) -> Result<Joint, Fault> {
         }
         JointFault::NotFinite { row } => not_finite(&row_list.item(row)),
         JointFault::InnerTwist { row, .. } => {
-            let alpha = entry.rows[row].alpha;
-            let what =
-                format!("the axes inside a joint of type {letter} are at right angles, here at {}", typed(alpha));
-            inner(row, "alpha", what, "90 or -90")
+            inner_twist(kind, entry.rows[row].alpha, &row_list.item(row))
         }
         JointFault::InnerLength { row, .. } => {
-            let a = entry.rows[row].a;
-            let what =
-                format!("the axes inside a joint of type {letter} meet, here they are {} apart", typed(a));
-            inner(row, "a", what, "0")
+            inner_length(kind, entry.rows[row].a, &row_list.item(row))
         }
         JointFault::InnerOffset { row, .. } => {
             let d = entry.rows[row].d;
@@ -260,7 +260,7 @@ fn joint(entry: &JointEntry, place: &Place<'_>) -> Result<Joint, Fault> {
             let what = format!(
                 "the axis of a joint of type E is at right angles to both sliders, here turned by {}", typed(theta)
             );
-            inner(row, "theta", what, "90 or -90")
+            inner(row, "theta", what, "90 or -90 degrees")
         }
         JointFault::LimitOrder { freedom, .. } => {
             let what = "the smallest value is above the largest";

@@ -1,6 +1,8 @@
 //! Key frames from a table: CSV, or cells copied from a spreadsheet. What cannot be taken over is listed by its row, and the
 //! rest is read.
 
+pub use crate::source::expression::AngleUnit;
+
 use crate::document::fault::{Fault, FaultCode, Place, excerpt};
 use crate::document::number::typed;
 use crate::document::reader::Node;
@@ -33,16 +35,6 @@ pub struct PoseTableRequest {
     pub time: Option<bool>,
     /// Factor of lengths, from the table's unit to the document's; 1 without.
     pub scale: Option<f64>,
-}
-
-/// The unit of angles.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum AngleUnit {
-    /// 360 a turn.
-    Degrees,
-    /// 2π a turn.
-    Radians,
 }
 
 /// What was read.

@@ -5,7 +5,7 @@ use crate::document::fault::{Fault, FaultCode, Place, excerpt};
 use crate::document::reader::Node;
 use crate::document::text::not_json;
 use crate::makers::list::{key, list, named, names};
-use crate::makers::make::make;
+use crate::makers::make::{make, twice};
 use crate::source::nearest::nearest;
 use crate::types::notation::{NoType, Why, chains_of};
 
@@ -92,8 +92,10 @@ fn inputs(query: &str) -> Result<(Given, Option<String>), Fault> {
             return Err(Fault::new(FaultCode::Syntax, &TYPE, &what, accepted));
         };
         let (name, value) = (name.trim().to_owned(), value.trim().to_owned());
-        if name == "unit" && unit.is_none() {
-            unit = Some(value);
+        if name == "unit" {
+            if unit.replace(value).is_some() {
+                return Err(twice(&Place::WHOLE.field("unit")));
+            }
         } else {
             given.push((name, value));
         }
@@ -102,7 +104,7 @@ fn inputs(query: &str) -> Result<(Given, Option<String>), Fault> {
 }
 
 /// The fault of a name that no maker has.
-pub fn no_maker(name: &str) -> Fault {
+fn no_maker(name: &str) -> Fault {
     let what = format!("there is no maker \u{201c}{}\u{201d}", excerpt(name.trim()));
     let what = match close_maker(name) {
         Some(maker) => format!("{what}; \u{201c}{maker}\u{201d} may be meant"),

@@ -1,6 +1,6 @@
 //! A document made by a maker from the inputs that a person gave.
 
-use crate::document::bounds::out_of_range;
+use crate::document::bounds::{MAX_LENGTH, out_of_range};
 use crate::document::fault::{Fault, FaultCode, Place, excerpt};
 use crate::document::number::typed;
 use crate::document::reader::Node;
@@ -11,7 +11,7 @@ use crate::makers::repeat::repeat;
 use crate::makers::requirements::{Given, check};
 use crate::source::expression::ParameterValue;
 use crate::source::nearest::nearest;
-use crate::source::typed::Typed;
+use crate::source::session::Session;
 
 /// Units of length and how many micrometres each has.
 pub const UNITS: [(&str, f64); 6] = [
@@ -74,7 +74,21 @@ pub fn make(
         (name, value)
     });
     document.set("parameters", Node::Object(all.collect()));
-    Ok(Typed::read(&json(&document, Digits::Short))?.text())
+    match Session::open(&json(&document, Digits::Short)) {
+        Ok(session) => Ok(session.text()),
+        Err(fault) => Err(at_inputs(&fault, given)),
+    }
+}
+
+/// The fault of a made document, at the first input that was given: the document is not what the person typed.
+fn at_inputs(fault: &Fault, given: &[(String, String)]) -> Fault {
+    let name = given.first().map_or("type", |(name, _)| name.as_str());
+    let what = format!(
+        "with these numbers the mechanism is at fault; {}",
+        fault.what
+    );
+    let accepted = format!("numbers with which this is {}", fault.accepted);
+    Fault::new(fault.code, &Place::WHOLE.field(name), &what, &accepted)
 }
 
 /// The unit of the made document, and how a length of the maker's is converted.
@@ -145,16 +159,16 @@ fn all_known(maker: &Maker, given: &[(String, String)]) -> Result<(), Fault> {
             ));
         }
         if given[..i].iter().any(|(before, _)| before == name) {
-            let what = "this is given twice";
-            return Err(Fault::new(
-                FaultCode::DuplicateField,
-                &place,
-                what,
-                "each input once",
-            ));
+            return Err(twice(&place));
         }
     }
     Ok(())
+}
+
+/// The fault of an input that is given more than once.
+pub(crate) fn twice(place: &Place<'_>) -> Fault {
+    let what = "this is given twice";
+    Fault::new(FaultCode::DuplicateField, place, what, "each input once")
 }
 
 /// The numbers that a text gives to an input.
@@ -178,6 +192,10 @@ fn read(input: &Input, text: &str) -> Result<Vec<f64>, Fault> {
                 .is_some_and(|[least, most]| !(least..=most).contains(&number))
             || (input.is == Kind::List && values.contains(&number));
         if unfit {
+            return Err(out_of_range(&place, typed(number), &accepted));
+        }
+        if input.is == Kind::Length && number.abs() > MAX_LENGTH {
+            let accepted = format!("lengths of at most {}", typed(MAX_LENGTH));
             return Err(out_of_range(&place, typed(number), &accepted));
         }
         values.push(number + 0.0);

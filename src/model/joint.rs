@@ -81,6 +81,12 @@ impl JointKind {
         }
     }
 
+    /// The same of all its freedoms.
+    #[cfg(feature = "study")]
+    pub(crate) fn turning(self) -> impl Iterator<Item = bool> {
+        (0..self.freedoms()).map(move |freedom| self.turns(freedom))
+    }
+
     /// What moves in row `row`.
     pub(crate) const fn moves(self, row: usize) -> Moves {
         match (self, row) {

@@ -44,14 +44,14 @@ impl Driver {
 
 /// The drivers of a motion and the number of its frames.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Course {
+pub struct Schedule {
     /// One or more, each with two or more values, no variable twice.
     pub drivers: Vec<Driver>,
     /// Two or more.
     pub frames: usize,
 }
 
-impl Course {
+impl Schedule {
     /// The driven variables, in the order of the drivers.
     pub fn variables(&self) -> Vec<usize> {
         self.drivers.iter().map(|driver| driver.variable).collect()
@@ -147,14 +147,14 @@ mod tests {
             values: vec![(3.0, 0.0), (6.0, 1.0)],
             ramp: Ramp::Linear,
         };
-        let course = Course {
+        let schedule = Schedule {
             drivers: vec![driver(Ramp::Linear), late],
             frames: 6,
         };
-        let times: Vec<f64> = (0..6).map(|i| course.time(i)).collect();
+        let times: Vec<f64> = (0..6).map(|i| schedule.time(i)).collect();
         assert_eq!(times, [1.0, 2.0, 3.0, 4.0, 5.0, 6.0]);
-        assert_eq!(course.values(1.0), [-2.0, 0.0]);
-        assert_eq!(course.breaks(1.0, 5.0), [2.0, 3.0, 4.0]);
-        assert!((course.range(0) - 6.0).abs() < 1e-15 && course.range(1) == 0.0);
+        assert_eq!(schedule.values(1.0), [-2.0, 0.0]);
+        assert_eq!(schedule.breaks(1.0, 5.0), [2.0, 3.0, 4.0]);
+        assert!((schedule.range(0) - 6.0).abs() < 1e-15 && schedule.range(1) == 0.0);
     }
 }

@@ -3,7 +3,7 @@
 
 use crate::math::pose::Pose;
 use crate::model::mechanism::Mechanism;
-use crate::motion::drivers::Course;
+use crate::motion::drivers::Schedule;
 use crate::motion::goal::Goal;
 use crate::motion::trajectory::{DriveEnd, Trajectory, Warning};
 use crate::plan::driven_start::{driven, positions_near};
@@ -21,11 +21,11 @@ const REACHED: f64 = 1e-9;
 /// A plan in portions: frame by frame, and at any time what there is so far.
 #[derive(Clone, Debug)]
 pub struct Planning {
-    course: Course,
+    schedule: Schedule,
     solver: Solver,
     closed: bool,
     steering: Steering,
-    /// Places in the course of the drivers that are driven: those that are independent.
+    /// Indices in the schedule of the drivers that are driven: those that are independent.
     own: Vec<usize>,
     /// Joint values of the last frame, or of the start, rad or shares of the size.
     theta: Vec<f64>,
@@ -53,11 +53,11 @@ impl Planning {
     /// `extent` stands in for the size of a mechanism without lengths.
     ///
     /// # Panics
-    /// When `start` does not have one value a joint variable, or the course drives a variable that is not there.
+    /// When `start` does not have one value a joint variable, or the schedule drives a variable that is not there.
     pub fn new(
         mechanism: &Mechanism,
         start: &[f64],
-        course: &Course,
+        schedule: &Schedule,
         extent: f64,
         settings: &Settings,
     ) -> Self {
@@ -74,7 +74,7 @@ impl Planning {
         let mut solver = settings.solver(mechanism, extent);
         let mut t = begin(mechanism, &solver, extent, &settings);
         t.warnings.clear();
-        t.drivers = course.variables();
+        t.drivers = schedule.variables();
         let mut joints = start.to_vec();
         given::move_within_limits(mechanism, &mut joints, extent, &mut t.warnings);
         let closed = given::close_start(&mut solver, &mut joints, &settings, &mut t.warnings);
@@ -90,7 +90,7 @@ impl Planning {
         } else {
             Vec::new()
         };
-        let variables = course.variables();
+        let variables = schedule.variables();
         let driven = if closed {
             driven(&mut solver, &variables, &theta, &near, &mut t.warnings)
         } else {
@@ -99,7 +99,7 @@ impl Planning {
         let (scaled, closer, _) = solver.parts();
         let steering = Steering::new(scaled, closer, &driven, &theta, &near);
         Self {
-            course: course.clone(),
+            schedule: schedule.clone(),
             own: (0..variables.len())
                 .filter(|&i| driven.contains(&variables[i]))
                 .collect(),
@@ -117,7 +117,7 @@ impl Planning {
 
     /// Frames in all.
     pub fn frames(&self) -> usize {
-        self.course.frames
+        self.schedule.frames
     }
 
     /// Frames planned so far.
@@ -147,7 +147,7 @@ impl Planning {
     }
 
     fn plan_frame(&mut self, frame: usize) {
-        let time = self.course.time(frame);
+        let time = self.schedule.time(frame);
         let before = self.solver.scaled().left(&self.theta);
         let mut joints = before.clone();
         let mut solved = Solved::OPEN;
@@ -173,7 +173,7 @@ impl Planning {
 
     /// Drives the joints to their values at `time`, as far as they go.
     fn drive(&mut self, frame: usize, time: f64) -> Option<Obstacle> {
-        let (course, own) = (&self.course, &self.own);
+        let (schedule, own) = (&self.schedule, &self.own);
         let limits = self.solver.scaled().limits().to_vec();
         let (turns, unit) = (
             self.solver.scaled().turns().to_vec(),
@@ -182,7 +182,7 @@ impl Planning {
         let variables = self.steering.variables().to_vec();
         // Up to the driven joints' own limits, in the solver's unit.
         let wanted = |time: f64| -> Vec<f64> {
-            let values = course.values(time);
+            let values = schedule.values(time);
             let pairs = own.iter().zip(&variables);
             pairs
                 .map(|(&i, &v)| {
@@ -199,8 +199,8 @@ impl Planning {
         let mut obstacle = None;
         if self.met && frame > 0 {
             // As the drivers go, from one of their values to the next.
-            let mut from = course.time(frame - 1);
-            let mut to = course.breaks(from, time);
+            let mut from = schedule.time(frame - 1);
+            let mut to = schedule.breaks(from, time);
             to.push(time);
             for to in to {
                 let path = |part: f64| {
@@ -255,8 +255,8 @@ impl Planning {
         joints: &mut [f64],
     ) -> End {
         let scaled = self.solver.scaled();
-        let asked = self.course.values(time);
-        let variables = self.course.variables();
+        let asked = self.schedule.values(time);
+        let variables = self.schedule.variables();
         let mut missed = Vec::new();
         for (&variable, &value) in variables.iter().zip(&asked) {
             let unit = if scaled.turns()[variable] {

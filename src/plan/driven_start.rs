@@ -4,7 +4,7 @@ use crate::math::random::Random;
 use crate::model::chain::Chain;
 use crate::model::joint::{Joint, Limits, Stop};
 use crate::model::mechanism::Mechanism;
-use crate::motion::drivers::Course;
+use crate::motion::drivers::Schedule;
 use crate::motion::trajectory::Warning;
 use crate::plan::modes;
 use crate::plan::settings::Settings;
@@ -76,13 +76,13 @@ pub fn driven(
 pub fn find_start(
     mechanism: &Mechanism,
     given: &[Option<Vec<f64>>],
-    course: &Course,
+    schedule: &Schedule,
     settings: &Settings,
 ) -> Vec<f64> {
-    let extent = extent(mechanism, course);
-    let first = course.values(course.interval().0);
+    let extent = extent(mechanism, schedule);
+    let first = schedule.values(schedule.interval().0);
     let mut at = vec![None; mechanism.variables()];
-    for (driver, value) in course.drivers.iter().zip(first) {
+    for (driver, value) in schedule.drivers.iter().zip(first) {
         at[driver.variable] = Some(value);
     }
     // Chains without a start are looked for with their driven joints held at the first values.
@@ -146,10 +146,10 @@ fn with_limits(chain: &Chain, limits: &[Limits]) -> Chain {
 }
 
 /// How far sliders are driven, which stands in for the size of a mechanism without lengths.
-pub fn extent(mechanism: &Mechanism, course: &Course) -> f64 {
+pub fn extent(mechanism: &Mechanism, schedule: &Schedule) -> f64 {
     let turns = mechanism.chains().iter().flat_map(Chain::turns).enumerate();
     turns
         .filter(|(_, turns)| !turns)
-        .map(|(variable, _)| course.range(variable))
+        .map(|(variable, _)| schedule.range(variable))
         .fold(0.0, f64::max)
 }

@@ -1,21 +1,20 @@
-//! Chains given by their axes, and tables of the standard convention, become rows as a plain document has them.
+//! Chains given by their axes become rows, base and gripper as a plain document has them.
 
-use crate::document::bounds::{length, not_finite, wrong_count};
+use crate::document::bounds::{MAX_LENGTH, length, not_finite, wrong_count};
 use crate::document::fault::{Fault, FaultCode, Place};
 use crate::document::number::typed;
 use crate::document::parts;
 use crate::document::problem::short;
 use crate::document::reader::Node;
-use crate::document::schema::FrameEntry;
-use crate::math::pose::{FrameCoordinates, Pose};
+use crate::math::pose::Pose;
 use crate::model::by_axes::{AxesFault, AxesField, ByAxes, JointAxis, chain_by_axes};
-use crate::model::chain::{ChainFault, MAX_FREEDOMS};
-use crate::model::dh::{DhRow, x_displacement};
+use crate::model::chain::{Chain, ChainFault, MAX_FREEDOMS};
+use crate::model::dh::DhRow;
 use crate::model::joint::JointKind;
 use crate::motion::trajectory::Warning;
 use crate::source::values::kind;
+use crate::source::{frames, standard};
 use nalgebra::Vector3;
-use serde::Deserialize;
 
 /// The fields of a joint that is given by its axes.
 pub(crate) const AXES: [&str; 3] = ["point", "axis", "second"];
@@ -50,7 +49,7 @@ pub(crate) fn to_plain(document: &mut Node) -> Result<Vec<Warning>, Fault> {
         let name = chain.name().to_owned();
         let place = list.named(i, &name);
         by_axes(chain, &home, i, &place, &mut notes)?;
-        by_convention(chain, &place)?;
+        standard::to_modified(chain, &place)?;
     }
     Ok(notes)
 }
@@ -60,10 +59,7 @@ pub(crate) fn home(document: &Node) -> Result<Pose, Fault> {
     const HOME: Place<'static> = Place::WHOLE.field("home");
     match document.field("home") {
         None | Some(Node::Null) => Ok(Pose::identity()),
-        Some(entry) => {
-            let entry = FrameEntry::deserialize(entry).map_err(|refusal| refusal.fault(&HOME))?;
-            parts::frame(&entry, &HOME)
-        }
+        Some(entry) => frames::pose(entry, &HOME),
     }
 }
 
@@ -107,6 +103,7 @@ fn by_axes(
         joint: near.joint,
         angle: near.angle,
     }));
+    check_lengths(&converted, &list)?;
     let rows = converted.joints().iter().map(|joint| {
         let rows = joint.rows().iter().map(row);
         Node::List(rows.collect())
@@ -121,12 +118,39 @@ fn by_axes(
         }
         joint.set("rows", rows);
     }
-    chain.set("base", frame(converted.base()));
-    chain.set("gripper", frame(converted.gripper()));
+    chain.set("base", frames::entry(converted.base()));
+    chain.set("gripper", frames::entry(converted.gripper()));
     // All loops are closed at home.
     if !chain.has("start") {
         let freedoms = kinds.iter().map(|kind| kind.freedoms()).sum();
         chain.set("start", Node::List(vec![Node::Number(0.0); freedoms]));
+    }
+    Ok(())
+}
+
+/// The common normal of axes that are nearly parallel may be farther away than any length of a document.
+fn check_lengths(chain: &Chain, list: &Place<'_>) -> Result<(), Fault> {
+    let refused = |length: f64, place: &Place<'_>, what: &str| {
+        let what = format!("{what} {}", typed(length));
+        let accepted = format!(
+            "axes that are parallel, or for which this is at most {}",
+            typed(MAX_LENGTH)
+        );
+        Fault::new(FaultCode::OutOfRange, place, &what, &accepted)
+    };
+    for (i, joint) in chain.joints().iter().enumerate() {
+        let lengths = joint.rows().iter().flat_map(|row| [row.a, row.d]);
+        let longest = lengths.fold(0.0, |most: f64, length| most.max(length.abs()));
+        if longest > MAX_LENGTH {
+            let what =
+                "the common normals with the axes before and after lead to a row with the length";
+            return Err(refused(longest, &list.item(i), what));
+        }
+    }
+    let farthest = chain.gripper().translation.vector.amax();
+    if farthest > MAX_LENGTH {
+        let what = "the workpiece is from the frame of the last row as far as";
+        return Err(refused(farthest, list, what));
     }
     Ok(())
 }
@@ -248,53 +272,6 @@ fn joint_axis(joint: &Node, place: &Place<'_>) -> Result<JointAxis, Fault> {
     })
 }
 
-/// Rows as a standard table has them, Z(θ, d) X(α, a), become X(α, a) Z(θ, d): each takes the link of the row before, and
-/// the last link goes to the gripper.
-fn by_convention(chain: &mut Node, place: &Place<'_>) -> Result<(), Fault> {
-    let given = chain.take("convention");
-    match given.as_ref().and_then(Node::as_text) {
-        Some("standard") => {}
-        Some("modified") => return Ok(()),
-        _ => {
-            return match given {
-                None | Some(Node::Null) => Ok(()),
-                Some(other) => {
-                    let accepted = "modified (Craig: X\u{b7}Z) or standard (Z\u{b7}X)";
-                    Err(other.is_not(accepted).fault(&place.field("convention")))
-                }
-            };
-        }
-    }
-    let mut link = (0.0, 0.0);
-    let joints = chain
-        .field_mut("joints")
-        .map_or(&mut [][..], Node::items_mut);
-    let rows = joints
-        .iter_mut()
-        .flat_map(|joint| joint.field_mut("rows").map_or(&mut [][..], Node::items_mut));
-    for row in rows {
-        let own = |name: &str| match row.field(name) {
-            Some(Node::Number(number)) => *number,
-            _ => 0.0,
-        };
-        let next = (own("alpha"), own("a"));
-        row.set("alpha", Node::Number(link.0));
-        row.set("a", Node::Number(link.1));
-        link = next;
-    }
-    let gripper = match chain.field("gripper") {
-        None | Some(Node::Null) => Pose::identity(),
-        Some(entry) => {
-            let place = place.field("gripper");
-            let entry = FrameEntry::deserialize(entry).map_err(|refusal| refusal.fault(&place))?;
-            parts::frame(&entry, &place)?
-        }
-    };
-    let last = x_displacement(link.0.to_radians(), link.1);
-    chain.set("gripper", frame(&(last * gripper)));
-    Ok(())
-}
-
 /// Degrees to 10⁻¹², lengths as they are.
 fn row(row: &DhRow) -> Node {
     Node::object([
@@ -302,18 +279,5 @@ fn row(row: &DhRow) -> Node {
         ("a", Node::Number(row.a)),
         ("theta", Node::Number(short(row.theta.to_degrees()))),
         ("d", Node::Number(row.d)),
-    ])
-}
-
-fn frame(pose: &Pose) -> Node {
-    let at = FrameCoordinates::from_pose(pose);
-    let angle = |angle: f64| Node::Number(short(angle.to_degrees()));
-    Node::object([
-        ("x", Node::Number(at.x)),
-        ("y", Node::Number(at.y)),
-        ("z", Node::Number(at.z)),
-        ("longitude", angle(at.longitude)),
-        ("latitude", angle(at.latitude)),
-        ("roll", angle(at.roll)),
     ])
 }

@@ -35,7 +35,10 @@ fn distance(problem: &Problem) -> Option<f64> {
 }
 
 fn as_standard(document: &Document) -> Option<Problem> {
-    let mut node = node_of(&json(document, Digits::Short)).ok()?;
+    let mut document = document.clone();
+    // Only the first key frame is looked at, and there may be 100,000.
+    document.motion.key_frames.truncate(2);
+    let mut node = node_of(&json(&document, Digits::Short)).ok()?;
     let chains = node
         .field_mut("chains")
         .map_or(&mut [][..], Node::items_mut);

@@ -1,12 +1,17 @@
 //! Frames whose rotation is given as a quaternion, a matrix or three angles become longitude, latitude, roll.
 
+use crate::document::bounds::angle;
 use crate::document::fault::{Fault, FaultCode, Place};
+use crate::document::parts;
+use crate::document::problem::short;
 use crate::document::reader::Node;
+use crate::document::schema::FrameEntry;
 use crate::math::orientation::{
     NotRotation, from_angles, from_matrix, from_quaternion_wxyz, from_quaternion_xyzw,
 };
 use crate::math::pose::{FrameCoordinates, Pose};
 use nalgebra::{Translation3, UnitQuaternion};
+use serde::Deserialize;
 
 /// The fields of a frame's place and of its rotation as a plain document has it.
 pub(crate) const PLAIN: [&str; 6] = ["x", "y", "z", "longitude", "latitude", "roll"];
@@ -65,20 +70,16 @@ fn frame(entry: &mut Node, more: &[&str], place: &Place<'_>) -> Result<(), Fault
         .copied()
         .filter(|name| entry.has(name))
         .collect();
+    if entry.has("order") && given.first() != Some(&"roll_pitch_yaw") {
+        let what = "there are no angles of which this is the order";
+        let (place, accepted) = (place.field("order"), "roll_pitch_yaw beside it");
+        return Err(Fault::new(FaultCode::UnknownField, &place, what, accepted));
+    }
     let Some(&form) = given.first() else {
-        return match entry.take("order") {
-            None => Ok(()),
-            Some(_) => {
-                let what = "there are no angles of which this is the order";
-                let place = place.field("order");
-                Err(Fault::new(
-                    FaultCode::UnknownField,
-                    &place,
-                    what,
-                    "roll_pitch_yaw beside it",
-                ))
-            }
-        };
+        for name in OTHER {
+            entry.take(name);
+        }
+        return Ok(());
     };
     let both = given.get(1).copied();
     let angles = || PLAIN[3..].iter().copied().find(|name| entry.has(name));
@@ -90,23 +91,42 @@ fn frame(entry: &mut Node, more: &[&str], place: &Place<'_>) -> Result<(), Fault
     }
     let rotation = rotation(entry, form, place)?;
     let pose = Pose::from_parts(Translation3::identity(), rotation);
-    let FrameCoordinates {
-        longitude,
-        latitude,
-        roll,
-        ..
-    } = FrameCoordinates::from_pose(&pose);
     for name in OTHER {
         entry.take(name);
     }
-    for (name, angle) in [
-        ("longitude", longitude),
-        ("latitude", latitude),
-        ("roll", roll),
-    ] {
-        entry.set(name, Node::Number(angle.to_degrees()));
+    for (name, angle) in angle_fields(&FrameCoordinates::from_pose(&pose)) {
+        entry.set(name, Node::Number(angle));
     }
     Ok(())
+}
+
+/// The names and degrees of a frame's angles.
+fn angle_fields(at: &FrameCoordinates) -> [(&'static str, f64); 3] {
+    let angles = [
+        ("longitude", at.longitude),
+        ("latitude", at.latitude),
+        ("roll", at.roll),
+    ];
+    angles.map(|(name, angle)| (name, angle.to_degrees()))
+}
+
+/// The pose of a plain frame.
+pub(crate) fn pose(entry: &Node, place: &Place<'_>) -> Result<Pose, Fault> {
+    let entry = FrameEntry::deserialize(entry).map_err(|refusal| refusal.fault(place))?;
+    parts::frame(&entry, place)
+}
+
+/// The plain frame of a pose: degrees to 10⁻¹², lengths as they are.
+pub(crate) fn entry(pose: &Pose) -> Node {
+    let at = FrameCoordinates::from_pose(pose);
+    let lengths = [("x", at.x), ("y", at.y), ("z", at.z)];
+    let angles = angle_fields(&at).map(|(name, angle)| (name, short(angle)));
+    let fields = lengths.into_iter().chain(angles);
+    Node::Object(
+        fields
+            .map(|(name, value)| (name.to_owned(), Node::Number(value)))
+            .collect(),
+    )
 }
 
 fn rotation(entry: &Node, form: &str, place: &Place<'_>) -> Result<UnitQuaternion<f64>, Fault> {
@@ -131,9 +151,10 @@ fn rotation(entry: &Node, form: &str, place: &Place<'_>) -> Result<UnitQuaternio
                 None | Some(Node::Null) => "xyz",
                 Some(order) => order.as_text().unwrap_or_default(),
             };
-            let angles = given
-                .numbers::<3>(&at, "three angles")?
-                .map(f64::to_radians);
+            let mut angles = given.numbers::<3>(&at, "three angles")?;
+            for (i, value) in angles.iter_mut().enumerate() {
+                *value = angle(*value, &at.item(i))?;
+            }
             from_angles(angles, order).map_err(|not| refused(&place.field("order"), &not))
         }
         _ => {

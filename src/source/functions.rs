@@ -1,9 +1,11 @@
 //! The functions of expressions, with angles in degrees or radians.
 
+use serde::{Deserialize, Serialize};
 use std::f64::consts::{FRAC_1_SQRT_2, PI};
 
-/// The unit of the angles in a document.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// The unit of the angles in a document, or in a table. In JSON in lower case.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum AngleUnit {
     /// 360 to a turn.
     #[default]

@@ -34,6 +34,8 @@ pub(crate) mod scan;
 #[cfg(feature = "schema")]
 pub mod schema;
 #[cfg(feature = "study")]
+mod standard;
+#[cfg(feature = "study")]
 pub mod typed;
 #[cfg(feature = "study")]
 mod values;

@@ -2,9 +2,11 @@
 
 use crate::document::fault::{Fault, FaultCode, Place, excerpt};
 use crate::document::reader::Node;
-use crate::document::text::{Digits, json, layout, node_of};
+use crate::document::schema::KeyFrameEntry;
+use crate::document::text::{Digits, json, layout, node_of, not_json};
+use crate::source::frames::PLAIN;
 use crate::source::nearest::nearest;
-use crate::source::typed::Typed;
+use crate::source::typed::{Typed, is_in_radians};
 
 /// A step of a path.
 enum Key<'a> {
@@ -39,6 +41,33 @@ pub fn set(text: &str, place: &str, value: &str) -> Result<String, Fault> {
     match find(&mut node, &keys) {
         Some(found) => *found = value,
         None => return Err(no_place(&mut node, place, &keys)),
+    }
+    Ok(layout(&json(&node, Digits::Short)))
+}
+
+/// The text with these key frames, whose angles are in degrees, in place of its own or of its drivers.
+///
+/// # Errors
+/// Where the text is no JSON.
+pub fn set_key_frames(text: &str, key_frames: &[KeyFrameEntry]) -> Result<String, Fault> {
+    let mut node = node_of(text)?;
+    let list = json(&key_frames, Digits::Short);
+    let mut list: Node = serde_json::from_str(&list).map_err(|error| not_json(&error))?;
+    if is_in_radians(&node) {
+        for entry in list.items_mut() {
+            for name in &PLAIN[3..] {
+                if let Some(Node::Number(angle)) = entry.field_mut(name) {
+                    *angle = angle.to_radians();
+                }
+            }
+        }
+    }
+    if !node.has("motion") {
+        node.set("motion", Node::object([]));
+    }
+    if let Some(motion) = node.field_mut("motion") {
+        motion.take("drivers");
+        motion.set("key_frames", list);
     }
     Ok(layout(&json(&node, Digits::Short)))
 }
@@ -145,7 +174,7 @@ fn no_place(node: &mut Node, place: &str, keys: &[Key<'_>]) -> Fault {
 
 #[cfg(test)]
 mod tests {
-    use super::{change, set};
+    use super::{change, set, set_key_frames};
     use crate::source::typed::Typed;
 
     const TEXT: &str = r#"{"version": 1, "parameters": {"base": 2, "half": "base/2"}, "chains": [{"base": {"x": "half"},
@@ -186,6 +215,31 @@ mod tests {
         );
         assert_eq!(change("a.b=c:d"), Ok(("a.b", "c:d")));
         assert_eq!(change("a[0]:c=d"), Ok(("a[0]", "c=d")));
+    }
+
+    #[test]
+    fn key_frames_are_in_the_documents_unit_and_take_the_place_of_drivers() {
+        let motion = TEXT.find("\"motion\"").expect("a motion");
+        let driven = format!(
+            "{}\"angles\": \"radians\", \"motion\": {{\"drivers\": [], \"frames\": 5}}}}",
+            &TEXT[..motion]
+        )
+        .replace("\"alpha\": 90", "\"alpha\": \"90 deg\"")
+        .replace("\"alpha\": -90", "\"alpha\": \"-90 deg\"");
+        let key_frames = Typed::read(TEXT)
+            .expect("a document")
+            .document
+            .motion
+            .key_frames;
+        for text in [TEXT, &driven] {
+            let text = set_key_frames(text, &key_frames).expect("a document");
+            let found = Typed::read(&text).expect("a document").document.motion;
+            assert!((found.key_frames[1].roll - 10.0).abs() < 1e-12, "{text}");
+            assert!(
+                found.drivers.is_empty() && !text.contains("drivers"),
+                "{text}"
+            );
+        }
     }
 
     #[test]

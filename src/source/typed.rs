@@ -98,8 +98,7 @@ impl Typed {
 
     /// Are its angles in radians?
     pub(crate) fn in_radians(&self) -> bool {
-        let angles = self.node.as_ref().and_then(|node| node.field("angles"));
-        angles.and_then(Node::as_text) == Some("radians")
+        self.node.as_ref().is_some_and(is_in_radians)
     }
 
     /// The home position, if a chain other than `index` is given by its axes.
@@ -141,14 +140,8 @@ impl Typed {
             None => node_of(&self.document.text()).expect("its own text"),
         };
         let in_radians = self.in_radians();
-        let turns: Vec<Vec<bool>> = (self.document.chains.iter())
-            .map(|chain| {
-                let kinds = chain.joints.iter().map(|joint| joint.kind);
-                kinds
-                    .flat_map(|kind| (0..kind.freedoms()).map(move |freedom| kind.turns(freedom)))
-                    .collect()
-            })
-            .collect();
+        let entries = self.document.chains.iter();
+        let turns = entries.map(|chain| chain.joints.iter().flat_map(|joint| joint.kind.turning()));
         let chains = node
             .field_mut("chains")
             .map_or(&mut [][..], Node::items_mut);
@@ -164,6 +157,11 @@ impl Typed {
         }
         written(&with_defaults(&node))
     }
+}
+
+/// Are the angles of this document, which may be any, in radians?
+pub(crate) fn is_in_radians(document: &Node) -> bool {
+    document.field("angles").and_then(Node::as_text) == Some("radians")
 }
 
 fn written(node: &Node) -> String {

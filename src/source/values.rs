@@ -251,8 +251,7 @@ fn chain_to_degrees(chain: &mut Node) -> Vec<Option<JointKind>> {
             }
         }
     }
-    let freedoms = kinds.iter().flatten();
-    let turns = freedoms.flat_map(|kind| (0..kind.freedoms()).map(|freedom| kind.turns(freedom)));
+    let turns = kinds.iter().flatten().flat_map(|kind| kind.turning());
     let start = chain
         .field_mut("start")
         .map_or(&mut [][..], Node::items_mut);

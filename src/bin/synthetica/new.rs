@@ -7,9 +7,8 @@ use clap::CommandFactory;
 use clap::error::ErrorKind;
 use synthetica::Fault;
 use synthetica::document::number::typed;
-use synthetica::makers::from_type::{from_type, no_maker};
-use synthetica::makers::list::{list, named};
-use synthetica::makers::make::make;
+use synthetica::makers::from_type::from_type;
+use synthetica::makers::list::list;
 use synthetica::makers::maker::{Input, Maker};
 
 /// Prints the document, or the list of makers.
@@ -27,13 +26,19 @@ pub fn new(asked: &New) -> Result<(), Failure> {
     }
 }
 
+/// The options are written behind the name, as in delta?base=400&unit=mm.
 fn document(what: &str, asked: &New) -> Result<String, Fault> {
-    let given = &asked.inputs.0;
-    if given.is_empty() && asked.unit.is_none() {
-        return from_type(what);
+    let mut text = what.to_owned();
+    let unit = asked.unit.as_ref().map(|unit| ("unit", unit));
+    let given = asked.inputs.0.iter();
+    for (name, value) in given
+        .map(|(name, value)| (name.as_str(), value))
+        .chain(unit)
+    {
+        text.push(if text.contains('?') { '&' } else { '?' });
+        text.extend([name, "=", value]);
     }
-    let maker = named(what).ok_or_else(|| no_maker(what))?;
-    make(maker, given, asked.unit.as_deref())
+    from_type(&text)
 }
 
 /// Every maker with its inputs and their defaults.

@@ -10,7 +10,7 @@ use synthetica::document::schema::KeyFrameEntry;
 use synthetica::exchange::pose_rows::SkippedRow;
 use synthetica::exchange::pose_table::read_pose_table_asked;
 use synthetica::motion::trajectory::Trajectory;
-use synthetica::source::overrides::{change, set};
+use synthetica::source::overrides::{change, set, set_key_frames};
 use synthetica::source::typed::Typed;
 use synthetica::{Document, Problem, Session};
 
@@ -105,8 +105,7 @@ fn changed(
         text = set(&text, place, value)?;
     }
     if let Some(key_frames) = table {
-        let list = serde_json::to_string(&key_frames).expect("plain data becomes JSON");
-        text = set(&text, "motion.key_frames", &list)?;
+        text = set_key_frames(&text, &key_frames)?;
         // A frame for each of them: a tool path would be cut short between them.
         if Typed::read(&text)?.document.motion.frames as usize <= key_frames.len() {
             text = set(&text, "motion.frames", &key_frames.len().to_string())?;
