@@ -11,7 +11,8 @@ after(() => browser.close());
 
 const comparison = (page) => page.getByRole('group', { name: 'Largest gaps of this motion in either metric' });
 const gaps = async (page) => {
-  await comparison(page).scrollIntoViewIfNeeded();
+  // It comes when its place comes into view.
+  await page.locator('.comparison-place').scrollIntoViewIfNeeded();
   await page.waitForFunction(() => page$('.comparison') && !page$('.comparison').matches('.waiting, [aria-busy]'));
   return comparison(page).locator('output').allTextContents();
 };

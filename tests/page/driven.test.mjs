@@ -5,7 +5,8 @@ import {
   addValue, drivable, driveJoint, freshDriver, freshRange, fullTurn, goToDrivers, goToKeyFrames, removeValue,
 } from '../../www/core/driver-edits.js';
 import * as edits from '../../www/core/edits.js';
-import { driverName, drivenWords, driveReasons, drivesJoints } from '../../www/core/driven.js';
+import { drivesJoints, loadWords } from '../../www/core/driven.js';
+import { driverName, drivenWords, driveReasons } from '../../www/core/driven-words.js';
 import { createKeeper } from '../../www/app/files/browser-storage.js';
 import { kindOf } from '../../www/core/number-steps.js';
 import { isTimed, keyFrameFrames } from '../../www/core/playhead.js';
@@ -38,7 +39,7 @@ function made() {
     rows: Float64Array.of(...row, ...row, ...row),
     report: {
       statuses: STATUSES, drivers: [0], bounds: { reached: 5e-17 }, metric: { length: 1 },
-      chains: [{ name: 'arm', type: 'RC', variables: [{ label: 'θ1', unit: 'rad' }, { label: 'θ2', unit: 'rad' }, { label: 'd2', unit: 'length' }] }],
+      chains: [{ name: 'arm', type: 'RC', variables: [{ label: 'θ1', unit: 'rad', row: 0 }, { label: 'θ2', unit: 'rad', row: 1 }, { label: 'd2', unit: 'length', row: 1 }] }],
       warnings: [
         { code: 'undriven-freedoms', message: '2 freedoms' },
         { code: 'branch-chosen', message: 'a way', first: 1, last: 1 },
@@ -50,6 +51,9 @@ function made() {
   store.setResult({ motion, doc, plain: doc });
   return { store, motion, doc };
 }
+
+// As the page does before it shows such a motion.
+await loadWords(made().motion);
 
 /** Numbers and words of a thing, with nothing in them that is no number. @param {unknown} thing */
 const clean = (thing) => assert.doesNotMatch(JSON.stringify(thing, (_, value) => (typeof value === 'number' && !Number.isFinite(value) ? 'NaN' : value)), /NaN|null|undefined/);
@@ -108,7 +112,7 @@ test('a document without key frames has times, things, and is kept for the next 
   assert.deepEqual(keyFrameFrames(doc, motion.time), []);
   assert.ok(!thingsOf(doc).some((thing) => thing.includes('key_frames')));
   assert.equal(kindOf(doc, 'motion.drivers[0].values[1].value'), 'angle');
-  assert.equal(nameOf('motion.drivers[0]', store), 'driver of θ₁ of arm');
+  assert.equal(nameOf('motion.drivers[0]', store), 'driver 1');
   const kept = new Map();
   const storage = () => ({ getItem: (key) => kept.get(key) ?? null, setItem: (key, text) => kept.set(key, text), removeItem: (key) => kept.delete(key) });
   createKeeper(storage, 'one').save({ doc, past: [], future: [], good: null, title: '', unsaved: true });

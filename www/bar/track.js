@@ -3,7 +3,7 @@
  * The slider itself is not drawn; it has the focus, the keys and the words.
  */
 import { keyFramesOf } from '../core/key-frames.js';
-import { drivenWords, drivesJoints } from '../core/driven.js';
+import { drivesJoints, told } from '../core/driven.js';
 import { angle, length } from '../core/format.js';
 import { setText } from '../ui/dom.js';
 import { onKeys } from '../ui/keys.js';
@@ -57,8 +57,8 @@ export function createTrack({ find, store }, goTo) {
     const { motion, doc } = store.result;
     if (!motion || frame >= motion.frames) return;
     const { sign, word } = statusWords(statusName(motion, frame));
-    const told = drivesJoints(motion) ? drivenWords(motion, doc, frame) : `gap ${length(motion.translation_gap[frame], doc?.length_unit)}, ${angle(motion.rotation_gap[frame])}`;
-    setText(tip, `frame ${frame + 1}: ${sign} ${word.toLowerCase()}, ${told}`);
+    const more = drivesJoints(motion) ? told.words.drivenWords(motion, doc, frame) : `gap ${length(motion.translation_gap[frame], doc?.length_unit)}, ${angle(motion.rotation_gap[frame])}`;
+    setText(tip, `frame ${frame + 1}: ${sign} ${word.toLowerCase()}, ${more}`);
     tip.hidden = false;
     const at = (frame / last()) * lane.clientWidth + lane.offsetLeft;
     tip.style.left = `${Math.min(track.clientWidth - tip.offsetWidth, Math.max(0, at - tip.offsetWidth / 2))}px`;

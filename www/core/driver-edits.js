@@ -10,7 +10,8 @@
  */
 import { chainName } from './chain-name.js';
 import { asWritten, frameAsWritten } from './document-angles.js';
-import { driverIndex, driverName, hasDrivers } from './driven.js';
+import { driverIndex, hasDrivers } from './driven.js';
+import { driverName } from './driven-words.js';
 import { degrees, plural } from './format.js';
 import { chainVariables, variableName } from './joint-types.js';
 import { keyFramesOf } from './key-frames.js';

@@ -3,6 +3,7 @@
  * long says how far it is, and can be stopped.
  */
 import { ask, troubleIsOver } from './ask.js';
+import { drivesJoints, loadWords } from './driven.js';
 import { textOf } from './document-text.js';
 import { takeStarts } from './edits.js';
 
@@ -31,6 +32,10 @@ export function createReplanning({ store, planner, say }) {
     // A newer plan says how it is.
     if (stop !== mine) return;
     // First the result: what stands over the view goes over from one to the other, and keeps the focus.
+    if (plan.is === 'answer' && drivesJoints(plan.value)) {
+      await loadWords(plan.value);
+      if (stop !== mine) return;
+    }
     if (plan.is === 'answer') store.setResult({ motion: plan.value, doc, plain: plan.value.plain ?? doc, fault: null, trouble: '' });
     if (plan.is === 'fault') store.setResult({ fault: plan.fault, trouble: '' });
     store.setPlanning(null);

@@ -4,7 +4,7 @@
  * @typedef {import('./types.js').Motion} Motion
  */
 import { angle, length, plural, short } from './format.js';
-import { drivenWords, drivesJoints } from './driven.js';
+import { drivesJoints, told } from './driven.js';
 import { groupAt, hasNoGoal, isDriven, shown } from './shown.js';
 
 /**
@@ -26,14 +26,6 @@ export const PULLED = {
   reached: 'The workpiece is where the hand has it.',
   closest: 'The closest pose found on this branch of the linkage: no pose nearby comes closer to where the hand pulls.',
   closure_lost: 'The loops could not be closed where the hand pulls; the linkage stays at its last closed position.',
-};
-
-/** What they mean where the motion drives joints. @type {Record<string, string>} */
-export const BY_DRIVERS = {
-  reached: 'Every driven joint has its value, and every loop is closed.',
-  at_limit: 'A joint limit keeps the driven joints from their values: the linkage waits as near as it comes.',
-  stalled: 'The driven joints cannot have their values here: the linkage waits as near as it comes.',
-  closure_lost: 'The loops could not be closed here. Do not trust this frame.',
 };
 
 /** @param {Motion} motion @param {number} frame */
@@ -126,8 +118,9 @@ export function frameSentence(store) {
   const { frame, posture } = store.view;
   if (posture) return postureSentence(posture, doc?.length_unit);
   const name = statusName(motion, frame);
-  if (drivesJoints(motion)) return `Frame ${frame + 1} of ${motion.goal_frames}: ${statusWords(name).word.toLowerCase()}, ${drivenWords(motion, doc, frame)}.`;
-  return `Frame ${frame + 1} of ${motion.goal_frames}: ${endWords(name, motion.translation_gap[frame], motion.rotation_gap[frame], 'the goal', doc?.length_unit)}.`;
+  const head = `Frame ${frame + 1} of ${motion.goal_frames}: `;
+  if (drivesJoints(motion)) return `${head}${[statusWords(name).word.toLowerCase(), told.words.drivenWords(motion, doc, frame)].filter(Boolean).join(', ')}.`;
+  return `${head}${endWords(name, motion.translation_gap[frame], motion.rotation_gap[frame], 'the goal', doc?.length_unit)}.`;
 }
 
 /**

@@ -7,7 +7,7 @@
  * @typedef {Pick<import('./store.js').Store, 'result' | 'view'>} Shown
  */
 import { keyFramesOf } from './key-frames.js';
-import { driverName, drivesJoints } from './driven.js';
+import { drivesJoints } from './driven.js';
 import { chainName } from './chain-name.js';
 import { angle, length } from './format.js';
 import { chainType, jointOf } from './joint-types.js';
@@ -58,10 +58,7 @@ export function nameOf(place, { result, view }) {
     const key = keyFramesOf(doc)[part];
     return key ? `key frame ${key.name ? `“${key.name}”` : part + 1}` : '';
   }
-  if (head === 'motion' && first === 'drivers' && typeof part === 'number') {
-    const driver = doc.motion.drivers?.[part];
-    return driver ? `driver of ${driverName(doc, driver)}` : '';
-  }
+  if (head === 'motion' && first === 'drivers') return `driver ${Number(part) + 1}`;
   const chain = head === 'chains' && typeof first === 'number' ? doc.chains[first] : undefined;
   if (!chain) return '';
   const name = chainName(chain, Number(first));

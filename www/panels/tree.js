@@ -7,7 +7,7 @@
 import { element, focusBeside } from '../ui/dom.js';
 import { onKeys } from '../ui/keys.js';
 import { chainName } from '../core/chain-name.js';
-import { driverName, hasDrivers } from '../core/driven.js';
+import { hasDrivers } from '../core/driven.js';
 import { plural } from '../core/format.js';
 import { keyFramesOf } from '../core/key-frames.js';
 import { html, nothing, render, repeat } from '../ui/render.js';
@@ -57,7 +57,7 @@ function listed(keys) {
 }
 
 /** @param {import('../core/types.js').MechanismDocument} doc @returns {Item[]} */
-const driversOf = (doc) => (doc.motion.drivers ?? []).map((driver, d) => ({ path: `motion.drivers[${d}]`, name: driverName(doc, driver) }));
+const driversOf = (doc) => (doc.motion.drivers ?? []).map(({ chain, joint }, d) => ({ path: `motion.drivers[${d}]`, name: `driver ${d + 1}`, more: `chain ${chain}, joint ${joint}` }));
 
 /**
  * @param {HTMLDetailsElement} place

@@ -7,17 +7,20 @@ import '../style/view.css';
 import './player-page.css';
 import { byId, element, setText } from '../ui/dom.js';
 import { inWords, keyTip, onKeys } from '../ui/keys.js';
-import { drivenWords, drivesJoints } from '../core/driven.js';
+import { drivesJoints, told } from '../core/driven.js';
+import * as words from '../core/driven-words.js';
 import { angle, length } from '../core/format.js';
 import { Player } from '../core/player.js';
 import { createScene } from '../view3d/scene/scene.js';
 import { shown } from '../core/shown.js';
 import { createStore } from '../core/store.js';
-import { BY_DRIVERS, countStatuses, describeScene, statusName, statusWords } from '../core/status-words.js';
+import { countStatuses, describeScene, statusName, statusWords } from '../core/status-words.js';
 import { unpack } from './pack.js';
 
 const { motion, doc: mechanism, plain } = await unpack(byId('motion').textContent ?? '');
 const store = createStore(mechanism);
+// In one file nothing is loaded later.
+told.words = words;
 
 const canvas = element('canvas', {
   id: 'canvas',
@@ -65,8 +68,8 @@ function tell() {
   setText(play, playing ? 'Pause' : 'Play');
   setText(number, `${frame + 1} / ${motion.frames}`);
   const { sign, word, meaning } = statusWords(statusName(motion, frame));
-  const told = driven ? drivenWords(motion, mechanism, frame) : `${length(motion.translation_gap[frame], mechanism.length_unit)} and ${angle(motion.rotation_gap[frame])} from the goal`;
-  setText(status, `${sign} ${word}: ${told}. ${(driven && BY_DRIVERS[statusName(motion, frame)]) || meaning}`);
+  const more = driven ? words.drivenWords(motion, mechanism, frame) : `${length(motion.translation_gap[frame], mechanism.length_unit)} and ${angle(motion.rotation_gap[frame])} from the goal`;
+  setText(status, `${sign} ${word}: ${more}. ${(driven && words.statusMeaning(statusName(motion, frame))) || meaning}`);
   if (playing) return;
   scrub.setAttribute('aria-valuetext', `Frame ${frame + 1}: ${word}`);
   setText(description, describeScene(store));

@@ -17,7 +17,7 @@
  * @property {number} span smallest extent of the scale: less is rounding
  */
 import { chainName } from '../../core/chain-name.js';
-import { drivenVariables, drivesJoints, subscript } from '../../core/driven.js';
+import { drivesJoints, told } from '../../core/driven.js';
 import { degrees, lengthUnit, scientific, short } from '../../core/format.js';
 import { roundingGaps, statusName, worstFrame } from '../../core/status-words.js';
 
@@ -51,7 +51,7 @@ const MAX_ROWS = 500;
 /** @param {Motion} motion @param {string | undefined} unit of length @returns {Chart[]} */
 export function chartsOf(motion, unit) {
   const length = lengthUnit(unit);
-  return (drivesJoints(motion) ? [...drivenCharts(motion, length), pathChart(motion, length)] : goalCharts(motion, length)).concat(otherCharts(motion, length));
+  return (drivesJoints(motion) ? drivenCharts(motion, length) : goalCharts(motion, length)).concat(otherCharts(motion, length));
 }
 
 /** @param {string} group @param {ArrayLike<number>} values @param {string} of unit @param {Partial<Chart>} more @returns {Chart} */
@@ -79,22 +79,12 @@ function goalCharts(motion, length) {
   ];
 }
 
-/** The driven joints, angles and lengths. @param {Motion} motion @param {string} length @returns {Chart[]} */
+/** The driven joints, and the way of the workpiece. @param {Motion} motion @param {string} length @returns {Chart[]} */
 function drivenCharts(motion, length) {
-  const width = motion.joints.length / motion.frames;
-  const series = drivenVariables(motion).map(({ index, label, unit, chain }) => ({
-    name: `${chainName(motion.report.chains[chain], chain)} ${subscript(label)}`,
-    unit,
-    values: Float64Array.from({ length: motion.frames }, (_, frame) => inUnit(motion.joints[frame * width + index], unit)),
+  const charts = byKind(told.words.drivenSeries(motion), length).map(({ kind, ...rest }) => ({
+    id: `driven ${kind}`, group: 'driven', title: rest.series.length === 1 ? `Driven joint, ${rest.series[0].name}` : `${GROUPS.driven}, ${kind}`, ...rest,
   }));
-  return byKind(series, length).map(({ kind, ...rest }) => ({ id: `driven ${kind}`, group: 'driven', title: rest.series.length === 1 ? `Driven joint, ${rest.series[0].name}` : `${GROUPS.driven}, ${kind}`, ...rest }));
-}
-
-/** The way of the workpiece, in the fixed frame. @param {Motion} motion @param {string} length @returns {Chart} */
-function pathChart({ pose, frames }, length) {
-  const width = pose.length / frames;
-  const series = ['x', 'y', 'z'].map((name, axis) => ({ name, values: Float64Array.from({ length: frames }, (_, frame) => pose[frame * width + axis]) }));
-  return { id: 'path', group: 'path', title: GROUPS.path, unit: length, span: LENGTH_SPAN, series };
+  return [...charts, { id: 'path', group: 'path', title: GROUPS.path, unit: length, span: LENGTH_SPAN, series: told.words.pathSeries(motion) }];
 }
 
 /** @param {Motion} motion @param {string} length @returns {Chart[]} */
@@ -123,6 +113,8 @@ function jointCharts(motion, length) {
     return byKind(series, length).map(({ kind, ...rest }) => ({ id: `joints ${chain} ${kind}`, group: 'joints', title: `${chainName({ name }, chain)}, ${kind}`, ...rest }));
   });
 }
+
+const subscript = (/** @type {string} */ label) => label.replace(/\d/g, (digit) => '₀₁₂₃₄₅₆₇₈₉'[Number(digit)]);
 
 /** @param {number} value @param {'rad' | 'length'} unit */
 const inUnit = (value, unit) => (unit === 'rad' ? degrees(value) : value);

@@ -6,10 +6,10 @@ import { html, nothing, render } from '../../ui/render.js';
 import { setText } from '../../ui/dom.js';
 import { chainName } from '../../core/chain-name.js';
 import { createStandardHint } from '../../core/standard-hint.js';
-import { drivesJoints } from '../../core/driven.js';
+import { drivesJoints, told } from '../../core/driven.js';
 import { hasNoGoal, isDriven, shownEnd } from '../../core/shown.js';
 import {
-  BY_DRIVERS, PULLED, countStatuses, largestGaps, metricSentence, mobilitySentence, partSentence, singularSentence, statusName, statusWords,
+  PULLED, countStatuses, largestGaps, metricSentence, mobilitySentence, partSentence, singularSentence, statusName, statusWords,
 } from '../../core/status-words.js';
 
 /** What the planner says where it knows of other conventions. */
@@ -38,7 +38,7 @@ export function createStatus({ find, store, player, planner }) {
     find('frame-status').dataset.status = name;
     setText(find('frame-sign'), sign);
     setText(find('frame-word'), word);
-    const special = posture ? (posture.note ? '' : PULLED[name]) : drivesJoints(store.result.motion) ? BY_DRIVERS[name] : '';
+    const special = posture ? (posture.note ? '' : PULLED[name]) : drivesJoints(store.result.motion) ? told.words.statusMeaning(name) : '';
     setText(find('frame-meaning'), special || meaning);
     // Where joints are driven there is no goal: nothing is said of one.
     for (const id of ['gap-translation', 'gap-rotation', 'metric', 'gradient', 'curvature']) {

@@ -7,7 +7,7 @@
 import { html, nothing, render, repeat } from '../../ui/render.js';
 import { capital, chainName } from '../../core/chain-name.js';
 import { freedomInWords } from '../../core/freedom-words.js';
-import { driveReasons, drivesJoints } from '../../core/driven.js';
+import { drivesJoints, told } from '../../core/driven.js';
 import { sentence } from '../../core/format.js';
 import { groupAt, hasNoGoal, shown, shownEnd } from '../../core/shown.js';
 import { atLimits, certificate, mostHolding, percentages, twistInWords, wrenchInWords } from './why-words.js';
@@ -75,7 +75,7 @@ export function createWhy({ find, store }) {
   function ofDrivers() {
     const { result: { motion }, view: { frame, posture } } = store;
     if (posture || !motion || !drivesJoints(motion)) return nothing;
-    return driveReasons(motion, frame).map((text) => html`<p class="why-sentence">${sentence(text)}</p>`);
+    return told.words.driveReasons(motion, frame).map((text) => html`<p class="why-sentence">${sentence(text)}</p>`);
   }
 
   /** What is said of the goal. @param {string} kind @param {Why | null} why */

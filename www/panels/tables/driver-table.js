@@ -5,7 +5,8 @@
  * @typedef {import('../../core/store.js').Store} Store
  */
 import { drivable, addValue, freshDriver, fullTurn, keptWords, removeValue, withDrivers } from '../../core/driver-edits.js';
-import { driverIndex, driverName } from '../../core/driven.js';
+import { driverIndex } from '../../core/driven.js';
+import { driverName } from '../../core/driven-words.js';
 import { ANGLE_DECIMALS, lengthUnit, plural } from '../../core/format.js';
 import { without } from '../../core/lists.js';
 import { setValue } from '../../core/edits.js';

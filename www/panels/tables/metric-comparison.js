@@ -56,7 +56,7 @@ export function createMetricComparison(store, ask) {
     if (driven) {
       leave();
       shown = null;
-      return setText(note, 'Joints are driven: there is no goal, and no gap in either metric. Method and metric are used where the workpiece is pulled by hand.');
+      return setText(note, 'Joints are driven: there is no goal, and no gap in either metric.');
     }
     if (!seen) return;
     if (doc === shown) {

@@ -10,10 +10,11 @@ import { addKeyFrame, duplicateKeyFrame, removeKeyFrame, setTime } from '../../c
 import { lengthUnit, plural } from '../../core/format.js';
 import { keyFrameIn, PAGE, pageWith } from '../../core/row-window.js';
 import { hasDrivers } from '../../core/driven.js';
+import { element } from '../../ui/dom.js';
+import { whenSeen } from '../../ui/lazy.js';
 import { html, live, nothing, renderRows, repeat } from '../../ui/render.js';
 import { shownFrame } from '../../core/shown-frame.js';
 import { coordinateCells, coordinateHeads } from './frame-table.js';
-import { createMetricComparison } from './metric-comparison.js';
 import { plannerSettings } from './planner-settings.js';
 import { createRowKeys } from './row-keys.js';
 import { pointCells, setting } from './settings.js';
@@ -24,7 +25,7 @@ import { pointCells, setting } from './settings.js';
  * @param {ReturnType<typeof import('./cells.js').createCells>} cells
  * @param {Defaults} defaults
  * @param {ReturnType<typeof import('./reorder.js').createArrange>} arrange
- * @param {{goTo: (key: number) => void, compareMetrics: Parameters<typeof createMetricComparison>[1]}} outside `goTo` takes
+ * @param {{goTo: (key: number) => void, compareMetrics: Parameters<typeof import('./metric-comparison.js').createMetricComparison>[1]}} outside `goTo` takes
  *   the playhead to a key frame; `compareMetrics` asks the planner
  * @param {ReturnType<typeof import('./forms.js').createForms>} forms
  * @param {ReturnType<typeof import('./typed-parts.js').createTypedParts>} typed
@@ -170,7 +171,10 @@ export function createMotionTables(panel, store, cells, defaults, arrange, { goT
     return html`<div class="motion-kind" role="radiogroup" aria-label="The motion is given by">${choice('Key frames', false)}${choice('Driven joints', true)}</div>`;
   }
 
-  const comparison = createMetricComparison(store, compareMetrics);
+  const comparison = element('div', { class: 'comparison-place' });
+  whenSeen(comparison, 'The comparison of the metrics', async () =>
+    comparison.replaceChildren((await import('./metric-comparison.js')).createMetricComparison(store, compareMetrics)),
+  );
 
   function draw() {
     renderRows(
