@@ -6,6 +6,8 @@ import { fileURLToPath } from 'node:url';
 const at = (path) => fileURLToPath(new URL(path, import.meta.url));
 
 const THREE = realpathSync(at('node_modules/three/src'));
+/** By its own path, also where node_modules is a link: it would be in the page twice, here and where its parts import it. */
+const RENDERER = realpathSync(at('node_modules/lit-html/node'));
 
 /** The modules that stand in for the 3D library's own of the same name. */
 const STAND_INS = readdirSync(at('three')).map((file) => basename(file, '.js'));
@@ -118,7 +120,7 @@ const rendererForServers = () => ({
   enforce: 'pre',
   resolveId(id) {
     const [, part = 'lit-html.js'] = /^lit-html(?:\/(.+))?$/.exec(id) ?? [, null];
-    return part && at(`node_modules/lit-html/node/${part}`);
+    return part && join(RENDERER, part);
   },
 });
 

@@ -2,7 +2,7 @@
  * The examples in their groups, each with its picture. Arrow keys go through them, Enter opens one.
  */
 import index from '../mechanisms/index.json';
-import { sampleText } from '../core/samples.js';
+import { sampleText } from '../core/sample-list.js';
 import { inGroups } from '../core/mechanism-groups.js';
 import { plural } from '../core/format.js';
 import { element } from '../ui/dom.js';
@@ -22,7 +22,7 @@ export function openGallery({ store, open, say }) {
   const body = element('div', {}, ...groups);
   const cards = /** @type {HTMLButtonElement[]} */ ([...body.querySelectorAll('.card')]);
 
-  /** @param {import('../core/samples.js').Sample} sample */
+  /** @param {import('../core/sample-list.js').Sample} sample */
   function cardOf(sample) {
     const { file, title, line, mobility } = sample;
     const choose = () =>

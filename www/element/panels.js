@@ -51,7 +51,7 @@ export async function createPanels(bare, banners) {
     return read.is === 'fault' ? read.fault : null;
   };
   const tables = createTables(places, store, defaults, { markFault: tabs.mark, findStart, goToKey, compareMetrics, readPoses, check, bringOut: (target) => bringOut(target, app), say, rewrite: (text, chain) => ask(() => planner.byAxes(text, chain), 'find the axes'), view: app });
-  const selection = createSelection(places.root, [places.mechanism, places.motion], app);
+  const selection = createSelection(places.root, [places.mechanism, places.motion], app, tables.ready);
   places.root.addEventListener('focusin', ({ target }) => bringOut(/** @type {Element} */ (target), app));
   createTree(/** @type {HTMLDetailsElement} */ (find('objects')), app, selection.enter);
   createStatus(app);

@@ -5,7 +5,7 @@ import { byId, targetOf } from '../../ui/dom.js';
 import { withPart } from '../../ui/lazy.js';
 import { onKeys } from '../../ui/keys.js';
 import { menuButton } from '../../ui/menu.js';
-import { askedLesson, lessons, openLesson } from './lessons.js';
+import lessons from '../../lessons/index.json';
 import { startTour, wasSeen } from './tour.js';
 
 /** @param {import('../../element/workbench.js').AppWithPanels} app */
@@ -14,7 +14,7 @@ export function createHelp(app) {
   const reference = (show) => () => withPart(app, 'This part of the help', () => import('./reference.js'), show);
   const showKeys = reference(({ showKeys: show }) => show());
   const showNumbers = reference(({ showNumbers: show }) => show());
-  const lesson = (/** @type {string} */ id) => withPart(app, 'The lesson', () => openLesson(app, id), () => {});
+  const lesson = (/** @type {string} */ id) => withPart(app, 'The lesson', async () => (await import('./lessons.js')).openLesson(app, id), () => {});
 
   /** A page of the site, beside the applet. @param {string} address */
   const page = (address) => () => window.open(address, '_blank', 'noopener');
@@ -41,7 +41,7 @@ export function createHelp(app) {
   });
 
   // The lesson of the address, or the first minute of a first visit.
-  const asked = askedLesson();
+  const asked = new URLSearchParams(location.search).get('lesson');
   if (asked !== null) lesson(asked);
   else if (!wasSeen()) startTour(app, { focus: false });
 }

@@ -1,15 +1,13 @@
 /**
- * The lessons: an index that is always there, texts and documents that are loaded when one is opened.
+ * Opens lessons: their texts and documents are loaded when one is opened.
  */
-import index from '../../lessons/index.json';
+import { showLesson } from './lesson.js';
+import lessons from '../../lessons/index.json';
 
 const texts = /** @type {Record<string, () => Promise<string>>} */ (import.meta.glob('../../lessons/*.html', { query: '?raw', import: 'default' }));
 const documents = /** @type {Record<string, () => Promise<string>>} */ (
   import.meta.glob(['../../lessons/*.json', '!../../lessons/index.json'], { query: '?raw', import: 'default' })
 );
-
-/** @type {{id: string, title: string, line: string}[]} */
-export const lessons = index;
 
 /** @type {{close: () => void} | null} */
 let open = null;
@@ -25,8 +23,7 @@ export async function openLesson(app, id) {
     app.say(`There is no lesson “${id}”. There are: ${lessons.map((known) => known.id).join(', ')}.`);
     return;
   }
-  const [{ showLesson }, text, doc] = await Promise.all([
-    import('./lesson.js'),
+  const [text, doc] = await Promise.all([
     texts[`../../lessons/${id}.html`](),
     documents[`../../lessons/${id}.json`](),
   ]);
@@ -34,6 +31,3 @@ export async function openLesson(app, id) {
   await app.open(doc);
   open = showLesson(app, { ...lesson, text, doc });
 }
-
-/** The lesson that the page's address asks for. */
-export const askedLesson = () => new URLSearchParams(location.search).get('lesson');

@@ -30,7 +30,7 @@ const FRAMES = [
  * @param {Defaults} defaults
  * @param {ReturnType<typeof import('./reorder.js').createArrange>} arrange
  * @param {() => void} findStart asks the planner for start values
- * @param {ReturnType<typeof import('./forms.js').createForms>} forms
+ * @param {import('./forms.js').Forms} forms
  * @param {import('../../ui/notice.js').Say} say
  * @param {(doc: import('../../core/types.js').MechanismDocument) => Promise<import('../../core/types.js').Fault | null>} check asks the planner
  * @param {{typed: ReturnType<typeof import('./typed-parts.js').createTypedParts>, view: import('./typed-parts.js').View}} more

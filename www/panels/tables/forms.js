@@ -4,6 +4,7 @@
  * key frames from a table; and what a motion with driven joints needs, loaded in the same way.
  *
  * @typedef {(text: string, chain: number) => Promise<import('../../core/ask.js').Outcome<string>>} Rewrite gives a chain by its axes
+ * @typedef {ReturnType<typeof createForms>} Forms
  */
 
 /**

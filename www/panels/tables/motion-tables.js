@@ -27,7 +27,7 @@ import { pointCells, setting } from './settings.js';
  * @param {ReturnType<typeof import('./reorder.js').createArrange>} arrange
  * @param {{goTo: (key: number) => void, compareMetrics: Parameters<typeof import('./metric-comparison.js').createMetricComparison>[1]}} outside `goTo` takes
  *   the playhead to a key frame; `compareMetrics` asks the planner
- * @param {ReturnType<typeof import('./forms.js').createForms>} forms
+ * @param {import('./forms.js').Forms} forms
  * @param {ReturnType<typeof import('./typed-parts.js').createTypedParts>} typed
  */
 export function createMotionTables(panel, store, cells, defaults, arrange, { goTo, compareMetrics }, forms, typed) {

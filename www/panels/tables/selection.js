@@ -14,8 +14,9 @@ const thingOf = (path) => THING.exec(path)?.[0] ?? '';
  * @param {HTMLElement} root holds the panels
  * @param {HTMLElement[]} panels with tables
  * @param {Pick<import('../../element/workbench.js').AppWithPanels, 'store' | 'tabs' | 'narrow'>} app
+ * @param {(place: string) => Promise<unknown> | null} ready loads the tables that show a place; null where they are there
  */
-export function createSelection(root, panels, { store, tabs, narrow }) {
+export function createSelection(root, panels, { store, tabs, narrow }, ready) {
   /** What was selected by the tables themselves: it is in sight already. */
   let own = '';
 
@@ -82,16 +83,25 @@ export function createSelection(root, panels, { store, tabs, narrow }) {
   }
   store.select(({ view }) => view.hovered, show);
   store.select(({ view }) => view.selected, (selected) => {
-    show();
-    const part = find(selected);
-    if (part && thingOf(selected) !== own) bring(part);
+    const meet = () => {
+      show();
+      const part = find(selected);
+      if (part && thingOf(selected) !== own) bring(part);
+    };
+    meet();
+    ready(thingOf(selected))?.then(() => {
+      if (store.view.selected === selected) meet();
+    });
   });
   // A thing may be in another row now, or in a new one.
   store.subscribe('document', show);
 
   return {
     /** Goes into the table at a thing. @param {string} place */
-    enter(place) {
+    async enter(place) {
+      // Without a wait where there is no need: the focus stays with the key that brought it.
+      const coming = ready(thingOf(place));
+      if (coming) await coming;
       const part = find(place);
       if (!part) return;
       bring(part);

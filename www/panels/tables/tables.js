@@ -5,17 +5,17 @@
  * @typedef {import('../../core/types.js').Fault} Fault
  */
 import { valueAt } from '../../core/path.js';
-import { allFaults } from './all-faults.js';
+import { parametersOf } from '../../core/parameter-names.js';
+import { whenSeen, withPart } from '../../ui/lazy.js';
 import { createArrange } from './reorder.js';
 import { createCells } from './cells.js';
 import { createChainTables } from './chain-tables.js';
-import { createFaultNote } from './fault-note.js';
 import { cellTools } from './cell-tools.js';
-import { createForms } from './forms.js';
-import { gridBlock } from './cell-block.js';
 import { gridKeys } from './grid-keys.js';
-import { createMotionTables } from './motion-tables.js';
 import { createTypedParts } from './typed-parts.js';
+
+/** Places that the tables of the motion show. */
+const OF_MOTION = /^(motion|planner)\b/;
 
 /**
  * @param {{root: HTMLElement, mechanism: HTMLElement, motion: HTMLElement}} place
@@ -36,11 +36,43 @@ import { createTypedParts } from './typed-parts.js';
 export function createTables({ root, mechanism, motion }, store, defaults, { markFault, findStart, goToKey, compareMetrics, readPoses, check, bringOut, say, rewrite, view }) {
   const arrange = createArrange(root, store, bringOut);
   const cells = createCells(store);
-  const forms = createForms(root, store, say, readPoses, check, cells.label, rewrite);
+  // Each of the forms as a function that first loads them.
+  const forms = /** @type {import('./forms.js').Forms} */ (
+    new Proxy({}, {
+      get: (_, name) => (/** @type {any[]} */ ...asked) =>
+        withPart({ say }, 'What the tables open', () => import('./forms.js'), ({ createForms }) => {
+          const all = createForms(root, store, say, readPoses, check, cells.label, rewrite);
+          return /** @type {any} */ (all)[name](...asked);
+        }),
+    })
+  );
   const typed = createTypedParts(() => show(), say);
   const chains = createChainTables(mechanism, store, cells, defaults, arrange, findStart, forms, say, check, { typed, view });
-  const keys = createMotionTables(motion, store, cells, defaults, arrange, { goTo: goToKey, compareMetrics }, forms, typed);
-  const note = createFaultNote(root);
+  /** The tables of the motion, loaded when they are first seen or something in them is meant. @type {ReturnType<typeof import('./motion-tables.js').createMotionTables> | null} */
+  let keys = null;
+  /** @type {Promise<unknown> | null} */
+  let coming = null;
+  const loadMotion = () =>
+    (coming ??= import('./motion-tables.js').then(
+      ({ createMotionTables }) => {
+        motion.replaceChildren();
+        keys = createMotionTables(motion, store, cells, defaults, arrange, { goTo: goToKey, compareMetrics }, forms, typed);
+        keys.reveal(store.view.selected);
+        show();
+        if (store.result.fault) showFault();
+      },
+      (error) => {
+        coming = null;
+        throw error;
+      },
+    ));
+  /** Resolves when the tables that show a place are there; null where they are. @param {string} path */
+  const ready = (path) => (keys || !OF_MOTION.test(path) ? null : withPart({ say }, 'The tables of the motion', loadMotion, () => {}));
+  whenSeen(motion, 'The tables of the motion', loadMotion);
+  /** Loaded with the first fault. @type {typeof import('./faults.js') | null} */
+  let faults = null;
+  /** @type {ReturnType<typeof import('./fault-note.js').createFaultNote> | null} */
+  let note = null;
   /** @type {HTMLElement | null} */
   let culprit = null;
 
@@ -50,20 +82,30 @@ export function createTables({ root, mechanism, motion }, store, defaults, { mar
   /** The fault that the planner told, at once, then the others that the document has. */
   async function showFault() {
     const { doc, result: { fault } } = store;
+    if (!faults) {
+      if (!fault) return;
+      return void withPart({ say }, 'What tells faults beside their cells', () => import('./faults.js'), (part) => {
+        faults = part;
+        note ??= part.createFaultNote(root);
+        showFault();
+      });
+    }
+    // With them it is shown once more.
+    if (fault) ready(fault.where);
     // What was wrong and was not touched is wrong still: its mark does not go and come back.
     const same = (/** @type {Fault} */ { where }) => where !== fault?.where && valueAt(doc, where) === valueAt(told.doc, where);
     mark(fault ? [fault, ...told.faults.filter(same)] : [], doc);
     if (!fault) return;
     const newest = () => store.doc === doc && store.result.fault === fault;
-    const all = await allFaults(doc, fault, async (filled) => (newest() ? check(filled) : null));
+    const all = await faults.allFaults(doc, fault, async (filled) => (newest() ? check(filled) : null));
     if (newest()) mark(all, doc);
   }
 
-  /** @param {Fault[]} faults @param {import('../../core/types.js').MechanismDocument} doc */
-  function mark(faults, doc) {
-    told = { faults, doc };
-    if (faults.length) keys.reveal(faults[0].where);
-    culprit = note.show(faults, doc);
+  /** @param {Fault[]} all @param {import('../../core/types.js').MechanismDocument} doc */
+  function mark(all, doc) {
+    told = { faults: all, doc };
+    if (all.length) keys?.reveal(all[0].where);
+    culprit = note?.show(all, doc) ?? null;
     const fold = culprit?.closest('details');
     if (fold) fold.open = true;
     markFault(culprit && (mechanism.contains(culprit) ? mechanism : motion));
@@ -72,11 +114,12 @@ export function createTables({ root, mechanism, motion }, store, defaults, { mar
   function show() {
     cells.clear();
     chains.draw();
-    keys.draw();
+    keys?.draw();
     chains.drawParameters();
+    // They name all cells in which they are.
+    if (Object.keys(parametersOf(store.doc)).length) ready('motion');
   }
 
-  gridBlock(root, store, cells, say);
   gridKeys(root);
   cellTools(root, store, cells, say, forms.parameter);
   store.subscribe('document', show);
@@ -88,6 +131,7 @@ export function createTables({ root, mechanism, motion }, store, defaults, { mar
   show();
 
   return {
+    ready,
     /** Goes to the cell at fault. @param {(panel: HTMLElement) => void} show brings its panel to the front */
     focusFault(show) {
       if (!culprit?.isConnected) return;
