@@ -114,6 +114,14 @@ test('on a phone, dark: nothing is wider than the window, and a mechanism is mad
   await inDialog(page).getByRole('button', { name: 'Make', exact: true }).first().tap();
   await inDialog(page).waitFor({ state: 'detached' });
   assert.equal((await shownDoc(page)).parameters.base, 350);
+  await page.locator('[data-name]').first().waitFor();
+  await page.locator('table.axes').first().waitFor();
+  const cut = await page.evaluate(() => ({
+    names: page$$('[data-name]').filter((field) => field.value.length <= 8 && field.scrollWidth > field.clientWidth).map((field) => field.value),
+    page: document.documentElement.scrollWidth,
+    widerInItsFrame: page$$('.scroller').some((frame) => frame.scrollWidth > frame.clientWidth),
+  }));
+  assert.deepEqual(cut, { names: [], page: 390, widerInItsFrame: true });
 });
 
 test('an empty linkage by its tables or by its axes is planned', async () => {
