@@ -11,7 +11,8 @@ import { placesIn } from './lists.js';
  * @param {(chain: number, joint: number) => [chain: number, joint: number]} where a joint is now; −1 for one that is gone
  * @returns {MechanismDocument}
  */
-function followed({ motion: { drivers } }, next, where) {
+function followed({ motion }, next, where) {
+  const drivers = motion?.drivers;
   if (!drivers?.length) return next;
   const moved = drivers.map((driver) => {
     const [chain, joint] = where(Number(driver.chain) - 1, Number(driver.joint) - 1);
