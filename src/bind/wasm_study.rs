@@ -183,6 +183,10 @@ pub fn makers() -> Result<JsMakerList, JsValue> {
 ///
 /// # Errors
 /// A `Fault` where there is no such maker, or an input is at fault, whose name `where` is.
+#[expect(
+    clippy::needless_pass_by_value,
+    reason = "an optional text comes by value"
+)]
 #[wasm_bindgen]
 pub fn make_named(name: &str, inputs: &str, unit: Option<String>) -> Result<String, JsValue> {
     from_type::make_named(name, inputs, unit.as_deref()).map_err(|fault| refusal(&fault))
