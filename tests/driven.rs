@@ -53,16 +53,19 @@ impl FourBar {
             coupler: c,
             rocker: b,
         } = *self;
-        let (sin, cos) = crank.sin_cos();
+        let (sin, cos) = libm::sincos(crank);
         let (p, q) = (2.0 * b * (g - a * cos), -2.0 * a * b * sin);
         let r = c * c - g * g - a * a - b * b + 2.0 * g * a * cos;
-        let h = p.hypot(q);
+        let h = libm::hypot(p, q);
         if r.abs() > h {
             return None;
         }
-        let rocker = q.atan2(p) + side * (r / h).acos();
-        let at = |y: f64, x: f64| y.atan2(x);
-        let coupler = at(b * rocker.sin() - a * sin, g + b * rocker.cos() - a * cos);
+        let rocker = libm::atan2(q, p) + side * libm::acos(r / h);
+
+        let coupler = libm::atan2(
+            b * libm::sin(rocker) - a * sin,
+            g + b * libm::cos(rocker) - a * cos,
+        );
         Some((rocker, coupler))
     }
 
@@ -105,7 +108,7 @@ fn driver(chain: usize, joint: usize, values: &[(f64, f64)]) -> Value {
 }
 
 fn drive(mut document: Value, frames: usize, drivers: Vec<Value>) -> Value {
-    document["motion"] = json!({"frames": frames, "drivers": drivers});
+    document["motion"] = json!({"frames": frames, "drivers": Value::Array(drivers)});
     document
 }
 
@@ -212,10 +215,8 @@ fn a_start_is_found_at_the_first_value() {
 /// Crank and rod in a plane, the slider along x. The workpiece is the rod. Joint variables: crank, rod against it;
 /// slider, rod against the x axis.
 fn slider_crank(place: &Place, scale: f64, crank: f64, rod: f64, start: f64) -> Value {
-    let phi = (-crank * start.to_radians().sin() / rod)
-        .asin()
-        .to_degrees();
-    let x = crank * start.to_radians().cos() + rod * phi.to_radians().cos();
+    let phi = libm::asin(-crank * libm::sin(start.to_radians()) / rod).to_degrees();
+    let x = crank * libm::cos(start.to_radians()) + rod * libm::cos(phi.to_radians());
     let base = frame(place, scale, 0.0, 0.0);
     // Turned in its plane by 90°, so that X(90°) turns z into the plane's x.
     let mut turned = base.clone();
@@ -246,7 +247,8 @@ fn a_slider_crank_is_its_closed_form() {
         for frame in 0..61 {
             let joints = t.joints_at(frame);
             let angle = (20.0 + 12.0 * frame as f64).to_radians();
-            let x = crank * angle.cos() + (rod * rod - (crank * angle.sin()).powi(2)).sqrt();
+            let across = crank * libm::sin(angle);
+            let x = crank * libm::cos(angle) + (rod * rod - across * across).sqrt();
             assert!((joints[2] / scale - x).abs() < 1e-9 * rod, "{frame}");
         }
     }
@@ -327,7 +329,7 @@ fn a_double_rocker_tells_its_dead_point() {
         rocker: 280.0,
     };
     let (g, a, reach) = (bar.ground, bar.crank, bar.coupler + bar.rocker);
-    let dead = ((g * g + a * a - reach * reach) / (2.0 * g * a)).acos();
+    let dead = libm::acos((g * g + a * a - reach * reach) / (2.0 * g * a));
     for (place, scale) in [(FLAT, 1.0), (FAR, 1e-3)] {
         for side in [1.0, -1.0] {
             let document = bar.document(&place, scale, Some(&bar.start(70.0, side)));
@@ -422,7 +424,7 @@ fn an_antiparallelogram_keeps_its_branch() {
         let joints = t.joints_at(frame);
         // The diagonals of an antiparallelogram are parallel: its coupler never is.
         let off = apart(joints[0], joints[2]);
-        let flat = joints[0].sin().abs() < 0.05;
+        let flat = libm::sin(joints[0]).abs() < 0.05;
         assert!(flat || off > 0.02, "frame {frame}: {joints:?}");
     }
     let (first, last) = (t.joints_at(0), t.joints_at(60));
@@ -480,18 +482,21 @@ fn five_bar(place: &Place, scale: f64, left: f64, right: f64) -> (Value, impl Fn
     const ROD: f64 = 160.0;
     // The angle of the left rod: the rods' pin is above.
     let rod = |left: f64, right: f64| {
-        let a = (CRANK * left.cos(), CRANK * left.sin());
-        let b = (GROUND + CRANK * right.cos(), CRANK * right.sin());
+        let a = (CRANK * libm::cos(left), CRANK * libm::sin(left));
+        let b = (GROUND + CRANK * libm::cos(right), CRANK * libm::sin(right));
         let d = (b.0 - a.0, b.1 - a.1);
-        d.1.atan2(d.0) + (0.5 * d.0.hypot(d.1) / ROD).acos()
+        libm::atan2(d.1, d.0) + libm::acos(0.5 * libm::hypot(d.0, d.1) / ROD)
     };
     let (l, r) = (left.to_radians(), right.to_radians());
     let angle = rod(l, r);
     let pin = (
-        CRANK * l.cos() + ROD * angle.cos(),
-        CRANK * l.sin() + ROD * angle.sin(),
+        CRANK * libm::cos(l) + ROD * libm::cos(angle),
+        CRANK * libm::sin(l) + ROD * libm::sin(angle),
     );
-    let other = (pin.1 - CRANK * r.sin()).atan2(pin.0 - GROUND - CRANK * r.cos());
+    let other = libm::atan2(
+        pin.1 - CRANK * libm::sin(r),
+        pin.0 - GROUND - CRANK * libm::cos(r),
+    );
     let (angle, other) = (angle.to_degrees(), other.to_degrees());
     let document = json!({
         "version": 1, "name": "five-bar", "length_unit": "mm",
@@ -792,7 +797,7 @@ fn driven_as_it_was_planned() {
         for &(chain, joint) in joints {
             let before: usize = mechanism.chains()[..chain - 1]
                 .iter()
-                .map(|c| c.freedoms())
+                .map(synthetica::model::chain::Chain::freedoms)
                 .sum();
             let own = &mechanism.chains()[chain - 1];
             let inside: usize = own.joints()[..joint - 1]

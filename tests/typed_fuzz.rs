@@ -177,9 +177,10 @@ fn mutilated_typed_documents_have_an_answer_or_a_fault_at_a_typed_place() {
             }
             let (start, end) = found[random(found.len())];
             let (from, to) = found[random(found.len())];
+            let other = text[from..to].to_owned();
             match random(8) {
                 // A token of the text itself, nothing, a sign less, or something else in a token's place.
-                0 => text.replace_range(start..end, &text[from..to].to_owned()),
+                0 => text.replace_range(start..end, &other),
                 1 => text.replace_range(start..end, ""),
                 2 if text.is_char_boundary(end + 1) => text.replace_range(start..end + 1, ""),
                 _ => text.replace_range(start..end, PIECES[random(PIECES.len())]),
