@@ -125,7 +125,7 @@ const PARTS = [
     await page.getByRole('button', { name: 'Export', exact: true }).click();
     await page.getByRole('menuitem', { name: /PNG/ }).click();
   }, (page) => page.getByRole('dialog')],
-  ['The lesson', /assets\/lessons-[^/]*\.js/, async (page) => {
+  ['The lesson', /assets\/open-lesson-[^/]*\.js/, async (page) => {
     await page.getByRole('button', { name: 'Help', exact: true }).click();
     await page.getByRole('menuitem', { name: /Lesson: Why/ }).click();
   }, (page) => page.getByRole('tabpanel', { name: 'Lesson' })],

@@ -13,7 +13,7 @@ export function createHelp(app) {
   const reference = (show) => () => withPart(app, 'This part of the help', () => import('./reference.js'), show);
   const showKeys = reference(({ showKeys: show }) => show());
   const showNumbers = reference(({ showNumbers: show }) => show());
-  const lesson = (/** @type {string} */ id) => withPart(app, 'The lesson', async () => (await import('./lessons.js')).openLesson(app, id), () => {});
+  const lesson = (/** @type {string} */ id) => withPart(app, 'The lesson', async () => (await import('./open-lesson.js')).openLesson(app, id), () => {});
 
   const tour = () => startTour(app, { focus: true });
   const items = async () => (await loaded(app, 'The help', () => import('./items.js'))).helpItems({ tour, showKeys, showNumbers, lesson });
