@@ -112,7 +112,7 @@ test('more key frames than there are, with names and times under heads, are appe
   await page.keyboard.press('Control+z');
   await noFault(page);
 
-  for (const [typed, said] of [['many', /Accepted: a number, or an empty cell\.$/], ['1,8', /“1,8”\. Write a point: 1\.8\.$/]]) {
+  for (const [typed, said] of [['many', /Accepted: a number, or an expression such as 2\*pi, or an empty cell\.$/], ['1,8', /“1,8”\. Write a point: 1\.8\.$/]]) {
     await cell(page, 'motion.radius').fill(typed);
     await page.keyboard.press('Enter');
     await page.locator('#fault-note').filter({ hasText: typed }).waitFor();

@@ -63,6 +63,59 @@ test('a panel that cannot be loaded says so, and comes when it is tried again', 
   assert.deepEqual(ofThePage(problems), []);
 });
 
+test('the tables of the motion that cannot be loaded say so, and come when they are tried again', async () => {
+  const { page, problems } = await browser.openPage();
+  const pass = await block(page, /assets\/motion-tables-[^/]*\.js/);
+  await page.getByRole('tab', { name: 'Motion' }).click();
+  const panel = page.getByRole('tabpanel', { name: 'Motion' });
+  await panel.getByRole('alert').filter({ hasText: 'The tables of the motion could not be loaded' }).waitFor();
+  await pass();
+  await panel.getByRole('button', { name: 'Try again' }).click();
+  await panel.locator('[data-path="motion.key_frames[0].x"]').waitFor();
+  assert.equal(await panel.getByRole('alert').count(), 0);
+  assert.deepEqual(ofThePage(problems), []);
+});
+
+test('a fault in the motion is told beside its cell though nobody has seen the tables of the motion', async () => {
+  const { page, problems } = await browser.openPage();
+  await page.evaluate(() => {
+    const { workbench } = document.querySelector('synthetica-linkage');
+    return workbench.then(({ store }) => store.edit((doc) => ({ ...doc, motion: { ...doc.motion, frames: 'many' } })));
+  });
+  await page.locator('#go-to-fault').click();
+  const cell = page.locator('[data-path="motion.frames"]');
+  await cell.and(page.locator('[aria-invalid="true"]')).waitFor();
+  assert.equal(await page.evaluate(() => pageFocus().dataset.path), 'motion.frames');
+  assert.deepEqual(ofThePage(problems), []);
+});
+
+test('a block that is pasted, and a key that is pressed, before blocks of cells are loaded are not lost', async () => {
+  const { page, problems } = await browser.openPage();
+  /** @type {() => void} */
+  let pass = () => {};
+  const held = new Promise((resolve) => (pass = resolve));
+  await page.route(/assets\/cell-block-[^/]*\.js/, async (route) => {
+    await held;
+    await route.continue();
+  });
+  const at = (row, column) => `chains[0].joints[${row}].rows[0].${column}`;
+  const value = (path) => page.locator(`[data-path="${path}"]`).inputValue();
+  const before = await value(at(0, 'd'));
+  await page.locator(`[data-path="${at(0, 'theta')}"]`).evaluate((field) => {
+    field.focus();
+    const clipboardData = new DataTransfer();
+    clipboardData.setData('text/plain', '7\t0.5');
+    field.dispatchEvent(new ClipboardEvent('paste', { clipboardData, bubbles: true, cancelable: true }));
+    clipboardData.clearData();
+  });
+  await page.keyboard.press('Shift+ArrowDown');
+  assert.equal(await value(at(0, 'd')), before);
+  pass();
+  await page.locator('.block-note').filter({ hasText: '2 rows of 1 cell' }).waitFor();
+  assert.deepEqual([await value(at(0, 'theta')), await value(at(0, 'd'))], ['7', '0.5']);
+  assert.deepEqual(ofThePage(problems), []);
+});
+
 const PARTS = [
   ['The examples', /assets\/gallery-[^/]*\.(js|css)/, (page) => page.getByRole('button', { name: 'Examples', exact: true }).click(), (page) => page.getByRole('dialog', { name: 'Examples' })],
   ['What opens and saves documents', /assets\/actions-[^/]*\.js/, (page) => page.getByRole('button', { name: 'Share', exact: true }).click(), (page) => page.getByRole('dialog', { name: 'Share' })],
@@ -72,7 +125,7 @@ const PARTS = [
     await page.getByRole('button', { name: 'Export', exact: true }).click();
     await page.getByRole('menuitem', { name: /PNG/ }).click();
   }, (page) => page.getByRole('dialog')],
-  ['The lesson', /assets\/lesson-[^/]*\.js/, async (page) => {
+  ['The lesson', /assets\/open-lesson-[^/]*\.js/, async (page) => {
     await page.getByRole('button', { name: 'Help', exact: true }).click();
     await page.getByRole('menuitem', { name: /Lesson: Why/ }).click();
   }, (page) => page.getByRole('tabpanel', { name: 'Lesson' })],

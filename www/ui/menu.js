@@ -12,7 +12,7 @@ let made = 0;
 
 /**
  * @param {string} label
- * @param {() => MenuItem[]} items asked for each time the menu opens
+ * @param {() => MenuItem[] | Promise<MenuItem[]>} items asked for each time the menu opens
  * @returns {HTMLButtonElement} the button that opens the menu
  */
 export function menuButton(label, items) {
@@ -24,7 +24,7 @@ export function menuButton(label, items) {
 /**
  * Gives a button a menu, named as the button is.
  * @param {HTMLButtonElement} button
- * @param {() => MenuItem[]} items asked for each time the menu opens
+ * @param {() => MenuItem[] | Promise<MenuItem[]>} items asked for each time the menu opens, which waits for them
  */
 export function attachMenu(button, items) {
   const menu = element('div', { class: 'menu', role: 'menu', popover: 'auto', id: `menu-${++made}` });
@@ -34,9 +34,13 @@ export function attachMenu(button, items) {
   const close = () => menu.hidePopover();
 
   /** @param {number} focused index of the item that is entered; -1 for the last */
-  function open(focused = 0) {
+  async function open(focused = 0) {
+    const asked = items();
+    const all = asked instanceof Promise ? await asked : asked;
+    // It may have been asked for once more in the meantime.
+    if (menu.matches(':popover-open')) return;
     menu.replaceChildren(
-      ...items().map((item) => {
+      ...all.map((item) => {
         if (item === 'line') return element('hr', { role: 'separator' });
         const act = () => {
           if (item.disabled) return;

@@ -13,6 +13,8 @@ import { valueAt, withValueAt } from '../../core/path.js';
 import { sayUndo } from '../../core/undo.js';
 import { gridAt } from './grid.js';
 import { placed } from './paste.js';
+import { wear } from '../../ui/style-sheets.js';
+import look from '../../style/block.css?inline';
 
 /** @typedef {import('../../core/types.js').MechanismDocument} MechanismDocument */
 
@@ -35,6 +37,7 @@ const TIME = /^motion\.key_frames\[(\d+)\]\.time$/;
 export function gridBlock(root, store, cells, say) {
   /** The cell where the block began, and the one where it ends. @type {{from: HTMLInputElement, to: HTMLInputElement} | null} */
   let block = null;
+  wear(/** @type {ShadowRoot} */ (root.getRootNode()), look);
   const note = element('p', { class: 'block-note', role: 'status', hidden: true });
   root.append(note);
 

@@ -18,6 +18,8 @@ import { coordinateCells, coordinateHeads } from './frame-table.js';
 import { plannerSettings } from './planner-settings.js';
 import { createRowKeys } from './row-keys.js';
 import { pointCells, setting } from './settings.js';
+import { wear } from '../../ui/style-sheets.js';
+import look from '../../style/motion.css?inline';
 
 /**
  * @param {HTMLElement} panel
@@ -31,6 +33,7 @@ import { pointCells, setting } from './settings.js';
  * @param {ReturnType<typeof import('./typed-parts.js').createTypedParts>} typed
  */
 export function createMotionTables(panel, store, cells, defaults, arrange, { goTo, compareMetrics }, forms, typed) {
+  wear(/** @type {ShadowRoot} */ (panel.getRootNode()), look);
   const unit = () => store.doc.length_unit;
   // Times stay where they are when poses change places.
   const rowKeys = createRowKeys((/** @type {import('../../core/types.js').KeyFrame} */ { time: _, ...pose }) => pose);

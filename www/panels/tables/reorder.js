@@ -7,7 +7,6 @@
  * @typedef {{path: string, more: () => Exclude<MenuItem, 'line'>[]}} Thing with what can be done with it beside moving it
  */
 import * as edits from '../../core/edits.js';
-import { moveKeyFrame } from '../../core/key-frame-edits.js';
 import { valueAt } from '../../core/path.js';
 import { focusBeside } from '../../ui/dom.js';
 import { KEYS, onKeys } from '../../ui/keys.js';
@@ -31,14 +30,16 @@ export function createArrange(root, store, bringOut) {
   }
 
   /** @param {string} path @param {number} step */
-  function move(path, step) {
+  async function move(path, step) {
     const [, list, chain, index] = THING.exec(path) ?? [];
     if (!canMove(path, step)) return;
     const from = Number(index);
     const to = from + step;
+    // Their table has loaded it.
+    const { moveKeyFrame } = list === 'motion.key_frames' ? await import('../../core/key-frame-edits.js') : { moveKeyFrame: null };
     store.edit((doc) => {
       if (list === 'chains') return edits.moveChain(doc, from, to);
-      if (list === 'motion.key_frames') return moveKeyFrame(doc, from, to);
+      if (moveKeyFrame) return moveKeyFrame(doc, from, to);
       return edits.moveJoint(doc, Number(chain), from, to);
     });
     store.setView({ selected: `${list}[${to}]` });

@@ -46,7 +46,7 @@ export function createTables({ root, mechanism, motion }, store, defaults, { mar
         }),
     })
   );
-  const typed = createTypedParts(() => show(), say);
+  const typed = createTypedParts(root, () => show(), say);
   const chains = createChainTables(mechanism, store, cells, defaults, arrange, findStart, forms, say, check, { typed, view });
   /** The tables of the motion, loaded when they are first seen or something in them is meant. @type {ReturnType<typeof import('./motion-tables.js').createMotionTables> | null} */
   let keys = null;

@@ -4,9 +4,10 @@
  * @typedef {Pick<import('../../element/workbench.js').App, 'scene' | 'store' | 'say' | 'signal'>} View where points are picked and
  *   axes drawn
  */
+import { wear } from '../../ui/style-sheets.js';
 
-/** @param {() => void} draw when they are loaded @param {import('../../ui/notice.js').Say} say */
-export function createTypedParts(draw, say) {
+/** @param {HTMLElement} root holds the tables @param {() => void} draw when they are loaded @param {import('../../ui/notice.js').Say} say */
+export function createTypedParts(root, draw, say) {
   /** @type {typeof import('./typed-tables.js') | null} */
   let parts = null;
   let loading = false;
@@ -14,6 +15,7 @@ export function createTypedParts(draw, say) {
     loading = true;
     try {
       parts = await import('./typed-tables.js');
+      wear(/** @type {ShadowRoot} */ (root.getRootNode()), parts.look);
       draw();
     } catch (error) {
       const again = { label: 'Try again', act: load, stays: true };

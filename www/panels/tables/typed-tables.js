@@ -3,3 +3,4 @@
  */
 export { createAxesTable } from './axes-table.js';
 export { rotationCell } from './rotation-cell.js';
+export { default as look } from '../../style/axes.css?inline';
