@@ -39,7 +39,9 @@ test('joints are read from lines of letters and numbers', () => {
     { type: 'S', point: [4, 5, 'a/2'] },
     { type: 'P', axis: [0, 0, 1] },
   ]);
-  assert.equal(readJoints('1\t2\t3', entry), null);
+  assert.deepEqual(readJoints('joint;x;y;z\nS;4;5;6', entry), { joints: [{ type: 'S', point: [4, 5, 6] }] });
+  assert.match(readJoints('R 0 0 0 0 0 1\nQ 1 2 3', entry).fault, /^Line 2, “Q 1 2 3”, does not begin with the letter of a joint/);
+  for (const text of ['1\t2\t3', '', 'joint\tx']) assert.equal(readJoints(text, entry), null);
   for (const text of ['R 0 0 0', 'R 0 0 0 0 0', 'T 0 0 0 0 0 1', 'R 0 0 0 0 0 1 1 0 0', 'R']) assert.match(readJoints(text, entry).fault, /^Line 1/, text);
   const doc = { chains: [{ joints: [{ type: 'S', point: [0, 0, 0] }], start: [1, 2, 3] }] };
   const [chain] = withJoints(doc, 0, 0, joints).chains;

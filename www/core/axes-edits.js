@@ -9,6 +9,7 @@
  * @typedef {import('./types.js').Entry} Entry
  */
 import { AXES_JOINTS } from './by-axes.js';
+import { JOINT_LETTERS } from './joint-types.js';
 
 /**
  * The directions of each type, and whether each of its vectors may be left out.
@@ -41,17 +42,22 @@ export function acrossOf(axis) {
 
 /**
  * A pasted text as joints: a line a joint, its letter, then the numbers of point and directions: `R 0 0 0  0 0 1`. What a
- * joint may leave out may be left out at the end: S has a point only, P and E may have a direction only.
+ * joint may leave out may be left out at the end: S has a point only, P and E may have a direction only. A line of headings
+ * before them is skipped.
  * @param {string} text
  * @param {(word: string) => Entry} entry what a word means
  * @returns {{joints: Joint[]} | {fault: string} | null} null where the text is none of joints
  */
 export function readJoints(text, entry) {
   const lines = text.split(/\r?\n/).map((line) => line.trim()).filter(Boolean);
-  if (!lines.length || !lines.every((line) => /^[RPCTUSE]([\s,;]|$)/i.test(line))) return null;
+  const isJoint = (/** @type {string} */ line = '') => /^[RPCTUSE]([\s,;]|$)/i.test(line);
+  const heads = isJoint(lines[0]) ? 0 : 1;
+  if (!isJoint(lines[heads])) return null;
   /** @type {Joint[]} */
   const joints = [];
   for (const [index, line] of lines.entries()) {
+    if (index < heads) continue;
+    if (!isJoint(line)) return { fault: `Line ${index + 1}, “${line.slice(0, 60)}”, does not begin with the letter of a joint. Accepted: ${JOINT_LETTERS.join(', ')}.` };
     const [letter, ...words] = line.split(line.includes('\t') ? /\t/ : line.includes(';') ? /;/ : /[\s,]+/).map((word) => word.trim()).filter(Boolean);
     const type = /** @type {JointType} */ (letter.toUpperCase().replace('U', 'T'));
     const { optional } = VECTORS[type];
