@@ -46,7 +46,7 @@ export function createTables({ root, mechanism, motion }, store, defaults, { mar
         }),
     })
   );
-  const typed = createTypedParts(root, () => show(), say);
+  const typed = createTypedParts(root, () => showAnew(), say);
   const chains = createChainTables(mechanism, store, cells, defaults, arrange, findStart, forms, say, check, { typed, view });
   /** The tables of the motion, loaded when they are first seen or something in them is meant. @type {ReturnType<typeof import('./motion-tables.js').createMotionTables> | null} */
   let keys = null;
@@ -58,8 +58,7 @@ export function createTables({ root, mechanism, motion }, store, defaults, { mar
         motion.replaceChildren();
         keys = createMotionTables(motion, store, cells, defaults, arrange, { goTo: goToKey, compareMetrics }, forms, typed);
         keys.reveal(store.view.selected);
-        show();
-        if (store.result.fault) showFault();
+        showAnew();
       },
       (error) => {
         coming = null;
@@ -118,6 +117,12 @@ export function createTables({ root, mechanism, motion }, store, defaults, { mar
     chains.drawParameters();
     // They name all cells in which they are.
     if (Object.keys(parametersOf(store.doc)).length) ready('motion');
+  }
+
+  /** Also what is at fault in tables that were not there. */
+  function showAnew() {
+    show();
+    if (store.result.fault) showFault();
   }
 
   gridKeys(root);
