@@ -84,7 +84,8 @@ test('the tree by keyboard: branches, letters, selection, and the way into the t
   await page.keyboard.press('ArrowRight');
   await page.keyboard.press('ArrowRight');
   await page.keyboard.press('Enter');
-  assert.equal(await page.evaluate(() => pageFocus().dataset.path), 'motion.key_frames[0].name');
+  // The tables of the motion are loaded with it.
+  await page.waitForFunction(() => pageFocus()?.dataset.path === 'motion.key_frames[0].name');
   await page.keyboard.press('Home');
 });
 
