@@ -135,3 +135,12 @@ test('of the long texts only the last few are kept, though undo keeps their docu
   textOf(docs[0]);
   assert.equal(written, 5, 'the first one is');
 });
+
+test('a table is written in the unit of angles of the document, and takes the place of drivers', () => {
+  const driver = { chain: 1, joint: 1, values: [{ time: 0, value: 0 }, { time: 1, value: 1 }] };
+  const driven = { ...plain, angles: 'radians', motion: { drivers: [driver], frames: 5, key_frames: [] } };
+  const [fresh] = taken(1, false);
+  const { motion } = takeKeyFrames(driven, [{ ...fresh, longitude: 90, latitude: 0, roll: 180 }], false);
+  assert.equal('drivers' in motion, false);
+  assert.deepEqual([motion.key_frames[0].longitude, motion.key_frames[0].roll], [Math.PI / 2, Math.PI]);
+});

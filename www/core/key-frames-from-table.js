@@ -4,6 +4,7 @@
  * @typedef {import('./types.js').MechanismDocument} MechanismDocument
  * @typedef {import('./types.js').PoseTable['key_frames']} Taken
  */
+import { frameAsWritten } from './document-angles.js';
 import { keyFramesOf } from './key-frames.js';
 
 /** Frames that a document without a number of them has. */
@@ -16,10 +17,13 @@ const FRAMES = 33;
  */
 export function takeKeyFrames(doc, fresh, append) {
   const old = append ? keyFramesOf(doc) : [];
-  const key_frames = [...old, ...timed(old, fresh).map(({ name, ...pose }) => (name ? { name, ...pose } : pose))];
-  const { frames = FRAMES } = doc.motion;
+  const named = timed(old, fresh).map(({ name, ...pose }) => (name ? { name, ...pose } : pose));
+  const key_frames = [...old, ...named.map((key) => frameAsWritten(doc, key))];
+  // A motion has key frames or drivers.
+  const { drivers: _, ...motion } = doc.motion;
+  const { frames = FRAMES } = motion;
   const more = typeof frames === 'number' && frames < key_frames.length ? { frames: key_frames.length } : {};
-  return { ...doc, motion: { ...doc.motion, ...more, key_frames } };
+  return { ...doc, motion: { ...motion, ...more, key_frames } };
 }
 
 /**
