@@ -137,6 +137,7 @@ test('a table that was copied in the other convention is noticed, and switched b
   await page.locator('#warning-list button', { hasText: 'Read as standard tables' }).evaluate((button) => button.click());
   await page.waitForFunction(() => /standard: Z·X/.test(page$('[data-path="chains[0].convention"]').textContent));
   await planned(page);
+  assert.equal(await page.evaluate(() => pageFocus().dataset.path), 'chains[0].convention', 'the focus goes to what was changed');
   const shown = await statuses(page);
   for (const frame of [0, 16, 32]) assert.equal(shown[frame], 'reached', `frame ${frame}`);
 
@@ -158,6 +159,8 @@ test('angles in radians: converted, labelled, and back', async () => {
   const old = await docOf(page);
   const choose = async (unit, how) => {
     await cell(page, 'angles').selectOption(unit);
+    await page.getByLabel(how).waitFor();
+    assert.equal(await page.evaluate(() => pageFocus().value), 'convert', 'what is proposed has the focus, not the button that closes');
     await page.getByLabel(how).check();
     await page.getByRole('button', { name: `Use ${unit}` }).click();
     await page.locator('dialog').waitFor({ state: 'detached' });
