@@ -188,6 +188,8 @@ test('a key frame gives its rotation as a quaternion, and keeps it so, also on a
   assert.equal(key.quaternion_wxyz.length, 4);
   assert.ok(!('longitude' in key));
   assert.ok(farthest(await poses(page), before) < 1e-6);
+  const [rotation, all] = await page.evaluate(() => [page$('.rotation .point'), page$('.keys')].map((node) => node.getBoundingClientRect().width));
+  assert.ok(rotation > 0.75 * all, `${rotation} px of ${all}: four numbers have the whole width`);
 
   // A chain by axes on a phone: every cell can be reached, and the page itself does not scroll sideways.
   await open(page, crank);
