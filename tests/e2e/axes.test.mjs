@@ -137,6 +137,7 @@ test('a table that was copied in the other convention is noticed, and switched b
   await page.locator('#warning-list button', { hasText: 'Read as standard tables' }).evaluate((button) => button.click());
   await page.waitForFunction(() => /standard: Z·X/.test(page$('[data-path="chains[0].convention"]').textContent));
   await planned(page);
+  assert.equal(await page.evaluate(() => pageFocus().dataset.path), 'chains[0].convention', 'the focus goes to what was changed');
   const shown = await statuses(page);
   for (const frame of [0, 16, 32]) assert.equal(shown[frame], 'reached', `frame ${frame}`);
 
@@ -158,6 +159,8 @@ test('angles in radians: converted, labelled, and back', async () => {
   const old = await docOf(page);
   const choose = async (unit, how) => {
     await cell(page, 'angles').selectOption(unit);
+    await page.getByLabel(how).waitFor();
+    assert.equal(await page.evaluate(() => pageFocus().value), 'convert', 'what is proposed has the focus, not the button that closes');
     await page.getByLabel(how).check();
     await page.getByRole('button', { name: `Use ${unit}` }).click();
     await page.locator('dialog').waitFor({ state: 'detached' });
@@ -185,6 +188,8 @@ test('a key frame gives its rotation as a quaternion, and keeps it so, also on a
   assert.equal(key.quaternion_wxyz.length, 4);
   assert.ok(!('longitude' in key));
   assert.ok(farthest(await poses(page), before) < 1e-6);
+  const [rotation, all] = await page.evaluate(() => [page$('.rotation .point'), page$('.keys')].map((node) => node.getBoundingClientRect().width));
+  assert.ok(rotation > 0.75 * all, `${rotation} px of ${all}: four numbers have the whole width`);
 
   // A chain by axes on a phone: every cell can be reached, and the page itself does not scroll sideways.
   await open(page, crank);

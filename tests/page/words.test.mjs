@@ -1,7 +1,7 @@
 // Findings in words.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { degrees, length, scientific, short } from '../../www/core/format.js';
+import { degrees, length, scientific, sentence, short } from '../../www/core/format.js';
 import { faultParts, faultText } from '../../www/core/fault-text.js';
 import {
   describeScene, endWords, frameSentence, largestGaps, mobilitySentence, partSentence, singularSentence, statusWords, worstFrame,
@@ -12,6 +12,10 @@ test('numbers are short, with a true minus, and never say −0', () => {
   assert.deepEqual([scientific(0), scientific(2.345e-16), scientific(0.5)], ['0', '2.3e−16', '0.5']);
   assert.deepEqual([length(0.25, 'm'), length(0.25, '')], ['0.25 m', '0.25']);
   assert.equal(degrees(Math.PI), 180);
+});
+
+test('a sentence begins with a capital, a symbol stays as it is', () => {
+  assert.deepEqual([sentence('the crank turns'), sentence('θ₂ of crank is not driven.')], ['The crank turns.', 'θ₂ of crank is not driven.']);
 });
 
 test('a motion that was stopped says how far it goes', () => {

@@ -42,7 +42,7 @@ export const length = (value, unit) => (unit ? `${short(value)} ${unit}` : short
 export const angle = (radians, decimals = ANGLE_DECIMALS) => `${short(degrees(radians), decimals)}°`;
 
 /** With a capital at the beginning and a stop at the end. @param {string} text */
-export const sentence = (text) => text.charAt(0).toUpperCase() + text.slice(1) + (/[.!?]$/.test(text) ? '' : '.');
+export const sentence = (text) => text.replace(/^[a-z]/, (letter) => letter.toUpperCase()) + (/[.!?]$/.test(text) ? '' : '.');
 
 /** @param {number} count @param {string} one @param {string} [many] */
 export const plural = (count, one, many = `${one}s`) => `${count} ${count === 1 ? one : many}`;

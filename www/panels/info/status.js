@@ -22,9 +22,12 @@ const STANDARD = {
 /** @param {Pick<import('../../element/workbench.js').App, 'find' | 'store' | 'player' | 'planner'>} app */
 export function createStatus({ find, store, player, planner }) {
   const looksStandard = createStandardHint({ store, planner }, () => showMotion());
-  /** All tables, as printed. */
-  const readAsStandard = () =>
+  /** All tables, as printed. The warning goes, and the focus with it to what is told beside the table. */
+  function readAsStandard() {
     store.edit((doc) => ({ ...doc, chains: doc.chains.map((chain) => (chain.joints.every(({ rows }) => rows) ? { ...chain, convention: 'standard' } : chain)) }));
+    const tree = /** @type {ShadowRoot} */ (find('warnings').getRootNode());
+    /** @type {HTMLElement | null} */ (tree.querySelector('[data-path$=".convention"]'))?.focus();
+  }
   const outputs = ['gap-translation', 'gap-rotation', 'metric', 'closure', 'misfit', 'sigma', 'gradient', 'curvature', 'iterations'];
 
   function showFrame() {

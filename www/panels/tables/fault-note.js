@@ -45,7 +45,8 @@ export function createFaultNote(root) {
     }
     const row = place.closest('tr');
     if (row) {
-      const note = element('tr', { class: 'fault-row' }, element('td', { colspan: row.cells.length }, text));
+      const columns = [...row.cells].reduce((sum, { colSpan }) => sum + colSpan, 0);
+      const note = element('tr', { class: 'fault-row' }, element('td', { colspan: columns }, text));
       // Below the notes of the row's other cells.
       let last = row;
       while (last.nextElementSibling?.matches('.fault-row')) last = /** @type {HTMLTableRowElement} */ (last.nextElementSibling);

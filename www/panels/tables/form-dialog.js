@@ -7,6 +7,9 @@ import { openDialogIn } from '../../ui/dialog.js';
 import { element, setText } from '../../ui/dom.js';
 import { wear } from '../../ui/style-sheets.js';
 
+/** What is filled in first; of radio buttons the chosen one. */
+const FIRST_FIELD = ':is(input:not([type=radio]), input:checked, select, textarea):enabled';
+
 /**
  * @param {HTMLElement} root holds the tables
  * @param {{title: string, body: (Node | string)[], apply: string, act: () => boolean, readonly?: boolean}} spec `act` applies
@@ -24,6 +27,8 @@ export function openFormDialog(root, { title, body, apply, act, readonly }) {
     if (!readonly && act()) dialog.close();
   });
   const dialog = openDialogIn(/** @type {HTMLElement} */ (root.parentElement), title, form);
+  // Enter applies what is proposed: the focus is not at the button that closes the dialog.
+  /** @type {HTMLElement | null} */ (form.querySelector(FIRST_FIELD))?.focus();
   return { dialog, button };
 }
 

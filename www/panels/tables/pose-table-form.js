@@ -58,7 +58,7 @@ export function openPoseTable(root, { store, say }, readPoses) {
   ].map(([label, control, note]) => formField(/** @type {string} */ (label), /** @type {any} */ (control), { note: /** @type {string} */ (note) }));
   const orderField = how[1];
   const scaleField = how[4];
-  const place = element('fieldset', { class: 'form-field' }, element('legend', {}, 'They'),
+  const place = element('fieldset', { class: 'form-field' }, element('legend', {}, 'The poses'),
     ...[['replace', 'take the place of the key frames'], ['append', 'come behind them']].map(([value, text]) =>
       element('label', {}, element('input', { type: 'radio', name: 'place', value, checked: value === 'replace' }), ` ${text} `)));
   const told = element('p', { role: 'status' });
