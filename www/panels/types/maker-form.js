@@ -48,7 +48,7 @@ export function makerForm({ planner, open }, maker, done) {
     element('p', {}, element('button', { type: 'submit' }, 'Make')),
     said,
     element('p', { class: 'maker-about' }, maker.about),
-    element('p', { class: 'muted maker-source' }, `Numbers: ${maker.source}`),
+    element('p', { class: 'muted maker-source' }, `Source: ${maker.source}`),
   );
 
   /** Numbers that were not touched are the same lengths in the new unit; what was typed stays as it was typed. */
