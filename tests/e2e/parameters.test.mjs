@@ -113,6 +113,8 @@ test('an address sets a parameter by its name, and a link keeps the document as 
   const name = page.getByLabel('name of parameter p1');
   await name.fill('crank');
   await name.press('Enter');
+  await page.getByLabel('name of parameter crank').waitFor();
+  assert.equal(await page.evaluate(() => pageFocus().dataset.name), 'crank', 'the focus stays at the name');
   await cell(page, 'parameters.crank').fill('0.4');
   await crank.fill('crank');
   await crank.press('Enter');

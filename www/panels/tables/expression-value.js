@@ -48,7 +48,9 @@ export function createExpressionValue(root, store) {
   root.addEventListener('focusout', () => show(null));
   root.addEventListener('input', () => place());
   root.addEventListener('pointerover', ({ target, pointerType }) => {
-    if (pointerType === 'mouse' && expressionCell(target)) show(expressionCell(target));
+    // A pointer that rests over a plain number takes nothing from the cell that has the focus.
+    const cell = expressionCell(target);
+    if (pointerType === 'mouse' && cell?.matches('.expression')) show(cell);
   });
   root.addEventListener('pointerout', ({ target }) => {
     if (target === at) show(focused());

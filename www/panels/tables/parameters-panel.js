@@ -116,7 +116,10 @@ export function createParametersPanel(place, store, cells, { check, say, nameCel
     const value = expressionValue(store, path);
     const type = (/** @type {Event} */ event) => typed.set(name, { text: target(event).value, fault: '' });
     const press = keyListener({
-      keepValue: (event) => target(event).blur(),
+      keepValue(event) {
+        rename(name, target(event));
+        target(event).select();
+      },
       oldValue(event) {
         typed.delete(name);
         target(event).value = name;
