@@ -18,8 +18,8 @@ const count = (page) => page.locator('#motion .title span').first().textContent(
 
 test('a pasted table is read, corrected, and taken over as one step', async () => {
   const { page, problems } = await browser.openPage({ viewport: { width: 1280, height: 800 } });
-  const former = await count(page);
   const dialog = await open(page);
+  const former = await count(page);
   const take = dialog.getByRole('button', { name: 'Take over' });
   assert.ok(await take.isDisabled());
   await dialog.getByLabel('Or its cells, pasted').fill('x;y;z;a;b;c\n0,1;0;0,5;0;0;90\nnothing;0;0;0;0;0\n0,2;0;0,5;0;0;90');
