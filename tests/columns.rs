@@ -89,6 +89,10 @@ fn the_type_of_a_motion_is_that_of_the_list() {
         "report",
         "milliseconds",
         "rows",
+        // Of typed documents.
+        "plain",
+        "parameters",
+        "expressions",
     ];
     holds("Motion", &written(&columns), &others);
 }
