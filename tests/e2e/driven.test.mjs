@@ -152,7 +152,7 @@ test('the saved page plays without a goal', async () => {
 test('a joint is driven from its slider and from its menu; a hand may pull, and key frames are not offered', async () => {
   const page = await fourBar();
   await page.getByRole('tab', { name: 'Teach' }).click();
-  await page.getByRole('button', { name: 'Drive θ₁ of crank in the motion' }).click();
+  await page.getByRole('button', { name: 'Drive this joint: θ₁ of crank' }).click();
   await notice(page, 'θ₁ of crank is driven from').waitFor();
   await driven(page);
   const slider = page.locator('.teach-row[data-variable="0"] input[type=text]');

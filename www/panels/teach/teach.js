@@ -86,8 +86,8 @@ export function createTeach(app, panel) {
     if (store.readonly) return nothing;
     const driven = driverIndex(store.doc, { chain, joint, freedom }) >= 0;
     const load = () => withPart(app, 'Driven joints', () => import('../../core/driver-edits.js'), (edits) => edits.driveJoint(app, { chain, joint, freedom }));
-    return html`<button class="link teach-drive" ?disabled=${driven} aria-label=${`Drive ${name} of ${chainName(store.doc.chains[chain], chain)} in the motion`} @click=${load}
-      >${driven ? 'Driven in the motion' : 'Drive this joint'}</button>`;
+    const words = driven ? 'Driven in the motion' : 'Drive this joint';
+    return html`<button class="link teach-drive" ?disabled=${driven} aria-label=${`${words}: ${name} of ${chainName(store.doc.chains[chain], chain)}`} @click=${load}>${words}</button>`;
   }
 
   /** @param {Variable} variable @param {number} value */
