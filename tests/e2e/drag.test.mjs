@@ -147,6 +147,8 @@ async function pieceInHand(options, sample) {
   if (sample) {
     await openSample(page, sample);
     await page.waitForFunction(() => page$('#mobility-count').textContent === '−2');
+    // What the pointer is over is gone on from.
+    await page.mouse.move(0, 0);
   }
   await page.locator('#scrub').fill('40');
   await page.locator('#canvas').focus();

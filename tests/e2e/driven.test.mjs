@@ -79,6 +79,7 @@ test('the crank goes round, and nothing is said of a goal; the key frames come b
   await page.getByRole('button', { name: 'Undo' }).first().click();
   await page.waitForFunction(() => /Metric/.test(page$('#motion-metric').textContent));
   await page.getByRole('tab', { name: 'Motion' }).click();
+  await page.locator('.keys tbody').nth(6).waitFor();
   assert.equal(await page.locator('.keys tbody').count(), 7);
 });
 

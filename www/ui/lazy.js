@@ -13,26 +13,27 @@ function loadStylesAgain() {
 }
 
 /**
- * Loads a part and goes on with it, or says that it cannot be loaded.
+ * Loads a part and goes on with it, or says that it cannot be loaded. Where the page was left meanwhile nothing is done.
  * @template T
- * @param {{say: import('./notice.js').Say}} app
+ * @param {{say: import('./notice.js').Say, signal?: AbortSignal}} app
  * @param {string} what stands in the message if it cannot: "The gallery"
  * @param {() => Promise<T>} load
  * @param {(part: T) => unknown} go what is done with it; what goes wrong there is its own matter
  * @returns {Promise<boolean>} whether it was loaded
  */
-export async function withPart({ say }, what, load, go) {
+export async function withPart({ say, signal }, what, load, go) {
   let part;
   try {
     part = await load();
   } catch (error) {
     const again = () => {
       loadStylesAgain();
-      withPart({ say }, what, load, go);
+      withPart({ say, signal }, what, load, go);
     };
     say(failure(what, error), { label: 'Try again', act: again, stays: true });
     return false;
   }
+  if (signal?.aborted) return false;
   await go(part);
   return true;
 }
