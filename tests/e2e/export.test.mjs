@@ -359,6 +359,7 @@ test('while the document is at fault, planned, or planned in part, the menu says
   /** What the menu says of each thing to save, and which can be saved. */
   const items = async () => {
     await button.click();
+    await page.getByRole('menuitem').first().waitFor();
     const all = await page.getByRole('menuitem').evaluateAll((nodes) => nodes.map((node) => [node.firstChild.textContent, node.ariaDisabled !== 'true', node.querySelector('small').textContent]));
     await page.keyboard.press('Escape');
     return all;

@@ -84,8 +84,8 @@ test('what is no document is refused in words, and the present one stays', async
   await notice(page, /“b\.json”.*alfa.*Accepted/).waitFor();
   await choose(page, open, { name: 'c.png', mimeType: 'image/png', buffer: Buffer.from([0x89, 0x50, 0, 0xff]) });
   await notice(page, /“c\.png”.*not a text/).waitFor();
-  await choose(page, open, json('d.json', ' '.repeat(4_200_000)));
-  await notice(page, /“d\.json”.*4\.2 MB.*at most 4 MB/).waitFor();
+  await choose(page, open, json('d.json', ' '.repeat(32_100_000)));
+  await notice(page, /“d\.json”.*32\.1 MB.*at most 32 MB/).waitFor();
   await nameIs(page, '3RPS');
   assert.ok(await page.locator('#undo').isDisabled());
   await page.getByRole('button', { name: 'Close this notice' }).first().click();
