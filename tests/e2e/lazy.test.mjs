@@ -144,6 +144,7 @@ test('what is loaded when it is asked for and does not come is told, and comes w
     // With its style.
     await page.waitForFunction(() => [...document.querySelectorAll('link[rel=stylesheet]')].every((link) => link.sheet));
     await page.keyboard.press('Escape');
+    await page.waitForFunction(() => !pageFocus()?.closest('dialog'));
   }
   assert.deepEqual(ofThePage(problems), []);
 });

@@ -58,6 +58,7 @@ test('the first stop of the Tab key leads past everything to the tables', async 
   await page.keyboard.press('Enter');
   assert.ok(await page.evaluate(() => pageFocus().matches('#mechanism *')));
   await page.getByRole('tab', { name: 'Motion' }).click();
+  await page.locator('#motion input').first().waitFor();
   await page.locator('#skip').focus();
   await page.keyboard.press('Enter');
   assert.ok(await page.evaluate(() => pageFocus().matches('#motion *')));
