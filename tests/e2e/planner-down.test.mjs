@@ -88,6 +88,8 @@ test('a planner that does not come is told, nothing kept is moved, and trying ag
   const notice = (words) => page.locator('#notices p').filter({ hasText: words }).filter({ hasText: gone });
 
   await page.getByRole('button', { name: 'New', exact: true }).click();
+  await page.getByRole('dialog').getByRole('alert').filter({ hasText: gone }).waitFor();
+  await page.getByRole('tab', { name: 'A type and sizes' }).click();
   await page.getByRole('dialog').getByRole('status').filter({ hasText: 'The linkage was not made' }).filter({ hasText: gone }).waitFor();
   await page.keyboard.press('Escape');
 
@@ -108,7 +110,7 @@ test('a planner that does not come is told, nothing kept is moved, and trying ag
   await page.getByRole('tab', { name: 'Algorithm' }).click();
   await page.getByRole('tabpanel', { name: 'Algorithm' }).getByText(gone).waitFor();
   await page.getByRole('tab', { name: 'Motion' }).click();
-  await page.locator('.comparison').scrollIntoViewIfNeeded();
+  await page.locator('.comparison-place').scrollIntoViewIfNeeded();
   await page.locator('.comparison').getByText(gone).waitFor();
 
   // It is there again.
