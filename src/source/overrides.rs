@@ -24,9 +24,8 @@ pub fn set(text: &str, place: &str, value: &str) -> Result<String, Fault> {
     let keys = keys(place).ok_or_else(|| no_path(place))?;
     let value = value_of(value.trim());
     let mut node = node_of(text)?;
-    // As in the page's address, a field of the document goes before a parameter of its name.
+    // As in the page's address, a parameter goes before a field of the document that has its name.
     if let [Key::Field(name)] = keys[..]
-        && !node.has(name)
         && let Some(parameter) = node
             .field_mut("parameters")
             .and_then(|all| all.field_mut(name))
@@ -202,6 +201,11 @@ mod tests {
             let found = x(&set(TEXT, place, value).expect(place));
             assert!((found - expected).abs() < 1e-15, "{place}: {found}");
         }
+        // A parameter goes before a field of its name.
+        let clash = TEXT.replace("\"base\": 2", "\"base\": 2, \"name\": 3");
+        let text = set(&clash, "name", "8").expect("a parameter");
+        let typed = Typed::read(&text).expect("a document");
+        assert_eq!(typed.parameters.value("name"), Some(8.0));
         let read = |text: &str| Typed::read(text).expect("a document").document;
         assert_eq!(
             read(&set(TEXT, "motion.frames", "9").expect("a default"))
