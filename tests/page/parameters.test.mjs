@@ -213,3 +213,11 @@ test('joints that are called U or by small letters stay where their type does', 
   assert.equal(setChainType(doc, 0, ['T', 'P', 'S'], fresh), doc);
   assert.deepEqual(setChainType(doc, 0, ['T', 'P', 'R'], fresh).chains[0].joints, [...doc.chains[0].joints.slice(0, 2), { type: 'R' }]);
 });
+
+test('the fields with texts that are no numbers are those of the schema', () => {
+  const schema = JSON.parse(readFileSync(new URL('../../src/document/schema.json', import.meta.url), 'utf8'));
+  const found = new Set();
+  const isText = (/** @type {any} */ part) => part.enum || (part.$ref && schema.$defs[part.$ref.split('/').at(-1)].enum) || [part.type].flat().every((kind) => kind === 'string' || kind === 'null');
+  for (const part of [schema, ...Object.values(schema.$defs)]) for (const [name, field] of Object.entries(part.properties ?? {})) if ((field.type || field.enum || field.$ref) && isText(field)) found.add(name);
+  assert.deepEqual([...found].sort(), [...parameters.TEXTS].sort());
+});

@@ -10,7 +10,7 @@ import { parameterPath, parametersOf } from './parameter-names.js';
 import { valueAt, withValueAt } from './path.js';
 
 /** Fields with texts that are no numbers. Names of parameters are not among them: they are looked at by themselves. */
-const TEXTS = new Set(['$schema', 'name', 'about', 'length_unit', 'angles', 'type', 'convention', 'order', 'interpolation', 'method', 'metric', 'ramp']);
+export const TEXTS = new Set(['$schema', 'name', 'about', 'length_unit', 'angles', 'type', 'convention', 'order', 'interpolation', 'method', 'metric', 'ramp']);
 
 /** Fields with numbers that are not measured: a document's version, and what a driver counts. */
 const COUNTS = new Set(['version', 'chain', 'joint', 'freedom']);
