@@ -30,11 +30,11 @@ async function open(page, doc) {
 
 const planned = (page) =>
   page.waitForFunction(() => {
-    const { store } = document.querySelector('synthetica-linkage').linkage;
+    const { store } = document.querySelector('synthetica-linkage').parts;
     return store.result.doc === store.doc && !store.result.motion.partial;
   });
 
-const inPage = (page, body) => page.evaluate((text) => new Function('store', `return ${text}`)(document.querySelector('synthetica-linkage').linkage.store), body);
+const inPage = (page, body) => page.evaluate((text) => new Function('store', `return ${text}`)(document.querySelector('synthetica-linkage').parts.store), body);
 const docOf = (page) => inPage(page, 'store.doc');
 const poses = (page) => inPage(page, 'Array.from(store.result.motion.pose)');
 const statuses = (page) => inPage(page, 'Array.from(store.result.motion.status, (code) => store.result.motion.report.statuses[code])');

@@ -269,7 +269,7 @@ test('a document that arrives late does not take the place of a newer one, nor d
     const element = document.querySelector('synthetica-linkage');
     window.names = [];
     window.errors = [];
-    element.linkage.store.subscribe('document', () => names.push(element.document.name));
+    element.parts.store.subscribe('document', () => names.push(element.document.name));
     element.addEventListener('error', ({ detail }) => errors.push(detail.message));
     element.src = 'late.json';
     element.src = 'faulty.json';

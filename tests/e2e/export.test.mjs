@@ -141,10 +141,10 @@ const AWKWARD = `</title></text><script>document.title = "run"</script> & "quote
 async function pageOfAwkwardNames() {
   const { page, problems } = await browser.openPage();
   await page.evaluate((name) => {
-    const { store } = document.querySelector('#linkage').linkage;
+    const { store } = document.querySelector('#linkage').parts;
     store.edit((doc) => ({ ...doc, name, motion: { ...doc.motion, key_frames: doc.motion.key_frames.map((key, at) => (at ? key : { ...key, name })) } }));
   }, AWKWARD);
-  await page.waitForFunction(() => document.querySelector('#linkage').linkage.store.result.doc === document.querySelector('#linkage').linkage.store.doc);
+  await page.waitForFunction(() => document.querySelector('#linkage').parts.store.result.doc === document.querySelector('#linkage').parts.store.doc);
   return { page, problems };
 }
 
@@ -377,7 +377,7 @@ test('while the document is at fault, planned, or planned in part, the menu says
   await page.locator('#fault-banner').waitFor({ state: 'hidden' });
   // A plan that takes long, and its stop. The last plan's motion is shown until then.
   await page.evaluate(() =>
-    document.querySelector('#linkage').linkage.store.edit((doc) => ({ ...doc, motion: { ...doc.motion, frames: 10_000 }, planner: { ...doc.planner, method: 'gradient' } })),
+    document.querySelector('#linkage').parts.store.edit((doc) => ({ ...doc, motion: { ...doc.motion, frames: 10_000 }, planner: { ...doc.planner, method: 'gradient' } })),
   );
   await page.locator('#planning-stop').waitFor();
   const planning = await items();

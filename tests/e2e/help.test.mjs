@@ -140,7 +140,7 @@ test('a lesson shows no number of the linkage that was open before', async () =>
   await page.waitForFunction(() => window.counts.has('−2'));
   // The 3RPS has 3, and the lesson says of its four-bar that counting gives −2.
   assert.deepEqual(await page.evaluate(() => [...window.counts]), ['…', '−2']);
-  await page.evaluate(() => document.querySelector('#linkage').linkage.store.edit((doc) => ({ ...doc, chains: [] })));
+  await page.evaluate(() => document.querySelector('#linkage').parts.store.edit((doc) => ({ ...doc, chains: [] })));
   await page.waitForFunction(() => page$('.lesson [data-value=count]').textContent === '…', null, { polling: 50 });
   assert.deepEqual(problems, []);
 });

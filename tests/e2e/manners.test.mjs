@@ -81,10 +81,10 @@ test('what cannot be chosen in a menu is reached by the keys and says why', asyn
   assert.ok(await item.evaluate((entry) => entry === pageFocus()));
   assert.equal(await item.getAttribute('aria-disabled'), 'true');
   assert.match(await item.textContent(), /It is the first/);
-  const before = await page.evaluate(() => document.querySelector('synthetica-linkage').linkage.store.doc);
+  const before = await page.evaluate(() => document.querySelector('synthetica-linkage').parts.store.doc);
   await page.keyboard.press('Enter');
   assert.ok(await item.isVisible(), 'the menu stays');
-  assert.deepEqual(await page.evaluate(() => document.querySelector('synthetica-linkage').linkage.store.doc), before);
+  assert.deepEqual(await page.evaluate(() => document.querySelector('synthetica-linkage').parts.store.doc), before);
 });
 
 for (const [width, height] of [[1280, 800], [800, 600], [844, 390], [640, 400]]) {

@@ -135,7 +135,7 @@ test('the late answer to an older address does not take the place of a newer one
   await cell(page, 'name').fill('Present');
   await page.keyboard.press('Enter');
   await page.evaluate((hash) => {
-    const { linkage } = document.querySelector('synthetica-linkage');
+    const { parts: linkage } = document.querySelector('synthetica-linkage');
     const { whole } = linkage;
     const release = new Promise((resolve) => (window.release = resolve));
     const late = new Promise((resolve) => {

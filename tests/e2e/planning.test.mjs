@@ -31,7 +31,7 @@ async function edited(page, value) {
   await cell(page, PLACE).fill(value);
   await page.keyboard.press('Enter');
   await page.waitForFunction((wanted) => {
-    const { result, doc } = window.document.querySelector('synthetica-linkage').linkage.store;
+    const { result, doc } = window.document.querySelector('synthetica-linkage').parts.store;
     return doc.chains[0].base.x === Number(wanted) && result.doc === doc;
   }, value);
 }
@@ -126,7 +126,7 @@ test('a linkage that is taken out is planned no more, and is when it is put back
   await page.evaluate(async (slow) => {
     await customElements.whenDefined('synthetica-linkage');
     window.element = document.querySelector('synthetica-linkage');
-    const { store } = element.linkage;
+    const { store } = element.parts;
     window.progress = () => new Promise((resolve) => {
       const leave = store.subscribe('planning', () => {
         if (!store.planning) return;
@@ -138,7 +138,7 @@ test('a linkage that is taken out is planned no more, and is when it is put back
     await progress();
     element.remove();
   }, long);
-  await page.waitForFunction(() => element.linkage.store.planning === null);
+  await page.waitForFunction(() => element.parts.store.planning === null);
   // The worker is free for others, and says nothing more of the plan.
   const more = page.evaluate(() => progress().then(() => 'progress'));
   const other = page.evaluate((text) => {

@@ -110,7 +110,7 @@ test('the tree keeps its nodes and the focus when the document changes, and its 
   await item('chains[1]').focus();
   await page.evaluate(() => {
     window.before = pageFocus();
-    const { store } = document.querySelector('synthetica-linkage').linkage;
+    const { store } = document.querySelector('synthetica-linkage').parts;
     store.edit((doc) => ({ ...doc, chains: doc.chains.map((chain, index) => ({ ...chain, name: `leg ${index + 1}` })) }));
   });
   await item('chains[1]').filter({ hasText: 'leg 2' }).waitFor();
@@ -132,7 +132,7 @@ test('when the focused item goes, the focus stays in the tree', async () => {
   await page.keyboard.press('End');
   assert.equal(await page.evaluate(() => pageFocus().dataset.item), 'motion.key_frames[2]');
   await page.evaluate(() => {
-    const { store } = document.querySelector('synthetica-linkage').linkage;
+    const { store } = document.querySelector('synthetica-linkage').parts;
     store.edit((doc) => ({ ...doc, motion: { ...doc.motion, key_frames: doc.motion.key_frames.slice(0, 2) } }));
   });
   await item('motion.key_frames[2]').waitFor({ state: 'detached' });

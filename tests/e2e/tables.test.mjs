@@ -91,12 +91,12 @@ test('a cell that is being typed in keeps its node, its text and its caret, what
   /** Changes the document as somebody else does, without the focus; waits for the planner's answer. */
   const change = async (how) => {
     await page.evaluate((body) => {
-      const { store } = document.querySelector('synthetica-linkage').linkage;
+      const { store } = document.querySelector('synthetica-linkage').parts;
       if (body === 'undo') page$('#undo').click();
       else store.edit((doc) => new Function('doc', body)(structuredClone(doc)));
     }, how);
     await page.waitForFunction(() => {
-      const { store } = document.querySelector('synthetica-linkage').linkage;
+      const { store } = document.querySelector('synthetica-linkage').parts;
       return store.result.doc === store.doc || store.result.fault;
     });
   };
@@ -135,7 +135,7 @@ test('a cell that is being typed in keeps its node, its text and its caret, what
   await stays('and moved back by undo', 'chains[0].joints[2].rows[0].theta', half);
   await page.keyboard.press('End');
   await page.keyboard.type('1');
-  assert.equal(await page.evaluate(() => document.querySelector('synthetica-linkage').linkage.store.doc.chains[0].joints[2].rows[0].theta), 10, 'it is written where its row is now');
+  assert.equal(await page.evaluate(() => document.querySelector('synthetica-linkage').parts.store.doc.chains[0].joints[2].rows[0].theta), 10, 'it is written where its row is now');
 
   const type = page.getByRole('textbox', { name: 'type of chain 2' });
   await type.focus();

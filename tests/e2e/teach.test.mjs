@@ -139,7 +139,7 @@ test('a field keeps its node, the focus and what is being typed when the motion 
   const low = await slider(1).getAttribute('min');
   await page.evaluate(() => {
     window.before = pageFocus();
-    const { store } = document.querySelector('synthetica-linkage').linkage;
+    const { store } = document.querySelector('synthetica-linkage').parts;
     window.motion = store.result.motion;
     // Another range of every slider, and a frame more to be shown.
     store.setView({ frame: 61 });

@@ -215,12 +215,12 @@ test('in another unit of length the picture is the same, unless a pointer is dow
   const bases = '#labels [data-place$=".base"]';
   const { metric_length: length, ...planner } = sample.planner;
   const millimetres = { ...convertLengths(sample, 1000, 'mm'), planner: { ...planner, metric_length: 1000 * length } };
-  const planned = () => page.waitForFunction(() => document.querySelector('synthetica-linkage').linkage.store.result.doc === document.querySelector('synthetica-linkage').linkage.store.doc);
+  const planned = () => page.waitForFunction(() => document.querySelector('synthetica-linkage').parts.store.result.doc === document.querySelector('synthetica-linkage').parts.store.doc);
   const before = await pointsOf(page, bases);
   await page.mouse.move(200, 20);
   await page.mouse.down();
   // An edit, and not another document.
-  await page.evaluate((doc) => document.querySelector('synthetica-linkage').linkage.store.edit(() => doc), millimetres);
+  await page.evaluate((doc) => document.querySelector('synthetica-linkage').parts.store.edit(() => doc), millimetres);
   await planned();
   await drawn(page);
   assert.equal(await page.locator(`${bases}:not([hidden])`).count(), 0, 'the view does not move under a hand');
@@ -231,7 +231,7 @@ test('in another unit of length the picture is the same, unless a pointer is dow
   after.flat().forEach((value, i) => assert.ok(Math.abs(value - before.flat()[i]) < 1.5, `${value} px, before ${before.flat()[i]} px`));
 
   // Back in metres, at once: no pointer is down.
-  await page.evaluate(() => document.querySelector('synthetica-linkage').linkage.store.undo());
+  await page.evaluate(() => document.querySelector('synthetica-linkage').parts.store.undo());
   await planned();
   await drawn(page);
   assert.equal(await page.locator(`${bases}:not([hidden])`).count(), 3);
@@ -295,7 +295,7 @@ test('forced colours leave the lines of the scene and of the legend apart', asyn
   assert.equal(new Set(lines).size, 3, String(lines));
   const colours = await page.locator('#canvas').evaluate((canvas) => {
     const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext('2d');
-    document.querySelector('synthetica-linkage').linkage.player.draw();
+    document.querySelector('synthetica-linkage').parts.player.draw();
     copy.drawImage(canvas, 0, 0);
     const { data } = copy.getImageData(0, 0, canvas.width, canvas.height);
     let coloured = 0;

@@ -18,7 +18,7 @@ import { createHistory } from './history.js';
 
 /** @type {import('../element/element.js').SyntheticaLinkage} */
 const element = byId('linkage');
-const { linkage } = element;
+const { parts: linkage } = element;
 // All scripts are here: see public/first.js.
 byId('start-note').remove();
 const keeper = createKeeper(() => localStorage, Math.random().toString(36).slice(2));

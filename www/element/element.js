@@ -42,7 +42,7 @@ export class SyntheticaLinkage extends LinkageWords {
 
   constructor() {
     super();
-    this.linkage.player.seen = false;
+    this.parts.player.seen = false;
     announce(this, {
       isEdit: () => !this.#opening.opens,
       isFirst: () => this.#opening.isFresh,
@@ -63,7 +63,7 @@ export class SyntheticaLinkage extends LinkageWords {
     // Taken out and put in again at once, as by a move: it goes on as it is.
     if (!this.#life) {
       this.#build();
-      this.linkage.comeBack();
+      this.parts.comeBack();
       this.#opening.comeBack();
     }
     this.#opening.loadFirst();
@@ -74,14 +74,14 @@ export class SyntheticaLinkage extends LinkageWords {
       if (this.isConnected) return;
       this.pause();
       this.#dismantle();
-      this.linkage.leave();
+      this.parts.leave();
     });
   }
 
   /** @param {string} name @param {string | null} old @param {string | null} text */
   attributeChangedCallback(name, old, text) {
     if (old === text) return;
-    const { player, store } = this.linkage;
+    const { player, store } = this.parts;
     try {
       if (name === 'loop') player.loop = MEANINGS.loop(text);
       if (name === 'speed') player.playbackRate = MEANINGS.speed(text);
@@ -106,7 +106,7 @@ export class SyntheticaLinkage extends LinkageWords {
    * @returns {MechanismDocument | null}
    */
   get document() {
-    const { store } = this.linkage;
+    const { store } = this.parts;
     return isEmpty(store) ? null : structuredClone(store.doc);
   }
 
@@ -117,7 +117,7 @@ export class SyntheticaLinkage extends LinkageWords {
 
   /** The planned motion, as columns; null before there is one. @returns {Motion | null} */
   get trajectory() {
-    return this.linkage.store.result.motion;
+    return this.parts.store.result.motion;
   }
 
   /** What is wrong with the document, or what went wrong with it. @returns {LinkageError | null} */
@@ -127,7 +127,7 @@ export class SyntheticaLinkage extends LinkageWords {
 
   /** The planned motion as a table, degrees and the document's length unit. @returns {Promise<string>} */
   async toCSV() {
-    return this.linkage.planner.exportMotion(textOf(this.#planned()), 'csv');
+    return this.parts.planner.exportMotion(textOf(this.#planned()), 'csv');
   }
 
   /**
@@ -145,7 +145,7 @@ export class SyntheticaLinkage extends LinkageWords {
 
   /** The document that the motion belongs to. */
   #planned() {
-    const { doc } = this.linkage.store.result;
+    const { doc } = this.parts.store.result;
     if (!doc) throw new Refusal('There is no motion yet: wait for the event “ready”.');
     return doc;
   }
@@ -174,7 +174,7 @@ export class SyntheticaLinkage extends LinkageWords {
 
   /** @param {unknown} error */
   #complain(error) {
-    this.linkage.store.setResult({ trouble: reason(error) });
+    this.parts.store.setResult({ trouble: reason(error) });
   }
 
   /** The first motion of a document. */
@@ -203,7 +203,7 @@ export class SyntheticaLinkage extends LinkageWords {
     // A field's own event would leave the tree; the element tells of edits in its place.
     this.#root.firstElementChild?.addEventListener('input', (event) => event.stopPropagation());
     whileSeen(this, signal, async (seen) => {
-      this.linkage.player.seen = seen;
+      this.parts.player.seen = seen;
       if (seen) this.#show();
       if (!this.#benchBegun) return;
       // That it could not be made has been told.
@@ -216,7 +216,7 @@ export class SyntheticaLinkage extends LinkageWords {
     if (this.#benchBegun || !this.#life) return;
     this.#benchBegun = true;
     const { resolve, reject } = this.#bench;
-    createWorkbench(this.linkage, {
+    createWorkbench(this.parts, {
       root: this.#root,
       keys: this.#meant('keys') === 'page' ? document : this,
       panels: this.#meant('panels'),
@@ -231,8 +231,8 @@ export class SyntheticaLinkage extends LinkageWords {
     // With a reason of its own: the default one is an error, whose stack would hold on to the element.
     this.#life?.abort('taken out');
     this.#life = null;
-    this.linkage.player.seen = false;
-    this.linkage.player.draw = () => {};
+    this.parts.player.seen = false;
+    this.parts.player.draw = () => {};
     this.#root.replaceChildren();
     if (this.#benchBegun) this.#bench = withResolvers();
     this.#benchBegun = false;

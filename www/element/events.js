@@ -17,7 +17,7 @@ const SETTLED = 300;
  * @param {(error: LinkageError | null) => void} inside.fail
  */
 export function announce(element, { isEdit, isFirst, begin, fail }) {
-  const { store, player } = element.linkage;
+  const { store, player } = element.parts;
   const tell = (/** @type {string} */ name, /** @type {unknown} */ detail = null) => element.dispatchEvent(new CustomEvent(name, { detail }));
   let edited = false;
   /** @type {ReturnType<typeof setTimeout> | undefined} */

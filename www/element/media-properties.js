@@ -9,33 +9,33 @@ const Base = globalThis.HTMLElement ?? class {};
 
 export class LinkageWords extends Base {
   /** Its state, its planner and its playhead: for the applet, which is built around this element. */
-  linkage = createLinkage();
+  parts = createLinkage();
 
   // --- the media element's words ---
 
   play() {
-    this.linkage.player.play();
+    this.parts.player.play();
   }
 
   pause() {
-    this.linkage.player.pause();
+    this.parts.player.pause();
   }
 
   get paused() {
-    return this.linkage.player.paused;
+    return this.parts.player.paused;
   }
 
   /** From the first frame: seconds, or parts of the way from 0 to 1 where the key frames name no times. */
   get currentTime() {
-    return this.linkage.player.currentTime;
+    return this.parts.player.currentTime;
   }
 
   set currentTime(time) {
-    this.linkage.player.currentTime = Number(time) || 0;
+    this.parts.player.currentTime = Number(time) || 0;
   }
 
   get duration() {
-    return this.linkage.player.duration;
+    return this.parts.player.duration;
   }
 
   // --- attributes as properties ---
@@ -82,7 +82,7 @@ export class LinkageWords extends Base {
 
   /** At the end: `once`, `loop` or `bounce`. */
   get loop() {
-    return this.linkage.player.loop;
+    return this.parts.player.loop;
   }
 
   set loop(loop) {
@@ -91,16 +91,16 @@ export class LinkageWords extends Base {
 
   /** Counted from 0, as in the columns. */
   get frame() {
-    return this.linkage.player.frame;
+    return this.parts.player.frame;
   }
 
   set frame(frame) {
-    this.linkage.player.frame = MEANINGS.frame(String(frame));
+    this.parts.player.frame = MEANINGS.frame(String(frame));
   }
 
   /** A factor: 2 is twice as fast. */
   get speed() {
-    return this.linkage.player.playbackRate;
+    return this.parts.player.playbackRate;
   }
 
   set speed(speed) {
@@ -109,7 +109,7 @@ export class LinkageWords extends Base {
 
   /** The standard view, such as `front`; empty for any other. */
   get view() {
-    return this.linkage.store.view.side;
+    return this.parts.store.view.side;
   }
 
   set view(side) {

@@ -13,11 +13,11 @@ const PATIENCE = 1000;
 const NOTHING_GIVEN = 'No linkage is given. Accepted: a document by src, by a script of type application/json inside, or by the property document; or a sample by type.';
 
 /**
- * @param {HTMLElement & {src: string, type: string, linkage: import('../core/linkage.js').Linkage}} element
+ * @param {HTMLElement & {src: string, type: string, parts: import('../core/linkage.js').Linkage}} element
  * @param {(error: unknown) => void} complain
  */
 export function createOpening(element, complain) {
-  const { linkage } = element;
+  const { parts: linkage } = element;
   /** Counts requests: an answer to an older one is late. */
   let loads = 0;
   /** Goes on with a load that was interrupted because the element was taken out. @type {((back: null) => void) | null} */

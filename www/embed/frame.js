@@ -32,7 +32,7 @@ export function startFrame() {
 
   if (parent !== window) speak(element, { window, parent, origin: parentOrigin(location.search, document.referrer), height });
 
-  const { linkage } = element;
+  const { parts: linkage } = element;
   const asked = readAddress(location);
   const src = new URLSearchParams(location.search).get('src');
   if (src) element.src = src;
