@@ -73,25 +73,25 @@ test('makes a linkage of any type', async () => {
 test('a property that was set before the element was defined holds', async () => {
   const { page } = await course('<synthetica-linkage controls></synthetica-linkage>', { script: false });
   await page.evaluate((text) => {
-    Object.assign(document.querySelector('synthetica-linkage'), { document: text, loop: 'bounce' });
+    Object.assign(document.querySelector('synthetica-linkage'), { document: text, bounce: true });
   }, sample('bennett'));
   await page.addScriptTag({ type: 'module', url: './element.js' });
   await planned(page);
-  assert.equal(await page.getAttribute('synthetica-linkage', 'loop'), 'bounce');
+  assert.equal(await page.getAttribute('synthetica-linkage', 'bounce'), '');
 });
 
 test('attributes and properties go both ways, and follow what the reader does', async () => {
-  const { page } = await course('<synthetica-linkage src="2tpr.json" controls loop="bounce" speed="0.5" frame="10" view="top"></synthetica-linkage>');
+  const { page } = await course('<synthetica-linkage src="2tpr.json" controls bounce speed="0.5" frame="10" view="top"></synthetica-linkage>');
   await planned(page);
   const state = () =>
     page.evaluate(() => {
-      const { loop, speed, frame, view, controls, src } = document.querySelector('synthetica-linkage');
-      return { loop, speed, frame, view, controls, src };
+      const { loop, bounce, speed, frame, view, controls, src } = document.querySelector('synthetica-linkage');
+      return { loop, bounce, speed, frame, view, controls, src };
     });
-  assert.deepEqual(await state(), { loop: 'bounce', speed: 0.5, frame: 10, view: 'top', controls: true, src: '2tpr.json' });
-  await page.evaluate(() => Object.assign(document.querySelector('synthetica-linkage'), { loop: 'loop', speed: 3, frame: 20, view: 'front', controls: false, theme: 'dark', panels: 'info' }));
+  assert.deepEqual(await state(), { loop: false, bounce: true, speed: 0.5, frame: 10, view: 'top', controls: true, src: '2tpr.json' });
+  await page.evaluate(() => Object.assign(document.querySelector('synthetica-linkage'), { loop: true, bounce: false, speed: 3, frame: 20, view: 'front', controls: false, theme: 'dark', panels: 'info' }));
   const attributes = (...names) => page.evaluate((all) => all.map((name) => document.querySelector('synthetica-linkage').getAttribute(name)), names);
-  assert.deepEqual(await attributes('loop', 'speed', 'frame', 'view', 'controls', 'theme', 'panels'), ['', '3', '20', 'front', null, 'dark', 'info']);
+  assert.deepEqual(await attributes('loop', 'bounce', 'speed', 'frame', 'view', 'controls', 'theme', 'panels'), ['', null, '3', '20', 'front', null, 'dark', 'info']);
   await page.evaluate(() => Object.assign(document.querySelector('synthetica-linkage'), { controls: true, panels: '' }));
   await page.locator('#loop').selectOption('once');
   await page.locator('#speed').selectOption('2');

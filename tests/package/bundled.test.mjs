@@ -21,7 +21,7 @@ const linkage = document.querySelector('synthetica-linkage')!;
 linkage.addEventListener('framechange', ({ detail }) => { document.title = detail.frame.toFixed(0); });
 linkage.addEventListener('error', ({ detail }) => console.warn(detail.where, detail.message));
 linkage.addEventListener('click', ({ clientX }) => clientX.toFixed());
-linkage.loop = 'bounce';
+linkage.bounce = true;
 
 const chain: Chain = { joints: [{ type: 'R', rows: [{ alpha: 90 }] }] };
 export const made: MechanismDocument = { version: 1, chains: [chain], motion: { key_frames: [{ x: 1 }, { roll: 30 }] } };
@@ -66,7 +66,7 @@ async function lives(page) {
   assert.deepEqual(await page.evaluate(() => ({ ...document.body.dataset })), { rank: '2', where: 'version' });
   // One for all elements, one for the program.
   assert.equal(page.workers().length, 2);
-  assert.equal(await page.getAttribute('synthetica-linkage', 'loop'), 'bounce');
+  assert.equal(await page.getAttribute('synthetica-linkage', 'bounce'), '');
 }
 
 test('Vite builds it, with its own defaults', async () => {

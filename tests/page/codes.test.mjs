@@ -14,12 +14,12 @@ test('a frame holds the document in its address, and nothing that is so anyway',
   );
   const all = frameCode('x', HOME, '1.abc', { controls: false, autoplay: true, readonly: true, panels: ['info', 'motion'], height: 300 });
   const address = new URL(/src="([^"]*)"/.exec(all)[1].replaceAll('&amp;', '&'));
-  assert.deepEqual(attributesOf(address.search), [['autoplay', ''], ['loop', 'bounce'], ['readonly', ''], ['panels', 'info motion'], ['theme', 'auto']]);
+  assert.deepEqual(attributesOf(address.search), [['autoplay', ''], ['bounce', ''], ['readonly', ''], ['panels', 'info motion'], ['theme', 'auto']]);
 });
 
 test('an element holds the document in a script that nothing in it can end', () => {
   const code = elementCode('{"name":"</script><b>"}', HOME, { ...plain, panels: ['info'], autoplay: true });
-  assert.match(code, /^<script type="module" src="https:\/\/kinematics\.example\/tools\/element\.js"><\/script>\n<synthetica-linkage controls autoplay loop="bounce" panels="info" style="height: 420px">/);
+  assert.match(code, /^<script type="module" src="https:\/\/kinematics\.example\/tools\/element\.js"><\/script>\n<synthetica-linkage controls autoplay bounce panels="info" style="height: 420px">/);
   const inside = /<script type="application\/json">(.*?)<\/script>/.exec(code)[1];
   assert.deepEqual(JSON.parse(inside), { name: '</script><b>' });
 });
@@ -33,7 +33,7 @@ test('one file: the script is inside, and its strings do not end it', () => {
 test('a frame has controls and the reader’s colours unless its address says otherwise', () => {
   assert.deepEqual(attributesOf(''), [['controls', ''], ['theme', 'auto']]);
   assert.deepEqual(attributesOf('?embed&controls=0&theme=dark&autoplay=no&speed=0.5&panels='), [['speed', '0.5'], ['theme', 'dark']].sort((a, b) => (a[0] < b[0] ? -1 : 1)));
-  assert.deepEqual(attributesOf('?loop=bounce&onclick=alert(1)&src=x'), [['loop', 'bounce'], ['controls', ''], ['theme', 'auto']]);
+  assert.deepEqual(attributesOf('?loop=bounce&onclick=alert(1)&src=x'), [['bounce', ''], ['controls', ''], ['theme', 'auto']]);
 });
 
 test('who may talk to a frame: as written, else as the browser tells', () => {

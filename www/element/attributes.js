@@ -1,7 +1,18 @@
 /**
- * The attributes of <synthetica-linkage>: what may stand in each, and how it is written. No DOM.
+ * The attributes of <synthetica-linkage>: the one list of them, what may stand in each, and how it is written. No DOM.
+ *
+ * From it come the attributes that are observed, the properties of the same names, the types and the table of the reference.
  *
  * @typedef {import('../core/playhead.js').Loop} Loop
+ * @typedef {keyof typeof ATTRIBUTES} Name
+ */
+/**
+ * @template V
+ * @typedef {object} Attribute
+ * @property {(text: string | null) => V} read what it means; the default for null, one that is absent; what is no such thing is refused in words
+ * @property {(value: V) => string | null} write null for no attribute
+ * @property {'boolean' | 'number' | 'string'} type of the property of its name
+ * @property {readonly string[]} [words] all that is accepted
  */
 import { Refusal } from '../core/refusal.js';
 import { STANDARD_VIEWS } from '../core/standard-views.js';
@@ -16,45 +27,89 @@ function oneOf(name, text, accepted) {
   return found;
 }
 
-/** @param {string} name @param {string} text @param {(value: number) => boolean} good @param {string} accepted */
-function number(name, text, good, accepted) {
-  const value = text.trim() === '' ? NaN : Number(text);
-  if (!good(value)) throw new Refusal(`The attribute ${name} is “${text}”. Accepted: ${accepted}.`);
-  return value;
-}
+/** Stands there, or not. @type {Attribute<boolean>} */
+const flag = { type: 'boolean', read: (text) => text !== null, write: (on) => (on ? '' : null) };
 
-/** What each attribute means; null for one that is absent. A meaning that is no such thing is refused in words. */
-export const MEANINGS = {
-  /** @param {string | null} text @returns {Loop} */
-  loop: (text) => (text === null ? 'once' : text === '' ? 'loop' : oneOf('loop', text, /** @type {const} */ (['once', 'loop', 'bounce']))),
-  /** A factor. @param {string | null} text */
-  speed: (text) => (text === null ? 1 : number('speed', text, (value) => value > 0 && value < Infinity, 'a factor above zero, such as 0.5')),
-  /** Counted from 0, as in the columns. @param {string | null} text */
-  frame: (text) => (text === null ? 0 : number('frame', text, (value) => Number.isInteger(value) && value >= 0, 'a whole number from 0')),
-  /** @param {string | null} text @returns {keyof typeof STANDARD_VIEWS | ''} */
-  view: (text) => (text === null || text === '' ? '' : oneOf('view', text, /** @type {(keyof typeof STANDARD_VIEWS)[]} */ (Object.keys(STANDARD_VIEWS)))),
-  /** @param {string | null} text @returns {'light' | 'dark' | 'auto' | ''} */
-  theme: (text) => (text === null || text === '' ? '' : oneOf('theme', text, /** @type {const} */ (['light', 'dark', 'auto']))),
-  /** @param {string | null} text @returns {import('./workbench.js').Panel[]} */
-  panels: (text) => (text ?? '').split(/[\s,]+/).filter(Boolean).map((word) => oneOf('panels', word, PANELS)),
-  /** @param {string | null} text @returns {'element' | 'page'} */
-  keys: (text) => (text === null ? 'element' : oneOf('keys', text, /** @type {const} */ (['element', 'page']))),
+/** Any text. @type {Attribute<string>} */
+const any = { type: 'string', read: (text) => text ?? '', write: (text) => text || null };
+
+/** One of these words. @template {string} T @param {string} name @param {readonly T[]} words @param {T} standard @returns {Attribute<T>} */
+const word = (name, words, standard) => ({
+  type: 'string',
+  words,
+  read: (text) => (text === null ? standard : oneOf(name, text, words)),
+  write: (value) => (value === standard ? null : value),
+});
+
+/** One of these words, or empty for none. @template {string} T @param {string} name @param {readonly T[]} words @returns {Attribute<T | ''>} */
+const wordOrNone = (name, words) => ({ type: 'string', words, read: (text) => (text ? oneOf(name, text, words) : ''), write: (value) => value || null });
+
+/** @param {string} name @param {number} standard @param {(value: number) => boolean} good @param {string} accepted @returns {Attribute<number>} */
+const number = (name, standard, good, accepted) => ({
+  type: 'number',
+  read(text) {
+    if (text === null) return standard;
+    const value = text.trim() === '' ? NaN : Number(text);
+    if (!good(value)) throw new Refusal(`The attribute ${name} is “${text}”. Accepted: ${accepted}.`);
+    return value;
+  },
+  write: (value) => (value === standard ? null : String(value)),
+});
+
+/** @type {Attribute<import('./workbench.js').Panel[]>} */
+const panels = {
+  type: 'string',
+  read: (text) => (text ?? '').split(/[\s,]+/).filter(Boolean).map((name) => oneOf('panels', name, PANELS)),
+  write: (names) => names.join(' ') || null,
 };
+
+/** In the order of the reference. */
+export const ATTRIBUTES = {
+  src: any,
+  type: any,
+  controls: flag,
+  autoplay: flag,
+  loop: flag,
+  bounce: flag,
+  /** Counted from 0, as in the columns. */
+  frame: number('frame', 0, (value) => Number.isInteger(value) && value >= 0, 'a whole number from 0'),
+  /** A factor. */
+  speed: number('speed', 1, (value) => value > 0 && value < Infinity, 'a factor above zero, such as 0.5'),
+  view: wordOrNone('view', /** @type {(keyof typeof STANDARD_VIEWS)[]} */ (Object.keys(STANDARD_VIEWS))),
+  theme: wordOrNone('theme', /** @type {const} */ (['light', 'dark', 'auto'])),
+  readonly: flag,
+  panels,
+  interaction: word('interaction', /** @type {const} */ (['none', 'ctrl', 'full']), 'ctrl'),
+  keys: word('keys', /** @type {const} */ (['element', 'page']), 'element'),
+  loading: word('loading', /** @type {const} */ (['lazy', 'eager']), 'lazy'),
+  poster: any,
+};
+
+/** One sentence or two for each, in Markdown: for the reference and the types. No page loads it. @type {Record<Name, string>} */
+export const DESCRIPTIONS = {
+  src: 'Address of a document.',
+  type: 'A sample by its name or its file; a maker with its inputs, such as `delta?base=400&platform=50&arms=300,580&unit=mm` (what is left out has the number of its paper); or any type, such as `3RRS` or `RPS+2TS`: chains of joints from base to workpiece, each with its count. A name alone that is a type too is the type: `?` behind it asks for the maker.',
+  controls: 'The animation bar, the buttons of the view, the legend.',
+  autoplay: 'Plays as soon as the motion is there, unless the reader asks for less motion.',
+  loop: 'At the end from the start again, without end.',
+  bounce: 'There and back without end, with or without `loop`.',
+  frame: 'The frame shown first, from 0.',
+  speed: 'A factor, such as `0.5`.',
+  view: 'The side that is looked from; without it the linkage stands turned as it was left.',
+  theme: 'The scheme: `auto` is the system’s; without it the page’s own.',
+  readonly: 'Everything can be looked at, nothing edited.',
+  panels: 'Which panels stand around the view, with blanks between.',
+  interaction: 'What is taken of the reader’s pointer, wheel and keys: nothing, what a page does not need to scroll, or everything.',
+  keys: '`page`: the keys work wherever the focus is; else only within the element.',
+  loading: '`lazy`: nothing is loaded until it comes near the view, or a script asks for something; `eager`: at once.',
+  poster: 'Address of a picture that stands there until the linkage does.',
+};
+
+/** What happens at the end, by the two attributes. @param {{loop: boolean, bounce: boolean}} attributes @returns {Loop} */
+export const modeOf = ({ loop, bounce }) => (bounce ? 'bounce' : loop ? 'loop' : 'once');
 
 /** @param {Element} element @param {string} name @param {string | null} text */
 export function write(element, name, text) {
   if (text === null) element.removeAttribute(name);
   else element.setAttribute(name, text);
 }
-
-/** How a state is written; null for no attribute. */
-export const WRITINGS = {
-  /** @param {Loop} loop */
-  loop: (loop) => ({ once: null, loop: '', bounce: 'bounce' })[loop],
-  /** @param {number} speed */
-  speed: (speed) => (speed === 1 ? null : String(speed)),
-  /** @param {number} frame */
-  frame: (frame) => (frame === 0 ? null : String(frame)),
-  /** @param {string} view */
-  view: (view) => view || null,
-};

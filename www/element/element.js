@@ -18,15 +18,15 @@ import look from '../style/linkage.css?inline';
 import { whileSeen } from '../ui/lazy.js';
 import { createWorkbench } from './workbench.js';
 import { announce } from './events.js';
-import { MEANINGS } from './attributes.js';
+import { ATTRIBUTES, modeOf } from './attributes.js';
 import { createOpening } from './opening.js';
 import { LinkageWords } from './media-properties.js';
 
 /** What a page may have set before the element was defined. */
-const PROPERTIES = ['document', 'src', 'type', 'controls', 'autoplay', 'loop', 'frame', 'speed', 'view', 'theme', 'readonly', 'panels', 'currentTime'];
+const PROPERTIES = ['document', ...Object.keys(ATTRIBUTES), 'currentTime'];
 
 export class SyntheticaLinkage extends LinkageWords {
-  static observedAttributes = ['src', 'type', 'loop', 'frame', 'speed', 'view', 'theme', 'readonly', 'panels', 'keys'];
+  static observedAttributes = Object.keys(ATTRIBUTES);
 
   #root = this.attachShadow({ mode: 'open' });
   /** Ends what is seen. @type {AbortController | null} */
@@ -78,18 +78,18 @@ export class SyntheticaLinkage extends LinkageWords {
     });
   }
 
-  /** @param {string} name @param {string | null} old @param {string | null} text */
+  /** @param {import('./attributes.js').Name} name @param {string | null} old @param {string | null} text */
   attributeChangedCallback(name, old, text) {
     if (old === text) return;
     const { player, store } = this.parts;
     try {
-      if (name === 'loop') player.loop = MEANINGS.loop(text);
-      if (name === 'speed') player.playbackRate = MEANINGS.speed(text);
-      if (name === 'frame') player.frame = this.#frameOf(MEANINGS.frame(text));
-      if (name === 'view') store.setView({ side: MEANINGS.view(text) });
-      if (name === 'theme' && MEANINGS.theme(text) !== null) dispatchEvent(new Event('synthetica-theme'));
-      if (name === 'panels') MEANINGS.panels(text);
-      if (name === 'readonly') store.readonly = text !== null;
+      const value = ATTRIBUTES[name].read(text);
+      if (name === 'loop' || name === 'bounce') player.loop = modeOf(this);
+      if (name === 'speed') player.playbackRate = /** @type {number} */ (value);
+      if (name === 'frame') player.frame = this.#frameOf(/** @type {number} */ (value));
+      if (name === 'view') store.setView({ side: ATTRIBUTES.view.read(text) });
+      if (name === 'theme' && text !== null) dispatchEvent(new Event('synthetica-theme'));
+      if (name === 'readonly') store.readonly = this.readonly;
       this.#refused.delete(name);
     } catch (error) {
       return this.#refuse(name, error);
@@ -152,9 +152,9 @@ export class SyntheticaLinkage extends LinkageWords {
 
   // --- telling ---
 
-  /** What an attribute means; one that is refused means as much as none. @template {keyof typeof MEANINGS} N @param {N} name @returns {ReturnType<typeof MEANINGS[N]>} */
+  /** What an attribute means; one that is refused means as much as none. @template {import('./attributes.js').Name} N @param {N} name @returns {ReturnType<typeof ATTRIBUTES[N]['read']>} */
   #meant(name) {
-    return /** @type {any} */ (MEANINGS[name](this.#refused.has(name) ? null : this.getAttribute(name)));
+    return /** @type {any} */ (ATTRIBUTES[name].read(this.#refused.has(name) ? null : this.getAttribute(name)));
   }
 
   /** @param {number} frame */

@@ -3,7 +3,7 @@
  *
  * @typedef {import('./element.js').LinkageError} LinkageError
  */
-import { MEANINGS, WRITINGS, write } from './attributes.js';
+import { ATTRIBUTES, modeOf, write } from './attributes.js';
 
 /** How long after the last edit it counts as finished, in milliseconds. */
 const SETTLED = 300;
@@ -50,23 +50,29 @@ export function announce(element, { isEdit, isFirst, begin, fail }) {
 
   store.select(({ view }) => view.frame, (frame) => tell('framechange', { frame, time: player.currentTime }));
   store.select(({ view }) => view.playing, (playing) => tell(playing ? 'play' : 'pause'));
-  store.select(({ view }) => view.loop, (loop) => keep('loop', loop, WRITINGS.loop(loop)));
-  store.select(({ view }) => view.speed, (speed) => keep('speed', speed, WRITINGS.speed(speed)));
-  store.select(({ view }) => view.side, (side) => keep('view', side, WRITINGS.view(side)));
+  store.select(({ view }) => view.loop, (loop) => {
+    if (modeOf(element) === loop) return;
+    element.loop = loop === 'loop';
+    element.bounce = loop === 'bounce';
+  });
+  store.select(({ view }) => view.speed, (speed) => keep('speed', speed));
+  store.select(({ view }) => view.side, (side) => keep('view', side));
   store.subscribe('view', () => {
     const { frame, playing } = store.view;
     // Only while it rests: an attribute that changes with every picture helps nobody.
-    if (!playing && !isFirst()) keep('frame', frame, WRITINGS.frame(frame));
+    if (!playing && !isFirst()) keep('frame', frame);
   });
 
-  /** Writes an attribute that means something else. @param {'loop' | 'speed' | 'view' | 'frame'} name @param {unknown} state @param {string | null} text */
-  function keep(name, state, text) {
+  /** Writes an attribute that means something else. @template {'speed' | 'view' | 'frame'} N @param {N} name @param {ReturnType<typeof ATTRIBUTES[N]['read']>} state */
+  function keep(name, state) {
+    /** @type {import('./attributes.js').Attribute<any>} */
+    const attribute = ATTRIBUTES[name];
     let meaning;
     try {
-      meaning = MEANINGS[name](element.getAttribute(name));
+      meaning = attribute.read(element.getAttribute(name));
     } catch {
       // It has been refused, and stands there for its author to see until another choice takes its place.
     }
-    if (meaning !== state) write(element, name, text);
+    if (meaning !== state) write(element, name, attribute.write(state));
   }
 }

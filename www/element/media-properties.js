@@ -1,11 +1,14 @@
 /**
  * What <synthetica-linkage> has in common with the media elements: their words, and its attributes as properties.
+ *
+ * @typedef {Exclude<import('./attributes.js').Name, 'frame' | 'speed' | 'view' | 'panels'>} Plain
+ * @typedef {{[N in Plain]: ReturnType<typeof ATTRIBUTES[N]['read']>}} Reflected defined below the class, from the list
  */
 import { createLinkage } from '../core/linkage.js';
-import { MEANINGS, WRITINGS, write } from './attributes.js';
+import { ATTRIBUTES, write } from './attributes.js';
 
 /** A server that renders pages may load the class, and has no elements. */
-const Base = globalThis.HTMLElement ?? class {};
+const Base = /** @type {new () => HTMLElement & Reflected} */ (globalThis.HTMLElement ?? class {});
 
 export class LinkageWords extends Base {
   /** Its state, its planner and its playhead: for the applet, which is built around this element. */
@@ -38,56 +41,7 @@ export class LinkageWords extends Base {
     return this.parts.player.duration;
   }
 
-  // --- attributes as properties ---
-
-  get src() {
-    return this.getAttribute('src') ?? '';
-  }
-
-  set src(address) {
-    this.setAttribute('src', address);
-  }
-
-  get type() {
-    return this.getAttribute('type') ?? '';
-  }
-
-  set type(name) {
-    this.setAttribute('type', name);
-  }
-
-  get controls() {
-    return this.hasAttribute('controls');
-  }
-
-  set controls(on) {
-    this.toggleAttribute('controls', on);
-  }
-
-  get autoplay() {
-    return this.hasAttribute('autoplay');
-  }
-
-  set autoplay(on) {
-    this.toggleAttribute('autoplay', on);
-  }
-
-  get readonly() {
-    return this.hasAttribute('readonly');
-  }
-
-  set readonly(on) {
-    this.toggleAttribute('readonly', on);
-  }
-
-  /** At the end: `once`, `loop` or `bounce`. */
-  get loop() {
-    return this.parts.player.loop;
-  }
-
-  set loop(loop) {
-    write(this, 'loop', WRITINGS.loop(MEANINGS.loop(typeof loop === 'boolean' ? (loop ? '' : null) : String(loop))));
-  }
+  // --- attributes whose property is not just what stands there ---
 
   /** Counted from 0, as in the columns. */
   get frame() {
@@ -95,7 +49,7 @@ export class LinkageWords extends Base {
   }
 
   set frame(frame) {
-    this.parts.player.frame = MEANINGS.frame(String(frame));
+    this.parts.player.frame = ATTRIBUTES.frame.read(String(frame));
   }
 
   /** A factor: 2 is twice as fast. */
@@ -104,7 +58,7 @@ export class LinkageWords extends Base {
   }
 
   set speed(speed) {
-    write(this, 'speed', WRITINGS.speed(MEANINGS.speed(String(speed))));
+    write(this, 'speed', ATTRIBUTES.speed.write(ATTRIBUTES.speed.read(String(speed))));
   }
 
   /** The standard view, such as `front`; empty for any other. */
@@ -113,24 +67,38 @@ export class LinkageWords extends Base {
   }
 
   set view(side) {
-    write(this, 'view', WRITINGS.view(MEANINGS.view(String(side ?? ''))));
+    write(this, 'view', ATTRIBUTES.view.write(ATTRIBUTES.view.read(String(side ?? ''))));
   }
 
-  /** `light`, `dark`, `auto` for the system's; empty for the page's own. */
-  get theme() {
-    return this.getAttribute('theme') ?? '';
-  }
-
-  set theme(theme) {
-    write(this, 'theme', MEANINGS.theme(String(theme ?? '')) || null);
-  }
-
-  /** Names with blanks between them: mechanism motion teach types info charts algorithm. */
+  /** Names with blanks between them. */
   get panels() {
     return this.getAttribute('panels') ?? '';
   }
 
   set panels(names) {
-    write(this, 'panels', MEANINGS.panels(String(names ?? '')).join(' ') || null);
+    write(this, 'panels', ATTRIBUTES.panels.write(ATTRIBUTES.panels.read(String(names ?? ''))));
   }
+}
+
+for (const name of /** @type {import('./attributes.js').Name[]} */ (Object.keys(ATTRIBUTES))) {
+  /** @type {import('./attributes.js').Attribute<any>} */
+  const { type, read, write: written } = ATTRIBUTES[name];
+  if (Object.hasOwn(LinkageWords.prototype, name)) continue;
+  Object.defineProperty(LinkageWords.prototype, name, {
+    configurable: true,
+    enumerable: true,
+    /** @this {LinkageWords} */
+    get() {
+      try {
+        return read(this.getAttribute(name));
+      } catch {
+        return read(null);
+      }
+    },
+    /** @this {LinkageWords} @param {unknown} value */
+    set(value) {
+      // What a framework hands over for "none" is none.
+      write(this, name, written(type === 'boolean' ? Boolean(value) : read(value == null ? null : String(value))));
+    },
+  });
 }

@@ -3,10 +3,10 @@
  */
 
 /** What stands in the address under the same name as in the element. */
-const NAMES = ['controls', 'autoplay', 'loop', 'speed', 'frame', 'view', 'theme', 'readonly', 'panels'];
+const NAMES = ['controls', 'autoplay', 'loop', 'bounce', 'speed', 'frame', 'view', 'theme', 'readonly', 'panels', 'interaction'];
 
-/** What is on by standing there; `loop` may also say how. */
-const SWITCHES = ['controls', 'autoplay', 'readonly', 'loop'];
+/** What is on by standing there. */
+const SWITCHES = ['controls', 'autoplay', 'readonly', 'loop', 'bounce'];
 
 /** In an address also the words for no. */
 const NO = ['0', 'false', 'no', 'off'];
@@ -17,6 +17,11 @@ const NO = ['0', 'false', 'no', 'off'];
  */
 export function attributesOf(search) {
   const query = new URLSearchParams(search);
+  // As addresses had it when `loop` said how.
+  if (query.get('loop') === 'bounce') {
+    query.delete('loop');
+    query.set('bounce', '');
+  }
   const given = NAMES.filter((name) => query.has(name)).map((name) => /** @type {[string, string]} */ ([name, query.get(name) ?? '']));
   const kept = given.filter(([name, value]) => (SWITCHES.includes(name) ? !NO.includes(value) : value !== ''));
   const unless = (/** @type {string} */ name, /** @type {string} */ value) => (query.has(name) ? [] : [/** @type {[string, string]} */ ([name, value])]);

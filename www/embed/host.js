@@ -54,7 +54,7 @@ export function linkageFrame(iframe, { fit = false, origin = sandboxed(iframe) ?
     },
     /** Shows a document. @param {object | string} doc */
     setDocument: (doc) => send('document', { document: doc }),
-    /** @param {{paused?: boolean, frame?: number, currentTime?: number, speed?: number, loop?: string, view?: string, theme?: string, panels?: string}} state */
+    /** @param {{paused?: boolean, frame?: number, currentTime?: number, speed?: number, loop?: boolean, bounce?: boolean, view?: string, theme?: string, panels?: string}} state */
     setState: (state) => send('state', { state }),
     /** Stops listening. */
     close: () => removeEventListener('message', receive),

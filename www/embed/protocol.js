@@ -13,12 +13,12 @@
 export const VERSION = 1;
 
 /** What a page may change, by the names of the element's properties. */
-const CHANGEABLE = /** @type {const} */ (['frame', 'currentTime', 'loop', 'speed', 'view', 'theme', 'panels']);
+const CHANGEABLE = /** @type {const} */ (['frame', 'currentTime', 'loop', 'bounce', 'speed', 'view', 'theme', 'panels']);
 
 /** @param {SyntheticaLinkage} element */
 function stateOf(element) {
-  const { frame, currentTime, duration, paused, loop, speed, view, trajectory } = element;
-  return { frame, frames: trajectory?.frames ?? 0, currentTime, duration, paused, loop, speed, view };
+  const { frame, currentTime, duration, paused, loop, bounce, speed, view, trajectory } = element;
+  return { frame, frames: trajectory?.frames ?? 0, currentTime, duration, paused, loop, bounce, speed, view };
 }
 
 /**
@@ -74,6 +74,8 @@ export function speak(element, { window, parent, origin, height }) {
     if (type === 'document') {
       element.document = document;
     } else if (type === 'state') {
+      // As pages had it when `loop` said how: once, loop or bounce.
+      if (typeof state.loop === 'string') state = { ...state, loop: state.loop === 'loop', bounce: state.loop === 'bounce' };
       for (const name of CHANGEABLE) if (name in state) /** @type {any} */ (element)[name] = state[name];
       if (state.paused === true) element.pause();
       if (state.paused === false) element.play();

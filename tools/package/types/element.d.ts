@@ -41,17 +41,24 @@ export class SyntheticaLinkage extends HTMLElement {
   controls: boolean;
   autoplay: boolean;
   readonly: boolean;
-  /** At the end. */
-  loop: 'once' | 'loop' | 'bounce';
+  /** At the end from the start again. */
+  loop: boolean;
+  /** There and back, with or without `loop`. */
+  bounce: boolean;
   /** Counted from 0. */
   frame: number;
   /** A factor: 2 is twice as fast. */
   speed: number;
   view: View;
   /** `light`, `dark`, `auto` for the system's; empty for the page's own. */
-  theme: string;
+  theme: '' | 'light' | 'dark' | 'auto';
   /** Names with blanks between them: mechanism motion teach types info charts algorithm. */
   panels: string;
+  interaction: 'none' | 'ctrl' | 'full';
+  keys: 'element' | 'page';
+  loading: 'lazy' | 'eager';
+  /** Address of a picture that stands there until the linkage does. */
+  poster: string;
   /** The document as it is now, with every default; null before there is one. Give it an object, its text, or null: it waits for one. */
   get document(): MechanismDocument | null;
   set document(next: MechanismDocument | string | null);

@@ -16,7 +16,7 @@ const inScript = (text) => text.replaceAll('<', '\\u003c');
 export function frameCode(name, home, payload, { controls, autoplay, readonly, panels, height }) {
   const query = [
     ...(controls ? [] : ['controls=0']),
-    ...(autoplay ? ['autoplay', 'loop=bounce'] : []),
+    ...(autoplay ? ['autoplay', 'bounce'] : []),
     ...(readonly ? ['readonly'] : []),
     ...(panels.length ? [`panels=${panels.join('+')}`] : []),
   ].join('&');
@@ -28,7 +28,7 @@ export function frameCode(name, home, payload, { controls, autoplay, readonly, p
 function element(text, { controls, autoplay, readonly, panels, height }) {
   const attributes = [
     ...(controls ? ['controls'] : []),
-    ...(autoplay ? ['autoplay', 'loop="bounce"'] : []),
+    ...(autoplay ? ['autoplay', 'bounce'] : []),
     ...(readonly ? ['readonly'] : []),
     ...(panels.length ? [`panels="${panels.join(' ')}"`] : []),
     `style="height: ${height}px"`,
