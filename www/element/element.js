@@ -1,6 +1,6 @@
 /**
- * The element <synthetica-linkage>: a linkage with its motion, in the words of the media elements. What is seen of it is
- * made by workbench.js when it first comes into view.
+ * The element <synthetica-linkage>: a linkage with its motion, in the words of the media elements. What is seen of it is in
+ * seen.js.
  *
  * @typedef {import('../core/types.js').MechanismDocument} MechanismDocument
  * @typedef {import('../core/types.js').Motion} Motion
@@ -10,16 +10,12 @@
  */
 import { textOf } from '../core/document-text.js';
 import { isEmpty } from '../core/linkage.js';
-import { wear } from '../ui/style-sheets.js';
 import { reason } from '../core/open.js';
 import { Refusal } from '../core/refusal.js';
-import markup from './canvas-area.html?raw';
-import look from '../style/linkage.css?inline';
-import { whileSeen } from '../ui/lazy.js';
-import { createWorkbench } from './workbench.js';
 import { announce } from './events.js';
 import { ATTRIBUTES, modeOf } from './attributes.js';
 import { createOpening } from './opening.js';
+import { createSeen } from './seen.js';
 import { LinkageWords } from './media-properties.js';
 
 /** What a page may have set before the element was defined. */
@@ -28,12 +24,11 @@ const PROPERTIES = ['document', ...Object.keys(ATTRIBUTES), 'currentTime'];
 export class SyntheticaLinkage extends LinkageWords {
   static observedAttributes = Object.keys(ATTRIBUTES);
 
-  #root = this.attachShadow({ mode: 'open' });
-  /** Ends what is seen. @type {AbortController | null} */
-  #life = null;
-  /** What is seen. @type {ReturnType<typeof withResolvers>} */
-  #bench = withResolvers();
-  #benchBegun = false;
+  #seen = createSeen(this, {
+    root: this.attachShadow({ mode: 'open' }),
+    wishes: () => ({ keys: this.#meant('keys'), panels: this.#meant('panels') }),
+    complain: (error) => this.#complain(error),
+  });
   #opening = createOpening(this, (error) => this.#complain(error));
   /** @type {LinkageError | null} */
   #error = null;
@@ -42,7 +37,6 @@ export class SyntheticaLinkage extends LinkageWords {
 
   constructor() {
     super();
-    this.parts.player.seen = false;
     announce(this, {
       isEdit: () => !this.#opening.opens,
       isFirst: () => this.#opening.isFresh,
@@ -55,14 +49,14 @@ export class SyntheticaLinkage extends LinkageWords {
 
   /** What is seen of it, once it is. @returns {Promise<AppWithPanels>} */
   get workbench() {
-    return this.#bench.promise;
+    return this.#seen.workbench;
   }
 
   connectedCallback() {
     for (const name of PROPERTIES) this.#takeOver(name);
     // Taken out and put in again at once, as by a move: it goes on as it is.
-    if (!this.#life) {
-      this.#build();
+    if (!this.#seen.isThere) {
+      this.#seen.build();
       this.parts.comeBack();
       this.#opening.comeBack();
     }
@@ -73,7 +67,7 @@ export class SyntheticaLinkage extends LinkageWords {
     queueMicrotask(() => {
       if (this.isConnected) return;
       this.pause();
-      this.#dismantle();
+      this.#seen.dismantle();
       this.parts.leave();
     });
   }
@@ -95,7 +89,7 @@ export class SyntheticaLinkage extends LinkageWords {
       return this.#refuse(name, error);
     }
     if ((name === 'src' || name === 'type') && text !== null && this.isConnected) this.#opening.load();
-    if (['panels', 'readonly', 'keys'].includes(name) && this.#life) this.#rebuild();
+    if (['panels', 'readonly', 'keys'].includes(name)) this.#seen.rebuild();
   }
 
   // --- what it shows ---
@@ -138,7 +132,7 @@ export class SyntheticaLinkage extends LinkageWords {
    */
   async toImage(wish = {}) {
     this.#planned();
-    this.#show();
+    this.#seen.show();
     const { imageOf } = await import('../export/image.js');
     return imageOf(await this.workbench, wish);
   }
@@ -192,63 +186,4 @@ export class SyntheticaLinkage extends LinkageWords {
     delete self[name];
     self[name] = value;
   }
-
-  // --- what is seen ---
-
-  #build() {
-    this.#life = new AbortController();
-    const { signal } = this.#life;
-    wear(this.#root, look);
-    this.#root.innerHTML = markup;
-    // A field's own event would leave the tree; the element tells of edits in its place.
-    this.#root.firstElementChild?.addEventListener('input', (event) => event.stopPropagation());
-    whileSeen(this, signal, async (seen) => {
-      this.parts.player.seen = seen;
-      if (seen) this.#show();
-      if (!this.#benchBegun) return;
-      // That it could not be made has been told.
-      const app = await this.workbench.catch(() => null);
-      if (!signal.aborted) app?.scene?.setSeen(seen);
-    });
-  }
-
-  #show() {
-    if (this.#benchBegun || !this.#life) return;
-    this.#benchBegun = true;
-    const { resolve, reject } = this.#bench;
-    createWorkbench(this.parts, {
-      root: this.#root,
-      keys: this.#meant('keys') === 'page' ? document : this,
-      panels: this.#meant('panels'),
-      signal: this.#life.signal,
-    }).then(resolve, (error) => {
-      this.#complain(error);
-      reject(error);
-    });
-  }
-
-  #dismantle() {
-    // With a reason of its own: the default one is an error, whose stack would hold on to the element.
-    this.#life?.abort('taken out');
-    this.#life = null;
-    this.parts.player.seen = false;
-    this.parts.player.draw = () => {};
-    this.#root.replaceChildren();
-    if (this.#benchBegun) this.#bench = withResolvers();
-    this.#benchBegun = false;
-  }
-
-  #rebuild() {
-    this.#dismantle();
-    this.#build();
-  }
-}
-
-function withResolvers() {
-  /** @type {{promise: Promise<AppWithPanels>, resolve: (app: AppWithPanels) => void, reject: (error: unknown) => void}} */
-  const all = /** @type {any} */ ({});
-  all.promise = new Promise((resolve, reject) => Object.assign(all, { resolve, reject }));
-  // Avoids an unhandled rejection where nobody awaits it.
-  all.promise.catch(() => {});
-  return all;
 }
