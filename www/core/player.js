@@ -4,7 +4,9 @@
  *
  * @typedef {import('./playhead.js').Loop} Loop
  * @typedef {import('./store.js').Store} Store
+ * @typedef {'timeupdate' | 'seeking' | 'seeked' | 'ended'} Told
  */
+import { FirstMotion } from './first-motion.js';
 import { advance, frameAt, isTimed } from './playhead.js';
 
 /** Seconds that a motion without times takes from its first to its last key frame. */
@@ -17,6 +19,10 @@ export class Player {
   #store;
   /** What a picture is made by. */
   draw = () => {};
+  /** Before the first motion of a document it only takes note. */
+  first = new FirstMotion(() => this.#store.setView({ playing: false }));
+  /** Who hears what the store's state does not say. */
+  tell = (/** @type {Told} */ _name) => {};
   #request = 0;
   #dirty = false;
   #last = 0;
@@ -29,10 +35,17 @@ export class Player {
   /** Out of sight nothing is drawn, and the playhead waits. */
   #seen = true;
 
+  #seeking = false;
+
   /** @param {Store} store */
   constructor(store) {
     this.#store = store;
-    store.subscribe('result', () => this.#keepPlace());
+    store.subscribe('result', () => {
+      const { motion, doc, fault } = store.result;
+      if (this.first.fresh && doc === store.doc && motion) this.#begin();
+      else if (this.first.fresh && !this.first.asked && fault) this.first.failed(fault.message);
+      this.#keepPlace();
+    });
   }
 
   /** @param {boolean} seen whether there is anybody to draw for */
@@ -43,6 +56,15 @@ export class Player {
 
   get paused() {
     return !this.#store.view.playing;
+  }
+
+  /** Whether it is at its end, where it stays. */
+  get ended() {
+    return !this.first.waits && this.loop === 'once' && this.#time >= this.#range()[1];
+  }
+
+  get seeking() {
+    return this.#seeking;
   }
 
   get duration() {
@@ -56,9 +78,7 @@ export class Player {
 
   set currentTime(time) {
     const [from, to] = this.#range();
-    this.#time = Math.min(to, Math.max(from, from + time));
-    this.#store.setView({ frame: this.#frameAt(this.#time), posture: null });
-    this.invalidate();
+    this.#seek(Math.min(to, Math.max(from, from + time)));
   }
 
   /** A factor: 2 is twice as fast. */
@@ -84,23 +104,30 @@ export class Player {
     return this.#store.view.frame;
   }
 
+  /** The nearest that there is: ±Infinity for the last and the first. */
   set frame(frame) {
     const motion = this.#store.result.motion;
     if (!motion) return;
-    const kept = Math.min(motion.frames - 1, Math.max(0, Math.round(frame)));
-    this.#time = motion.time[kept];
-    this.#store.setView({ frame: kept, posture: null });
-    this.invalidate();
+    this.#seek(motion.time[Math.min(motion.frames - 1, Math.max(0, Math.round(frame)))]);
   }
 
+  /** @returns {Promise<void>} kept when it plays, after the first motion if need be; else refused with what prevents it */
   play() {
-    const [from, to] = this.#range();
-    if (this.loop === 'once' && this.#time >= to) this.#time = from;
-    this.#store.setView({ playing: true, posture: null });
-    this.#schedule();
+    const { first } = this;
+    const given = first.play();
+    if (first.failure) first.refuse('NotSupportedError', first.failure);
+    else {
+      // Played to its end it begins anew.
+      if (this.ended) this.#time = this.#range()[0];
+      this.#store.setView({ playing: true, posture: null });
+      if (!first.waits) first.keep();
+      this.#schedule();
+    }
+    return given;
   }
 
   pause() {
+    this.first.refuse('AbortError', 'It was paused before it played.');
     this.#store.setView({ playing: false });
   }
 
@@ -110,8 +137,17 @@ export class Player {
     this.#schedule();
   }
 
+  /** Seconds that one pass takes at the present speed. */
+  get passSeconds() {
+    return (isTimed(this.#store.result.doc) ? this.duration : UNTIMED_SECONDS) / this.playbackRate;
+  }
+
+  get #plays() {
+    return !this.paused && !this.first.waits;
+  }
+
   #schedule() {
-    const busy = this.#dirty || !this.paused;
+    const busy = this.#dirty || this.#plays;
     if (busy && !this.#request && this.#seen) this.#request = requestAnimationFrame((now) => this.#step(now));
     if (!busy) this.#last = 0;
   }
@@ -119,18 +155,13 @@ export class Player {
   /** @param {number} now */
   #step(now) {
     this.#request = 0;
-    if (!this.paused) this.#advance(Math.min(MAX_STEP, this.#last ? now - this.#last : 0) / 1000);
+    if (this.#plays) this.#advance(Math.min(MAX_STEP, this.#last ? now - this.#last : 0) / 1000);
     this.#last = this.paused ? 0 : now;
     if (this.#dirty) {
       this.#dirty = false;
       this.draw();
     }
     this.#schedule();
-  }
-
-  /** Seconds that one pass takes at the present speed. */
-  get passSeconds() {
-    return (isTimed(this.#store.result.doc) ? this.duration : UNTIMED_SECONDS) / this.playbackRate;
   }
 
   /** @param {number} seconds */
@@ -142,8 +173,40 @@ export class Player {
     this.#time = time;
     this.#forwards = forwards;
     const frame = this.#frameAt(time);
-    if (frame !== this.frame) this.#dirty = true;
-    this.#store.setView({ frame, playing: !ended });
+    if (frame !== this.frame) {
+      this.#dirty = true;
+      this.#store.setView({ frame });
+      this.tell('timeupdate');
+    }
+    // Who was told may have set it elsewhere.
+    if (!ended || this.paused || !this.ended) return;
+    this.#store.setView({ playing: false });
+    this.tell('ended');
+  }
+
+  /** @param {number} time of the motion */
+  #seek(time) {
+    this.#time = time;
+    this.#store.setView({ frame: this.#frameAt(time), posture: null });
+    this.invalidate();
+    if (!this.#store.result.motion) return;
+    this.tell('seeking');
+    if (this.#seeking) return;
+    this.#seeking = true;
+    // Several in one go are one.
+    queueMicrotask(() => {
+      this.#seeking = false;
+      this.tell('timeupdate');
+      this.tell('seeked');
+    });
+  }
+
+  /** The first motion of a document: from its start. */
+  #begin() {
+    this.#span = this.#range();
+    this.#time = this.#span[0];
+    this.#forwards = true;
+    this.first.begins();
   }
 
   /** A new motion: the same moment of it. */

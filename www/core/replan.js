@@ -6,13 +6,14 @@ import { ask, troubleIsOver } from './ask.js';
 import { drivesJoints, loadWords } from './driven.js';
 import { textOf } from './document-text.js';
 import { takeStarts } from './edits.js';
+import { isEmpty } from './nothing.js';
 
 /** After how many milliseconds a plan takes long. */
 const LONG = 500;
 
 /** @param {Pick<import('./linkage.js').Parts, 'store' | 'planner' | 'say'>} app */
 export function createReplanning({ store, planner, say }) {
-  /** Of the newest plan. @type {AbortController} */
+  /** Of the newest plan. @type {AbortController | undefined} */
   let stop;
 
   /** Plans the present document, on from where its plan was stopped; while it is at fault, the last good motion stays. */
@@ -20,8 +21,11 @@ export function createReplanning({ store, planner, say }) {
     const { doc } = store;
     const began = performance.now();
     const mine = new AbortController();
+    const former = stop;
     stop = mine;
     store.setPlanning(null);
+    // Nobody waits for what is being planned of the former document.
+    if (isEmpty(store)) return former?.abort();
     const onProgress = (/** @type {import('./types.js').Progress} */ progress) => {
       if (stop !== mine) return;
       // What is planned is not at fault: what was wrong with an earlier text is mended.

@@ -9,7 +9,7 @@
  *   `chains[1].joints[0]`; empty where the document is not at fault
  */
 import { textOf } from '../core/document-text.js';
-import { isEmpty } from '../core/linkage.js';
+import { isEmpty } from '../core/nothing.js';
 import { reason } from '../core/open.js';
 import { Refusal } from '../core/refusal.js';
 import { announce } from './events.js';
@@ -19,7 +19,7 @@ import { createSeen } from './seen.js';
 import { LinkageWords } from './media-properties.js';
 
 /** What a page may have set before the element was defined. */
-const PROPERTIES = ['document', ...Object.keys(ATTRIBUTES), 'currentTime'];
+const PROPERTIES = [...Object.keys(ATTRIBUTES), 'document', 'linkage', 'currentTime', 'playbackRate'];
 
 export class SyntheticaLinkage extends LinkageWords {
   static observedAttributes = Object.keys(ATTRIBUTES);
@@ -29,7 +29,11 @@ export class SyntheticaLinkage extends LinkageWords {
     wishes: () => ({ keys: this.#meant('keys'), panels: this.#meant('panels') }),
     complain: (error) => this.#complain(error),
   });
-  #opening = createOpening(this, (error) => this.#complain(error));
+  #opening = createOpening(this, {
+    complain: (error) => this.#complain(error),
+    emptied: () => this.#seen.rebuild(),
+    settle: () => this.#settle(),
+  });
   /** @type {LinkageError | null} */
   #error = null;
   /** Attributes that cannot be used, each with the reason. @type {Map<string, LinkageError>} */
@@ -53,14 +57,15 @@ export class SyntheticaLinkage extends LinkageWords {
   }
 
   connectedCallback() {
-    for (const name of PROPERTIES) this.#takeOver(name);
+    // In the order in which they were set.
+    for (const name of Object.keys(this)) if (PROPERTIES.includes(name)) this.#takeOver(name);
     // Taken out and put in again at once, as by a move: it goes on as it is.
     if (!this.#seen.isThere) {
       this.#seen.build();
       this.parts.comeBack();
       this.#opening.comeBack();
     }
-    this.#opening.loadFirst();
+    this.#opening.arrive();
   }
 
   disconnectedCallback() {
@@ -80,15 +85,16 @@ export class SyntheticaLinkage extends LinkageWords {
       const value = ATTRIBUTES[name].read(text);
       if (name === 'loop' || name === 'bounce') player.loop = modeOf(this);
       if (name === 'speed') player.playbackRate = /** @type {number} */ (value);
-      if (name === 'frame') player.frame = this.#frameOf(/** @type {number} */ (value));
+      if (name === 'frame') this.parts.playhead.frame = /** @type {number} */ (value);
       if (name === 'view') store.setView({ side: ATTRIBUTES.view.read(text) });
       if (name === 'theme' && text !== null) dispatchEvent(new Event('synthetica-theme'));
       if (name === 'readonly') store.readonly = this.readonly;
       this.#refused.delete(name);
+      this.#refused.delete(`property ${name}`);
     } catch (error) {
       return this.#refuse(name, error);
     }
-    if ((name === 'src' || name === 'type') && text !== null && this.isConnected) this.#opening.load();
+    if (name === 'src' || name === 'type') this.#opening.turn(text === null);
     if (['panels', 'readonly', 'keys'].includes(name)) this.#seen.rebuild();
   }
 
@@ -109,9 +115,19 @@ export class SyntheticaLinkage extends LinkageWords {
     this.#opening.give(next);
   }
 
-  /** The planned motion, as columns; null before there is one. @returns {Motion | null} */
+  /** The same as `document`, which in the text of an inline handler is the page's own. */
+  get linkage() {
+    return this.document;
+  }
+
+  set linkage(next) {
+    this.document = next;
+  }
+
+  /** The planned motion, as columns; null until that of its document is there. @returns {Motion | null} */
   get trajectory() {
-    return this.parts.store.result.motion;
+    const { store } = this.parts;
+    return this.#opening.isFresh && store.result.doc !== store.doc ? null : store.result.motion;
   }
 
   /** What is wrong with the document, or what went wrong with it. @returns {LinkageError | null} */
@@ -140,8 +156,14 @@ export class SyntheticaLinkage extends LinkageWords {
   /** The document that the motion belongs to. */
   #planned() {
     const { doc } = this.parts.store.result;
-    if (!doc) throw new Refusal('There is no motion yet: wait for the event “ready”.');
+    if (!doc || !this.trajectory) throw new Refusal('There is no motion yet: wait for the event “ready”.');
     return doc;
+  }
+
+  /** The view takes the focus, made or not. @param {FocusOptions} [options] */
+  focus(options) {
+    this.#seen.show();
+    this.shadowRoot?.querySelector('canvas')?.focus(options);
   }
 
   // --- telling ---
@@ -151,14 +173,7 @@ export class SyntheticaLinkage extends LinkageWords {
     return /** @type {any} */ (ATTRIBUTES[name].read(this.#refused.has(name) ? null : this.getAttribute(name)));
   }
 
-  /** @param {number} frame */
-  #frameOf(frame) {
-    const last = (this.trajectory?.frames ?? Infinity) - 1;
-    if (frame > last) throw new Refusal(`The attribute frame is “${frame}”. Accepted: a whole number from 0 to ${last}, the frames of this motion.`);
-    return frame;
-  }
-
-  /** An attribute that cannot be used changes nothing, and says so. @param {string} name @param {unknown} error */
+  /** An attribute or property that cannot be used changes nothing, and says so. @param {string} name @param {unknown} error */
   #refuse(name, error) {
     const refused = { message: reason(error), where: '', code: 'attribute' };
     this.#refused.set(name, refused);
@@ -174,16 +189,28 @@ export class SyntheticaLinkage extends LinkageWords {
   /** The first motion of a document. */
   #begin() {
     this.#opening.isFresh = false;
-    this.attributeChangedCallback('frame', null, this.getAttribute('frame'));
+    // Of another document that has been asked for meanwhile it is wanted.
+    if (!this.parts.player.first.waits) this.#settle();
     if (this.autoplay && !matchMedia('(prefers-reduced-motion: reduce)').matches) this.play();
+  }
+
+  #settle() {
+    try {
+      this.parts.playhead.settle();
+    } catch (error) {
+      this.#refuse('frame', error);
+    }
   }
 
   /** A property that was set before the element was defined hides the class's own. @param {string} name */
   #takeOver(name) {
-    if (!Object.hasOwn(this, name)) return;
     const self = /** @type {Record<string, any>} */ (this);
     const value = self[name];
     delete self[name];
-    self[name] = value;
+    try {
+      self[name] = value;
+    } catch (error) {
+      this.#refuse(`property ${name}`, error);
+    }
   }
 }

@@ -17,16 +17,15 @@ const SETTLED = 300;
  * @param {(error: LinkageError | null) => void} inside.fail
  */
 export function announce(element, { isEdit, isFirst, begin, fail }) {
-  const { store, player } = element.parts;
+  const { store, player, playhead } = element.parts;
   const tell = (/** @type {string} */ name, /** @type {unknown} */ detail = null) => element.dispatchEvent(new CustomEvent(name, { detail }));
   let edited = false;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let settling;
 
   store.subscribe('document', () => {
-    if (!isEdit()) return;
-    edited = true;
-    tell('input');
+    edited = isEdit();
+    if (edited) tell('input');
   });
 
   store.select(({ result }) => result.fault ?? result.trouble, (wrong) => {
@@ -48,7 +47,7 @@ export function announce(element, { isEdit, isFirst, begin, fail }) {
     }, SETTLED);
   });
 
-  store.select(({ view }) => view.frame, (frame) => tell('framechange', { frame, time: player.currentTime }));
+  store.select(({ view }) => view.frame, (frame) => store.result.motion && tell('framechange', { frame, time: playhead.time }));
   store.select(({ view }) => view.playing, (playing) => tell(playing ? 'play' : 'pause'));
   store.select(({ view }) => view.loop, (loop) => {
     if (modeOf(element) === loop) return;
@@ -57,11 +56,13 @@ export function announce(element, { isEdit, isFirst, begin, fail }) {
   });
   store.select(({ view }) => view.speed, (speed) => keep('speed', speed));
   store.select(({ view }) => view.side, (side) => keep('view', side));
-  store.subscribe('view', () => {
-    const { frame, playing } = store.view;
-    // Only while it rests: an attribute that changes with every picture helps nobody.
-    if (!playing && !isFirst()) keep('frame', frame);
-  });
+  let rested = 0;
+  // Only while it rests: an attribute that changes with every picture helps nobody.
+  store.select(
+    ({ view }) => (rested = view.playing || isFirst() ? rested : view.frame),
+    (frame) => keep('frame', frame),
+  );
+  player.tell = tell;
 
   /** Writes an attribute that means something else. @template {'speed' | 'view' | 'frame'} N @param {N} name @param {ReturnType<typeof ATTRIBUTES[N]['read']>} state */
   function keep(name, state) {

@@ -5,19 +5,26 @@
  * @typedef {{[N in Plain]: ReturnType<typeof ATTRIBUTES[N]['read']>}} Reflected defined below the class, from the list
  */
 import { createLinkage } from '../core/linkage.js';
+import { isEmpty } from '../core/nothing.js';
+import { Refusal } from '../core/refusal.js';
 import { ATTRIBUTES, write } from './attributes.js';
+import { createPlayhead } from './playhead.js';
+
+/** @param {import('../core/linkage.js').Linkage} linkage */
+const withPlayhead = (linkage) => Object.assign(linkage, { playhead: createPlayhead(linkage) });
 
 /** A server that renders pages may load the class, and has no elements. */
 const Base = /** @type {new () => HTMLElement & Reflected} */ (globalThis.HTMLElement ?? class {});
 
 export class LinkageWords extends Base {
   /** Its state, its planner and its playhead: for the applet, which is built around this element. */
-  parts = createLinkage();
+  parts = withPlayhead(createLinkage());
 
   // --- the media element's words ---
 
+  /** @returns {Promise<void>} kept when it plays, after the first motion if need be; else refused with what prevents it */
   play() {
-    this.parts.player.play();
+    return this.parts.player.play();
   }
 
   pause() {
@@ -28,28 +35,53 @@ export class LinkageWords extends Base {
     return this.parts.player.paused;
   }
 
+  get ended() {
+    return this.parts.player.ended;
+  }
+
+  get seeking() {
+    return this.parts.player.seeking;
+  }
+
   /** From the first frame: seconds, or parts of the way from 0 to 1 where the key frames name no times. */
   get currentTime() {
-    return this.parts.player.currentTime;
+    return this.parts.playhead.time;
   }
 
   set currentTime(time) {
-    this.parts.player.currentTime = Number(time) || 0;
+    const value = Number(time);
+    if (!Number.isFinite(value)) throw new Refusal(`The property currentTime is “${time}”. Accepted: a number, from 0 to the duration.`);
+    this.parts.playhead.time = value;
   }
 
   get duration() {
-    return this.parts.player.duration;
+    return this.parts.playhead.duration;
+  }
+
+  /** How far it is: 0 without a document, 1 when that is read, 4 when its motion is there. */
+  get readyState() {
+    const { store, player } = this.parts;
+    return player.first.asked || isEmpty(store) ? 0 : player.first.waits ? 1 : 4;
+  }
+
+  /** The same as `speed`, by the name that the media elements have for it. */
+  get playbackRate() {
+    return this.speed;
+  }
+
+  set playbackRate(factor) {
+    this.speed = factor;
   }
 
   // --- attributes whose property is not just what stands there ---
 
   /** Counted from 0, as in the columns. */
   get frame() {
-    return this.parts.player.frame;
+    return this.parts.playhead.frame;
   }
 
   set frame(frame) {
-    this.parts.player.frame = ATTRIBUTES.frame.read(String(frame));
+    this.parts.playhead.frame = ATTRIBUTES.frame.read(String(frame));
   }
 
   /** A factor: 2 is twice as fast. */

@@ -3,9 +3,10 @@
  * newest counts.
  */
 import { ask, LATE, untilAnswered } from '../core/ask.js';
-import { isEmpty } from '../core/linkage.js';
+import { empty, isEmpty } from '../core/nothing.js';
+import { reason } from '../core/open.js';
 import { Refusal } from '../core/refusal.js';
-import { findDocument } from './find.js';
+import { askedFor, findDocument } from './find.js';
 
 /** How long an element may be without a document before it says so, in milliseconds: a script may be about to give it one. */
 const PATIENCE = 1000;
@@ -13,28 +14,89 @@ const PATIENCE = 1000;
 const NOTHING_GIVEN = 'No linkage is given. Accepted: a document by src, by a script of type application/json inside, or by the property document; or a sample by type.';
 
 /**
- * @param {HTMLElement & {src: string, type: string, parts: import('../core/linkage.js').Linkage}} element
- * @param {(error: unknown) => void} complain
+ * @param {HTMLElement & {src: string, type: string, parts: import('./media-properties.js').LinkageWords['parts']}} element
+ * @param {object} inside
+ * @param {(error: unknown) => void} inside.complain
+ * @param {() => void} inside.emptied it has no document any more
+ * @param {() => void} inside.settle the playhead goes where it was set meanwhile
  */
-export function createOpening(element, complain) {
+export function createOpening(element, { complain, emptied, settle }) {
   const { parts: linkage } = element;
+  const { store, player, playhead } = linkage;
   /** Counts requests: an answer to an older one is late. */
   let loads = 0;
+  /** What the attributes and the content asked for when that was last looked at; null where a document was given since. @type {string | null} */
+  let seen = null;
   /** Goes on with a load that was interrupted because the element was taken out. @type {((back: null) => void) | null} */
   let goOn = null;
   let opens = false;
+  /** Until a document is there, what comes to stand inside is seen. A server that renders pages has none. */
+  const content = globalThis.MutationObserver && new MutationObserver(() => lookAgain());
+
+  const lookAgain = () => seen !== null && askedFor(element) !== seen && element.isConnected && load();
+
+  function begin() {
+    player.first.asks();
+    if (!isEmpty(store)) playhead.forget();
+    return ++loads;
+  }
 
   /** What the attributes or the content ask for. */
   async function load() {
-    const now = ++loads;
+    const now = begin();
+    seen = askedFor(element);
+    content.observe(element, { childList: true, characterData: true, subtree: true });
+    // The page's parser may be about to add what is asked for before anything else.
+    if (document.readyState === 'loading') document.addEventListener('DOMContentLoaded', lookAgain, { once: true });
     try {
       const found = await findDocument(element, (type) => answer(now, () => ask(() => linkage.planner.assemble(type), 'make a linkage of this type')));
+      if (now !== loads) return;
       if (found) await open(found.text, found.title, now);
-      else if (document.readyState === 'loading') document.addEventListener('DOMContentLoaded', () => now === loads && load(), { once: true });
-      else setTimeout(() => now === loads && isEmpty(linkage.store) && complain(new Refusal(NOTHING_GIVEN)), PATIENCE);
+      else if (isEmpty(store)) nothingYet(now);
+      else clear();
     } catch (error) {
-      if (now === loads) complain(error);
+      if (now === loads) fail(error);
     }
+  }
+
+  /** @param {number} now */
+  function nothingYet(now) {
+    if (now !== loads) return;
+    player.first.stays();
+    forgive();
+    if (document.readyState === 'loading') document.addEventListener('DOMContentLoaded', () => nothingYet(now), { once: true });
+    else setTimeout(() => now === loads && isEmpty(store) && fail(new Refusal(NOTHING_GIVEN)), PATIENCE);
+  }
+
+  /** @param {unknown} error */
+  function fail(error) {
+    failed(reason(error));
+    complain(error);
+  }
+
+  /** The document before stays, and what was wanted meanwhile is wanted of that. @param {string} why */
+  function failed(why) {
+    player.first.failed(why);
+    if (!player.first.waits) settle();
+  }
+
+  /** What was wrong with another document is over. */
+  function forgive() {
+    const { fault, trouble } = store.result;
+    if (fault || trouble) store.setResult({ fault: null, trouble: '' });
+  }
+
+  /** Without a document, until another one is asked for. */
+  function clear() {
+    player.first.emptied();
+    forgive();
+    if (isEmpty(store)) return;
+    opening.isFresh = opens = true;
+    playhead.forget();
+    empty(store);
+    element.removeAttribute('frame');
+    opens = false;
+    emptied();
   }
 
   /**
@@ -43,7 +105,7 @@ export function createOpening(element, complain) {
    */
   async function answer(now, question) {
     for (;;) {
-      const outcome = await untilAnswered(linkage.store, async () => (now === loads ? question() : LATE));
+      const outcome = await untilAnswered(store, async () => (now === loads ? question() : LATE));
       if (outcome.is !== 'late' || now !== loads) return outcome;
       if (!element.isConnected) await new Promise((resolve) => (goOn = resolve));
     }
@@ -51,15 +113,23 @@ export function createOpening(element, complain) {
 
   /** @param {string} text @param {string} title @param {number} now */
   async function open(text, title, now) {
-    const { store, whole } = linkage;
-    const read = await answer(now, () => whole(text));
+    const read = await answer(now, () => linkage.whole(text));
     if (now !== loads) return;
-    if (read.is === 'fault') store.setResult({ fault: read.fault, trouble: '' });
+    if (read.is === 'fault') {
+      failed(read.message);
+      store.setResult({ fault: read.fault, trouble: '' });
+    }
     if (read.is !== 'answer') return;
     const doc = read.value;
     opening.isFresh = opens = true;
+    // Where the former document's playhead rested says nothing of this one.
+    if (!isEmpty(store) && !playhead.isWanted) element.removeAttribute('frame');
+    player.first.opened();
+    store.setView({ selected: '', hovered: '' });
     store.restore({ doc, past: [], future: [] }, { title, handle: null, saved: doc });
+    forgive();
     opens = false;
+    content.disconnect();
   }
 
   const opening = {
@@ -69,19 +139,30 @@ export function createOpening(element, complain) {
     get opens() {
       return opens;
     },
-    load,
-    /** Loads unless something is there or asked for. */
-    loadFirst() {
-      if (isEmpty(linkage.store) && !loads) load();
+    /** The attributes ask for something else. @param {boolean} less one was taken away */
+    turn(less) {
+      // A document that was given stays when an attribute goes that had no part in it.
+      if (less && seen === null) return;
+      if (element.isConnected && askedFor(element) !== seen) load();
+      else if (!element.isConnected) seen ??= '';
+    },
+    /** The element is in a page: loads what was asked for meanwhile, and at first what there is. */
+    arrive() {
+      if (loads === 0 ? isEmpty(store) : seen !== null && askedFor(element) !== seen) load();
     },
     /** The element has been put back. */
     comeBack: () => goOn?.(null),
     /** A document as an object or its text; null waits for one, whatever the attributes ask for. @param {unknown} next */
     give(next) {
-      const now = ++loads;
-      if (next === null) return;
+      const now = begin();
+      seen = null;
+      content.disconnect();
+      if (next == null) {
+        clear();
+        return;
+      }
       if (typeof next !== 'string' && (typeof next !== 'object' || Array.isArray(next))) {
-        complain(new Refusal(`The property document is ${Array.isArray(next) ? 'a list' : typeof next}. Accepted: a document as an object or its text.`));
+        fail(new Refusal(`The property document is ${Array.isArray(next) ? 'a list' : typeof next}. Accepted: a document as an object or its text.`));
         return;
       }
       open(typeof next === 'string' ? next : JSON.stringify(next), '', now);
