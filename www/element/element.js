@@ -87,7 +87,7 @@ export class SyntheticaLinkage extends LinkageWords {
       if (name === 'speed') player.playbackRate = /** @type {number} */ (value);
       if (name === 'frame') this.parts.playhead.frame = /** @type {number} */ (value);
       if (name === 'view') store.setView({ side: ATTRIBUTES.view.read(text) });
-      if (name === 'theme' && text !== null) dispatchEvent(new Event('synthetica-theme'));
+      if (name === 'theme') dispatchEvent(new Event('synthetica-theme'));
       if (name === 'readonly') store.readonly = this.readonly;
       this.#refused.delete(name);
       this.#refused.delete(`property ${name}`);
