@@ -15,8 +15,9 @@ const NOTHING_GIVEN = 'No linkage is given. Accepted: a document by src, by a sc
 /**
  * @param {HTMLElement & {src: string, type: string, parts: import('../core/linkage.js').Linkage}} element
  * @param {(error: unknown) => void} complain
+ * @param {Promise<unknown>} begun before that nothing is loaded
  */
-export function createOpening(element, complain) {
+export function createOpening(element, complain, begun) {
   const { parts: linkage } = element;
   /** Counts requests: an answer to an older one is late. */
   let loads = 0;
@@ -27,6 +28,8 @@ export function createOpening(element, complain) {
   /** What the attributes or the content ask for. */
   async function load() {
     const now = ++loads;
+    await begun;
+    if (now !== loads) return;
     try {
       const found = await findDocument(element, (type) => answer(now, () => ask(() => linkage.planner.assemble(type), 'make a linkage of this type')));
       if (found) await open(found.text, found.title, now);
@@ -52,6 +55,7 @@ export function createOpening(element, complain) {
   /** @param {string} text @param {string} title @param {number} now */
   async function open(text, title, now) {
     const { store, whole } = linkage;
+    await begun;
     const read = await answer(now, () => whole(text));
     if (now !== loads) return;
     if (read.is === 'fault') store.setResult({ fault: read.fault, trouble: '' });
