@@ -95,6 +95,7 @@ const bundle = () => ({
 });
 
 const linkage = importedAtOnce(at('../www/element/define.js'));
+const workbench = importedAtOnce(at('../www/element/workbench.js'));
 const panels = importedAtOnce(at('../www/element/panels.js'));
 
 export default defineConfig({
@@ -114,7 +115,7 @@ export default defineConfig({
       preserveEntrySignatures: 'exports-only',
       output: {
         entryFileNames: ({ name }) => (name in LASTING ? '[name].js' : 'assets/[name]-[hash].js'),
-        codeSplitting: { groups: [{ name: 'linkage', test: (id) => linkage.has(id) }, { name: 'panels', test: (id) => panels.has(id) }] },
+        codeSplitting: { groups: [{ name: 'linkage', test: (id) => linkage.has(id) }, { name: 'workbench', test: (id) => workbench.has(id) }, { name: 'panels', test: (id) => panels.has(id) }] },
       },
     },
   },

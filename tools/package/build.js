@@ -24,7 +24,7 @@ const asWritten = (names) => ({
 });
 
 /** Files that are loaded together in any case are one; the planner's are apart, for who wants nothing else. */
-const together = [['planner', 'planner/api.js'], ['linkage', 'element/define.js'], ['panels', 'element/panels.js']].map(([name, file]) => {
+const together = [['planner', 'planner/api.js'], ['linkage', 'element/define.js'], ['workbench', 'element/workbench.js'], ['panels', 'element/panels.js']].map(([name, file]) => {
   const all = importedAtOnce(at(`www/${file}`));
   return { name, test: (id) => all.has(id) };
 });

@@ -1,6 +1,8 @@
 /**
  * Composition of the applet: a linkage element with all its panels, and around it what is done with documents.
  */
+// Before the element is defined, which asks for them.
+import './pieces-at-once.js';
 import '../element/define.js';
 import { byId } from '../ui/dom.js';
 import { createExport } from '../export/menu.js';
@@ -10,8 +12,6 @@ import { createKeeper } from './files/browser-storage.js';
 import { start } from './files/start.js';
 import { createHelp } from './help/help.js';
 import { workOffline } from './offline.js';
-// Asked for by the element; named here so that it comes with the page and not after it.
-import '../element/panels.js';
 import { createDrop } from './drop.js';
 import { createHeader } from './header.js';
 import { createHistory } from './history.js';

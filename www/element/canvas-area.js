@@ -12,6 +12,7 @@ export function createStage({ find, store, player, signal }) {
   /** What the view was last turned to: another document's motion is seen from the front. @type {unknown} */
   let origin = null;
   const note = find('view-note');
+  const poster = find('poster');
   const tell = (/** @type {string} */ text) => {
     note.hidden = text === '';
     setText(note, text);
@@ -20,7 +21,7 @@ export function createStage({ find, store, player, signal }) {
   const canvas = find('canvas');
   canvas.setAttribute('aria-label', `3D view of the linkage. ${inWords('turnView', 'shiftView', 'zoomIn', 'zoomOut', 'fit', 'side', 'thingBefore', 'thingAfter', 'choose')}`);
   canvas.addEventListener('webglcontextlost', () => {
-    if (!scene?.givenBack) tell('The 3D view was interrupted by the browser. Tables and numbers go on.');
+    tell('The 3D view was interrupted by the browser. Tables and numbers go on.');
   });
   canvas.addEventListener('webglcontextrestored', () => {
     tell('');
@@ -52,7 +53,9 @@ export function createStage({ find, store, player, signal }) {
   show();
   player.draw = () => {
     const what = shown(store);
-    if (what) scene?.draw(what);
+    if (!what || !scene) return;
+    scene.draw(what);
+    poster.hidden = true;
   };
   return { scene };
 }

@@ -26,10 +26,14 @@ export class SyntheticaLinkage extends LinkageWords {
 
   #seen = createSeen(this, {
     root: this.attachShadow({ mode: 'open' }),
-    wishes: () => ({ keys: this.#meant('keys'), panels: this.#meant('panels') }),
+    wishes: () => ({ keys: this.#meant('keys'), panels: this.#meant('panels'), loading: this.#meant('loading') }),
     complain: (error) => this.#complain(error),
+    begin: () => this.#start(),
   });
+  /** Ends the wait of all that is loaded late. */
+  #start = () => {};
   #opening = createOpening(this, {
+    begun: new Promise((resolve) => (this.#start = () => resolve(null))),
     complain: (error) => this.#complain(error),
     emptied: () => this.#seen.rebuild(),
     settle: () => this.#settle(),
@@ -68,6 +72,11 @@ export class SyntheticaLinkage extends LinkageWords {
     this.#opening.arrive();
   }
 
+  /** Another document has other style sheets, and another window draws. */
+  adoptedCallback() {
+    this.#seen.rebuild();
+  }
+
   disconnectedCallback() {
     queueMicrotask(() => {
       if (this.isConnected) return;
@@ -88,6 +97,8 @@ export class SyntheticaLinkage extends LinkageWords {
       if (name === 'frame') this.parts.playhead.frame = /** @type {number} */ (value);
       if (name === 'view') store.setView({ side: ATTRIBUTES.view.read(text) });
       if (name === 'theme') dispatchEvent(new Event('synthetica-theme'));
+      if (name === 'loading' && value === 'eager') this.#seen.show();
+      if (name === 'poster') this.#seen.setPoster();
       if (name === 'readonly') store.readonly = this.readonly;
       this.#refused.delete(name);
       this.#refused.delete(`property ${name}`);
@@ -135,8 +146,38 @@ export class SyntheticaLinkage extends LinkageWords {
     return this.#error ?? [...this.#refused.values()][0] ?? null;
   }
 
+  /**
+   * Loads what the motion needs, wherever the element is, and waits for it.
+   * @returns {Promise<Motion>} fails with what is wrong where there will be none
+   */
+  async whenReady() {
+    this.#start();
+    this.#opening.arrive();
+    const { store } = this.parts;
+    return new Promise((resolve, reject) => {
+      /** @type {(() => void) | undefined} */
+      let leave;
+      const look = () => {
+        const { motion, fault, trouble, doc } = store.result;
+        if (motion && (doc === store.doc || fault || trouble)) resolve(motion);
+        else if (fault ?? trouble) reject(new Refusal(fault?.message ?? trouble));
+        else return false;
+        leave?.();
+        return true;
+      };
+      if (!look()) leave = store.subscribe('result', look);
+    });
+  }
+
+  play() {
+    this.#start();
+    this.#opening.arrive();
+    return super.play();
+  }
+
   /** The planned motion as a table, degrees and the document's length unit. @returns {Promise<string>} */
   async toCSV() {
+    await this.whenReady();
     return this.parts.planner.exportMotion(textOf(this.#planned()), 'csv');
   }
 
@@ -147,9 +188,10 @@ export class SyntheticaLinkage extends LinkageWords {
    * @returns {Promise<Blob>}
    */
   async toImage(wish = {}) {
-    this.#planned();
+    await this.whenReady();
+    const { imageOf, imageApart } = await import('../export/image.js');
+    if (!this.#seen.isThere) return imageApart(this, wish);
     this.#seen.show();
-    const { imageOf } = await import('../export/image.js');
     return imageOf(await this.workbench, wish);
   }
 

@@ -16,11 +16,12 @@ const NOTHING_GIVEN = 'No linkage is given. Accepted: a document by src, by a sc
 /**
  * @param {HTMLElement & {src: string, type: string, parts: import('./media-properties.js').LinkageWords['parts']}} element
  * @param {object} inside
+ * @param {Promise<unknown>} inside.begun before that nothing is loaded
  * @param {(error: unknown) => void} inside.complain
  * @param {() => void} inside.emptied it has no document any more
  * @param {() => void} inside.settle the playhead goes where it was set meanwhile
  */
-export function createOpening(element, { complain, emptied, settle }) {
+export function createOpening(element, { begun, complain, emptied, settle }) {
   const { parts: linkage } = element;
   const { store, player, playhead } = linkage;
   /** Counts requests: an answer to an older one is late. */
@@ -48,6 +49,8 @@ export function createOpening(element, { complain, emptied, settle }) {
     content.observe(element, { childList: true, characterData: true, subtree: true });
     // The page's parser may be about to add what is asked for before anything else.
     if (document.readyState === 'loading') document.addEventListener('DOMContentLoaded', lookAgain, { once: true });
+    await begun;
+    if (now !== loads) return;
     try {
       const found = await findDocument(element, (type) => answer(now, () => ask(() => linkage.planner.assemble(type), 'make a linkage of this type')));
       if (now !== loads) return;
@@ -113,6 +116,7 @@ export function createOpening(element, { complain, emptied, settle }) {
 
   /** @param {string} text @param {string} title @param {number} now */
   async function open(text, title, now) {
+    await begun;
     const read = await answer(now, () => linkage.whole(text));
     if (now !== loads) return;
     if (read.is === 'fault') {

@@ -1,26 +1,31 @@
 /**
- * What is seen of an element: the tree in its shadow root, and in it the workbench, made when the element first comes into
- * view. It lives while the element is in a page.
+ * What is seen of an element: the tree in its shadow root, with a poster or the element's own content, until the workbench
+ * is loaded, when the element first comes near the view. It lives while the element is in a page.
  *
  * @typedef {import('./workbench.js').AppWithPanels} AppWithPanels
- * @typedef {{keys: 'element' | 'page', panels: import('./workbench.js').Panel[]}} Wishes what the attributes ask for
+ * @typedef {{keys: 'element' | 'page', panels: import('./workbench.js').Panel[], loading: 'lazy' | 'eager'}} Wishes what the attributes ask for
  */
 import markup from './canvas-area.html?raw';
 import look from '../style/linkage.css?inline';
-import { whileSeen } from '../ui/lazy.js';
+import { pieces } from './pieces.js';
+import { finder } from '../ui/dom.js';
+import { loaded, whileSeen } from '../ui/lazy.js';
+import { createNotices } from '../ui/notice.js';
 import { wear } from '../ui/style-sheets.js';
-import { createWorkbench } from './workbench.js';
 
 /**
- * @param {HTMLElement & {parts: import('../core/linkage.js').Linkage}} element
- * @param {{root: ShadowRoot, wishes: () => Wishes, complain: (error: unknown) => void}} inside
+ * @param {HTMLElement & {poster: string, parts: import('../core/linkage.js').Linkage}} element
+ * @param {{root: ShadowRoot, wishes: () => Wishes, complain: (error: unknown) => void, begin: () => void}} inside `begin` loads the document
  */
-export function createSeen(element, { root, wishes, complain }) {
+export function createSeen(element, { root, wishes, complain, begin }) {
   const { parts: linkage } = element;
   /** Ends what is seen. @type {AbortController | null} */
   let life = null;
   let bench = withResolvers();
   let begun = false;
+  /** Whether the workbench has been made, or cannot be. */
+  let isMade = false;
+  const find = finder(root);
   linkage.player.seen = false;
 
   function build() {
@@ -30,25 +35,56 @@ export function createSeen(element, { root, wishes, complain }) {
     root.innerHTML = markup;
     // A field's own event would leave the tree; the element tells of edits in its place.
     root.firstElementChild?.addEventListener('input', (event) => event.stopPropagation());
-    whileSeen(element, signal, async (seen) => {
+    linkage.tell = createNotices(find('notices'));
+    // One that does not come leaves its place to the content.
+    find('poster').addEventListener('error', () => showPoster(false));
+    setPoster();
+    whileSeen(element, signal, (seen) => {
       linkage.player.seen = seen;
       if (seen) show();
-      if (!begun) return;
-      // That it could not be made has been told.
-      const app = await bench.promise.catch(() => null);
-      if (!signal.aborted) app?.scene?.setSeen(seen);
     });
+    if (wishes().loading === 'eager') show();
+  }
+
+  function setPoster() {
+    if (!life) return;
+    /** @type {HTMLImageElement} */
+    const poster = find('poster');
+    showPoster(element.poster !== '' && find('canvas').dataset.draws === undefined);
+    if (element.poster) poster.src = element.poster;
+    else poster.removeAttribute('src');
+  }
+
+  /** Behind a poster the content is there for who cannot see it. @param {boolean} on */
+  function showPoster(on) {
+    find('poster').hidden = !on;
+    find('fallback').classList.toggle('sr', on);
   }
 
   function show() {
     if (begun || !life) return;
     begun = true;
-    const { resolve, reject } = bench;
-    const { keys, panels } = wishes();
-    createWorkbench(linkage, { root, keys: keys === 'page' ? document : element, panels, signal: life.signal }).then(resolve, (error) => {
+    begin();
+    make(life.signal, bench);
+  }
+
+  /** @param {AbortSignal} signal @param {typeof bench} made */
+  async function make(signal, { resolve, reject }) {
+    try {
+      const { createWorkbench } = await loaded({ say: linkage.say, signal }, 'The view', () => pieces.workbench());
+      find('bench').classList.remove('waiting');
+      const { keys, panels } = wishes();
+      const app = await createWorkbench(linkage, { root, keys: keys === 'page' ? element.ownerDocument : element, panels, signal });
+      // Who waits goes on waiting for the one that takes its place.
+      if (signal.aborted) return;
+      isMade = true;
+      resolve(app);
+    } catch (error) {
+      if (signal.aborted) return;
+      isMade = true;
       complain(error);
       reject(error);
-    });
+    }
   }
 
   function dismantle() {
@@ -58,8 +94,8 @@ export function createSeen(element, { root, wishes, complain }) {
     linkage.player.seen = false;
     linkage.player.draw = () => {};
     root.replaceChildren();
-    if (begun) bench = withResolvers();
-    begun = false;
+    if (isMade) bench = withResolvers();
+    begun = isMade = false;
   }
 
   return {
@@ -72,13 +108,16 @@ export function createSeen(element, { root, wishes, complain }) {
       return bench.promise;
     },
     build,
+    setPoster,
     show,
     dismantle,
     /** Makes it anew, by what the attributes ask for now. */
     rebuild() {
       if (!life) return;
+      const goesOn = begun;
       dismantle();
       build();
+      if (goesOn) show();
     },
   };
 }

@@ -22,13 +22,13 @@
  */
 import { finder } from '../ui/dom.js';
 import { createExplainer } from '../core/explain.js';
+import { pieces } from './pieces.js';
 import { createStage } from './canvas-area.js';
 import { loaded } from '../ui/lazy.js';
 import { createBanners } from '../panels/info/banners.js';
 import { createByHand } from '../view3d/by-hand.js';
 import { createHistoryKeys } from './history-keys.js';
 import { createLegend } from '../view3d/legend.js';
-import { createNotices } from '../ui/notice.js';
 import { createPlanning } from '../view3d/planning.js';
 import { createPointing } from '../view3d/pointing.js';
 import { createTransport } from '../bar/transport.js';
@@ -46,7 +46,6 @@ export async function createWorkbench(linkage, place) {
   const { root, signal, panels } = place;
   const find = finder(root);
   const store = heldBy(linkage.store, signal);
-  linkage.tell = createNotices(find('notices'));
   const bench = find('bench');
   const narrow = () => bench.clientWidth < PHONE;
   let explained = false;
@@ -66,7 +65,7 @@ export async function createWorkbench(linkage, place) {
   createByHand(app);
   createHistoryKeys(app);
   if (!panels.length) return /** @type {AppWithPanels} */ (app);
-  const { createPanels } = await loaded(app, 'The panels', () => import('./panels.js'));
+  const { createPanels } = await loaded(app, 'The panels', () => pieces.panels());
   if (signal.aborted) return /** @type {AppWithPanels} */ (app);
   return createPanels(app, banners);
 }

@@ -22,6 +22,8 @@ export function startFrame() {
   const element = /** @type {import('../element/element.js').SyntheticaLinkage} */ (document.createElement('synthetica-linkage'));
   for (const [name, value] of attributesOf(location.search)) element.setAttribute(name, value);
   element.setAttribute('keys', 'page');
+  // Whether it is loaded late is the choice of the page around it: <iframe loading="lazy">.
+  element.setAttribute('loading', 'eager');
 
   /** What the frame would fill: with panels on a phone all of it, else a view of a good shape with its controls. */
   function height() {

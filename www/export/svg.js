@@ -19,13 +19,12 @@ export async function exportSvg({ store, scene, say }) {
   if (!scene) return;
   const { name } = store.result.doc ?? {};
   const file = fileName(store.result.doc, 'svg');
-  saveFile(file, new Blob([drawing(scene, name || 'Linkage', describeScene(store))], { type: 'image/svg+xml' }));
+  saveFile(file, new Blob([drawing(scene, name || 'Linkage', describeScene(store), { width: scene.canvas.clientWidth, height: scene.canvas.clientHeight })], { type: 'image/svg+xml' }));
   say(`Saved ${file}.`);
 }
 
-/** @param {Scene} scene @param {string} title @param {string} description */
-export function drawing(scene, title, description) {
-  const { clientWidth: width, clientHeight: height } = scene.canvas;
+/** @param {Scene} scene @param {string} title @param {string} description @param {{width: number, height: number}} size in CSS pixels */
+export function drawing(scene, title, description, { width, height }) {
   const style = viewStyle(scene);
   /** @type {string[]} */
   const parts = [];

@@ -31,6 +31,12 @@ export const finder = (root) => (id) => /** @type {any} */ (root.getElementById(
 /** In the page itself. @type {Find} */
 export const byId = (id) => /** @type {any} */ (document.getElementById(id));
 
+/**
+ * The window that shows a node: another than the one the script runs in, where the element was adopted by another document.
+ * @param {Node} node @returns {Window & typeof globalThis}
+ */
+export const windowOf = (node) => /** @type {any} */ (node.ownerDocument?.defaultView ?? globalThis);
+
 /** What has the focus in the tree that holds a node; of another tree only its host is seen. @param {Node} node */
 export const focusBeside = (node) => /** @type {Document | ShadowRoot} */ (node.getRootNode()).activeElement ?? null;
 

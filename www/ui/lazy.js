@@ -2,7 +2,7 @@
  * Parts of the page that are loaded when they are first needed, so that the page opens without them. Where one cannot be
  * loaded that is said, with a button that tries again: no failed load is kept.
  */
-import { element } from './dom.js';
+import { element, windowOf } from './dom.js';
 
 /** @param {string} what such as "The charts" @param {unknown} error */
 const failure = (what, error) => `${what} could not be loaded (${error instanceof Error ? error.message : error}).`;
@@ -40,7 +40,7 @@ export async function withPart({ say, signal }, what, load, go) {
 
 /**
  * The same for what nothing can be done without: resolves when it is loaded, however often that is tried.
- * @template T @param {{say: import('./notice.js').Say}} app @param {string} what @param {() => Promise<T>} load @returns {Promise<T>}
+ * @template T @param {{say: import('./notice.js').Say, signal?: AbortSignal}} app @param {string} what @param {() => Promise<T>} load @returns {Promise<T>}
  */
 export const loaded = (app, what, load) => new Promise((resolve) => withPart(app, what, load, resolve));
 
@@ -72,6 +72,7 @@ export function whenSeen(panel, what, load) {
         attempt();
       }),
     );
+  const { IntersectionObserver } = windowOf(panel);
   const observer = new IntersectionObserver((entries) => {
     if (!entries.some((entry) => entry.isIntersecting)) return;
     observer.disconnect();
@@ -89,6 +90,7 @@ const MARGIN = 120;
  */
 export function whileSeen(element, signal, tell) {
   const { top, bottom, height } = element.getBoundingClientRect();
+  const { innerHeight, IntersectionObserver } = windowOf(element);
   // Without waiting for the first picture, which the observer would.
   let seen = height > 0 && bottom > -MARGIN && top < innerHeight + MARGIN;
   tell(seen);

@@ -4,12 +4,11 @@
  * @typedef {import('../../core/types.js').Motion} Motion
  * @typedef {import('../../core/types.js').Result} Result
  */
-import { Scene, Sphere, WebGLRenderer } from 'three';
+import { Scene, Sphere } from 'three';
 import { createCamera } from './camera.js';
 import { gapSteps } from './gap-lines.js';
 import { ghostFrames } from './ghosts.js';
 import { createGround } from './ground.js';
-import { createLease } from './lease.js';
 import { createLight } from './light.js';
 import { Linkage } from './linkage.js';
 import { createMarks } from './marks.js';
@@ -19,8 +18,9 @@ import { MotionPaths } from './motion-paths.js';
 import { hasNoGoal, isDriven } from '../../core/shown.js';
 import { readPalette } from './palette.js';
 import { createPicker } from './pick.js';
-import { createPoster } from './poster.js';
 import { watchPointers } from './refit.js';
+import { createDrawing } from './renderer.js';
+import { windowOf } from '../../ui/dom.js';
 
 /**
  * @param {{canvas: HTMLCanvasElement, labels: HTMLElement, signal?: AbortSignal, turned?: () => void}} place where it is, until when, and who is told when a
@@ -29,14 +29,13 @@ import { watchPointers } from './refit.js';
  * @returns null where the browser has no WebGL 2
  */
 export function createScene({ canvas, labels: layer, signal, turned = () => {} }, changed) {
-  const context = canvas.getContext('webgl2', { antialias: true, alpha: true });
-  if (!context) return null;
-  const renderer = new WebGLRenderer({ canvas, context });
-  renderer.shadowMap.enabled = true;
   const root = new Scene();
+  const drawing = createDrawing(canvas, root, signal);
+  if (!drawing) return null;
+  const window = windowOf(canvas);
   const view = createCamera(canvas, changed, turned);
   const materials = createMaterials();
-  const light = createLight(isSoftware(context), changed);
+  const light = createLight(drawing.slow, changed);
   const ground = createGround();
   const linkage = new Linkage(materials);
   const paths = new MotionPaths(materials);
@@ -56,7 +55,7 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
     changed();
   }
   paint();
-  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', paint, { signal });
+  window.matchMedia('(prefers-color-scheme: dark)').addEventListener('change', paint, { signal });
   addEventListener('synthetica-theme', paint, { signal });
 
   let width = 1;
@@ -66,15 +65,14 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
   function resize() {
     width = Math.max(1, canvas.clientWidth);
     height = Math.max(1, canvas.clientHeight);
-    renderer.setPixelRatio(Math.min(2, devicePixelRatio));
-    renderer.setSize(width, height, false);
+    drawing?.resize(width, height);
     view.setAspect(width / height);
     marks.resize(width, height);
     // At once: a canvas of another size is empty.
     if (last) draw(last);
     changed();
   }
-  new ResizeObserver(resize).observe(canvas);
+  new window.ResizeObserver(resize).observe(canvas);
   resize();
 
   const names = () => [...paths.labels, ...linkage.bases.map((at, index) => ({ at, text: String(index + 1), place: `chains[${index}].base` }))];
@@ -104,27 +102,20 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
 
   /** @param {import('../../core/poses.js').Shown} what the columns and the frame in them that are drawn */
   function draw(what) {
-    if (!lease.ready) return;
+    if (!drawing || drawing.isLost) return;
     last = what;
     view.step();
     pose(what);
     marks.follow();
     for (const tell of drawn) tell(width, height);
     light.beforeDraw();
-    renderer.render(root, view.camera);
-    poster.drop();
+    drawing.draw(view.camera);
     marks.labels.place(view.camera, width, height, [...covering].flatMap((boxes) => boxes()));
     canvas.dataset.draws = String(++draws);
   }
 
-  const lease = createLease(canvas, context);
-  const poster = createPoster(canvas);
-  signal?.addEventListener('abort', () => {
-    // It listens to the document too.
-    view.controls.dispose();
-    renderer.dispose();
-    lease.setSeen(false);
-  });
+  // It listens to the document too.
+  signal?.addEventListener('abort', () => view.controls.dispose());
 
   /** @type {Set<(event: PointerEvent) => boolean>} */
   const claimants = new Set();
@@ -134,18 +125,6 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
   const covering = new Set();
   return {
     canvas,
-    /** Whether its context is lost because it is out of sight. */
-    get givenBack() {
-      return lease.givenBack;
-    },
-    /** @param {boolean} seen whether it is in sight: its last picture stands in for it while it is not */
-    setSeen(seen) {
-      if (!seen && lease.ready) {
-        renderer.render(root, view.camera);
-        poster.keep();
-      }
-      lease.setSeen(seen);
-    },
     /** Where other bodies, such as handles, are added. */
     root,
     changed,
@@ -248,11 +227,4 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
 
     draw,
   };
-}
-
-/** Whether pictures are computed without a graphics card. @param {WebGL2RenderingContext} context */
-function isSoftware(context) {
-  const names = context.getExtension('WEBGL_debug_renderer_info');
-  const name = context.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : context.RENDERER);
-  return /swiftshader|llvmpipe|software|basic render/i.test(String(name));
 }

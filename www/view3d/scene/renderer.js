@@ -1,0 +1,99 @@
+/**
+ * The one renderer that draws every view of the page: a browser has few graphics contexts. It draws into a canvas as large as
+ * the largest view, from which each view's own canvas has its part copied, and keeps it.
+ */
+import { WebGLRenderer } from 'three';
+import { windowOf } from '../../ui/dom.js';
+
+/** @type {{renderer: WebGLRenderer, context: WebGL2RenderingContext, slow: boolean} | null} */
+let shared = null;
+
+/** Views in the page, with their sizes in CSS pixels. @type {Set<{canvas: HTMLCanvasElement, width: number, height: number}>} */
+const views = new Set();
+
+/** @returns {typeof shared} null where the browser has no WebGL 2 */
+function theRenderer() {
+  if (shared) return shared;
+  const canvas = document.createElement('canvas');
+  const context = canvas.getContext('webgl2', { antialias: true, alpha: true });
+  if (!context) return null;
+  const renderer = new WebGLRenderer({ canvas, context });
+  renderer.shadowMap.enabled = true;
+  renderer.setScissorTest(true);
+  // What happens to it happens to every view.
+  for (const name of ['webglcontextlost', 'webglcontextrestored']) canvas.addEventListener(name, () => views.forEach((view) => view.canvas.dispatchEvent(new Event(name))));
+  return (shared = { renderer, context, slow: isSoftware(context) });
+}
+
+/**
+ * @param {HTMLCanvasElement} canvas the view's own
+ * @param {import('three').Scene} root what is drawn
+ * @param {AbortSignal} [signal] ends it, and frees what it has in the graphics card
+ * @returns null where the browser has no WebGL 2
+ */
+export function createDrawing(canvas, root, signal) {
+  const all = theRenderer();
+  const pen = canvas.getContext('2d');
+  if (!all || !pen) return null;
+  const { renderer, context, slow } = all;
+  const view = { canvas, width: 0, height: 0 };
+  views.add(view);
+  signal?.addEventListener('abort', () => {
+    views.delete(view);
+    root.traverse(free);
+  });
+  return {
+    /** Whether pictures are computed without a graphics card. */
+    slow,
+    get isLost() {
+      return context.isContextLost();
+    },
+    /** The canvas is empty then. @param {number} width @param {number} height in CSS pixels */
+    resize(width, height) {
+      Object.assign(view, { width, height });
+      const ratio = ratioOf(canvas);
+      Object.assign(canvas, { width: Math.floor(width * ratio), height: Math.floor(height * ratio) });
+    },
+    /** @param {import('three').Camera} camera */
+    draw(camera) {
+      const { width, height } = canvas;
+      const ratio = ratioOf(canvas);
+      makeRoom(renderer, ratio);
+      // The part at the upper left; the renderer counts from below.
+      const part = /** @type {const} */ ([0, (renderer.domElement.height - height) / ratio, width / ratio, height / ratio]);
+      renderer.setViewport(...part);
+      renderer.setScissor(...part);
+      renderer.render(root, camera);
+      // In place of what was there.
+      pen.globalCompositeOperation = 'copy';
+      pen.drawImage(renderer.domElement, 0, 0, width, height, 0, 0, width, height);
+    },
+  };
+}
+
+/** Pixels to a CSS pixel. @param {HTMLCanvasElement} canvas */
+const ratioOf = (canvas) => Math.min(2, windowOf(canvas).devicePixelRatio);
+
+/** @param {WebGLRenderer} renderer @param {number} ratio */
+function makeRoom(renderer, ratio) {
+  const most = (/** @type {'width' | 'height'} */ side) => Math.max(...[...views].map((view) => view[side]));
+  const [width, height] = [most('width'), most('height')];
+  if (renderer.getPixelRatio() !== ratio) renderer.setPixelRatio(ratio);
+  const { width: across, height: down } = renderer.domElement;
+  if (across !== Math.floor(width * ratio) || down !== Math.floor(height * ratio)) renderer.setSize(width, height, false);
+}
+
+/** @param {any} object of a scene that is drawn no more */
+function free(object) {
+  object.geometry?.dispose();
+  for (const one of [object.material ?? []].flat()) one.dispose();
+  // Shadows of a light, places of copies.
+  object.dispose?.();
+}
+
+/** @param {WebGL2RenderingContext} context */
+function isSoftware(context) {
+  const names = context.getExtension('WEBGL_debug_renderer_info');
+  const name = context.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : context.RENDERER);
+  return /swiftshader|llvmpipe|software|basic render/i.test(String(name));
+}
