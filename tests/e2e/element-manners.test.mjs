@@ -259,3 +259,80 @@ test('a frame takes what its address says', async () => {
   await page.goto(browser.address);
   await page.locator('.bench[data-interaction="full"]').waitFor({ state: 'attached' });
 });
+
+/** Counts the keys that the page around the element hears, by both of its listeners. */
+const hearing = `<script>
+  window.heard = [];
+  for (const place of [document, window]) for (const type of ['keydown', 'keypress', 'keyup']) place.addEventListener(type, ({ key }) => window.heard.push(type + ' ' + key));
+</script>`;
+const heard = (page) => page.evaluate(() => window.heard.splice(0));
+
+test('the page around does not hear the keys that are typed or handled inside', async () => {
+  const { page, problems } = await guestPage(LINKAGE.replace(' src', ' panels="mechanism charts" style="height: 600px" src'), { head: hearing, viewport: { width: 1200, height: 800 } });
+  await planned(page);
+  await page.locator('[data-path="chains[0].base.x"]').waitFor();
+  const press = async (...keys) => {
+    for (const key of keys) await page.keyboard.press(key);
+  };
+  // That Ctrl goes down by itself is nobody's.
+  const nothing = async (what) => assert.deepEqual((await heard(page)).filter((one) => !one.endsWith(' Control')), [], what);
+
+  await page.locator('#canvas').focus();
+  await press('ArrowLeft', 'ArrowUp', '.', ',', '1', 'f', 'p', '+', 'Home', ' ', ' ', 'Enter');
+  await nothing('the view');
+  await page.locator('#scrub').focus();
+  await press('ArrowRight', '.', ',', 'End', 'PageDown', 'Control+ArrowLeft', ' ', ' ');
+  await nothing('the scrub bar');
+  await page.locator('#step-back').focus();
+  await press('Enter', ' ', '.');
+  await nothing('a button');
+  await page.locator('#speed').focus();
+  await press('ArrowDown', '1');
+  await nothing('a choice');
+  await page.locator('#frame-number').click();
+  await press('1', '2', '.', 'b', 'Backspace', 'ArrowLeft', 'Escape');
+  await nothing('the frame’s field');
+  const field = page.locator('[data-path="chains[0].base.x"]');
+  const old = await field.inputValue();
+  await field.focus();
+  await press('0', '.', '3', 'Control+a', '5', 'Enter', 'Control+z', 'ArrowDown');
+  await nothing('a cell');
+  assert.equal(await field.inputValue(), old, 'undo works there');
+  await page.locator('#tab-charts').focus();
+  await press('ArrowRight', ' ', 'Enter');
+  await nothing('a tab');
+  await page.getByRole('button', { name: 'Views' }).focus();
+  await press('Enter', 'ArrowDown', 'End', 't', 'Escape');
+  await nothing('a menu');
+  assert.deepEqual(problems, []);
+});
+
+test('the page around hears every key that the element has no use for', async () => {
+  const { page } = await guestPage(`${LINKAGE.replace(' src', ' panels="mechanism" style="height: 600px" src')}<input id="own">`, { head: hearing, viewport: { width: 1200, height: 800 } });
+  await planned(page);
+  const all = (key, ...types) => (types.length ? types : ['keydown', 'keyup']).flatMap((type) => [`${type} ${key}`, `${type} ${key}`]);
+  const focus = { canvas: '#canvas', cell: '[data-path="chains[0].base.x"]', button: '#step-back', scrub: '#scrub' };
+  // Reloading by F5 and leaving by Tab are the browser's; here only the page's scripts matter.
+  await page.evaluate(() => addEventListener('keydown', (event) => /^(F5|Tab)$/.test(event.key) && event.preventDefault()));
+  for (const [name, selector] of Object.entries(focus)) {
+    await page.locator(selector).first().focus();
+    for (const key of ['Escape', 'F5', 'Tab', 'F2']) {
+      await page.keyboard.press(key);
+      assert.deepEqual(await heard(page), all(key), `${key} in the ${name}`);
+    }
+  }
+  await page.locator('#canvas').focus();
+  await page.keyboard.press('o');
+  assert.deepEqual(await heard(page), all('o', 'keydown', 'keypress', 'keyup'), 'a letter that means nothing in the view');
+  await page.locator('#own').focus();
+  await page.keyboard.press('.');
+  assert.deepEqual(await heard(page), all('.', 'keydown', 'keypress', 'keyup'), 'what is typed elsewhere');
+});
+
+test('keys="page" leaves all keys to the page', async () => {
+  const { page } = await guestPage(LINKAGE.replace(' src', ' keys="page" src'), { head: hearing });
+  await planned(page);
+  await page.locator('#frame-number').click();
+  await page.keyboard.press('1');
+  assert.ok((await heard(page)).includes('keydown 1'));
+});
