@@ -53,10 +53,10 @@ export function createFrameField({ find, store }, goTo) {
   });
   field.addEventListener('input', () => refuse(''));
   field.addEventListener('keydown', (event) => {
-    if (event.key === 'Escape') return close();
-    if (event.key !== 'Enter') return;
+    if (event.key !== 'Enter' && event.key !== 'Escape') return;
     // Or the button, which gets the focus, would take the key as a click.
     event.preventDefault();
+    if (event.key === 'Escape') return close();
     const typed = read();
     if (typeof typed === 'string') return refuse(typed);
     goTo(typed);

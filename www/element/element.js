@@ -26,7 +26,7 @@ export class SyntheticaLinkage extends LinkageWords {
 
   #seen = createSeen(this, {
     root: this.attachShadow({ mode: 'open' }),
-    wishes: () => ({ keys: this.#meant('keys'), panels: this.#meant('panels'), loading: this.#meant('loading') }),
+    wishes: () => ({ keys: this.#meant('keys'), interaction: this.#meant('interaction'), panels: this.#meant('panels'), loading: this.#meant('loading') }),
     complain: (error) => this.#complain(error),
     begin: () => this.#start(),
   });
@@ -106,7 +106,7 @@ export class SyntheticaLinkage extends LinkageWords {
       return this.#refuse(name, error);
     }
     if (name === 'src' || name === 'type') this.#opening.turn(text === null);
-    if (['panels', 'readonly', 'keys'].includes(name)) this.#seen.rebuild();
+    if (['panels', 'readonly', 'keys', 'interaction'].includes(name)) this.#seen.rebuild();
   }
 
   // --- what it shows ---

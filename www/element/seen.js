@@ -3,7 +3,8 @@
  * is loaded, when the element first comes near the view. It lives while the element is in a page.
  *
  * @typedef {import('./workbench.js').AppWithPanels} AppWithPanels
- * @typedef {{keys: 'element' | 'page', panels: import('./workbench.js').Panel[], loading: 'lazy' | 'eager'}} Wishes what the attributes ask for
+ * @typedef {{keys: 'element' | 'page', interaction: import('./workbench.js').Interaction, panels: import('./workbench.js').Panel[], loading: 'lazy' | 'eager'}} Wishes
+ *   what the attributes ask for
  */
 import markup from './canvas-area.html?raw';
 import look from '../style/linkage.css?inline';
@@ -73,8 +74,8 @@ export function createSeen(element, { root, wishes, complain, begin }) {
     try {
       const { createWorkbench } = await loaded({ say: linkage.say, signal }, 'The view', () => pieces.workbench());
       find('bench').classList.remove('waiting');
-      const { keys, panels } = wishes();
-      const app = await createWorkbench(linkage, { root, keys: keys === 'page' ? element.ownerDocument : element, panels, signal });
+      const { keys, interaction, panels } = wishes();
+      const app = await createWorkbench(linkage, { root, keys: keys === 'page' ? element.ownerDocument : root, interaction, panels, signal });
       // Who waits goes on waiting for the one that takes its place.
       if (signal.aborted) return;
       isMade = true;

@@ -5,11 +5,14 @@
  * @typedef {import('../core/linkage.js').Linkage} Linkage
  * @typedef {'mechanism' | 'motion' | 'teach' | 'types' | 'info' | 'charts' | 'algorithm'} Panel
  *
+ * @typedef {'none' | 'ctrl' | 'full'} Interaction
+ *
  * @typedef {object} Place
  * @property {ShadowRoot} root
- * @property {EventTarget} keys where the keys of the animation are listened to
+ * @property {Document | ShadowRoot} keys where the keys of the animation are listened to
  * @property {AbortSignal} signal
  * @property {Panel[]} panels
+ * @property {Interaction} interaction how much of pointer, wheel and keys is taken from the page around it
  *
  * @typedef {Linkage & Place & {
  *   find: import('../ui/dom.js').Find,
@@ -28,8 +31,10 @@ import { loaded } from '../ui/lazy.js';
 import { createBanners } from '../panels/info/banners.js';
 import { createByHand } from '../view3d/by-hand.js';
 import { createHistoryKeys } from './history-keys.js';
+import { createInteraction } from '../view3d/interaction.js';
 import { createLegend } from '../view3d/legend.js';
 import { createPlanning } from '../view3d/planning.js';
+import { guardKeys } from './key-guard.js';
 import { createPointing } from '../view3d/pointing.js';
 import { createTransport } from '../bar/transport.js';
 import { createViewBar } from '../view3d/view-bar.js';
@@ -59,11 +64,13 @@ export async function createWorkbench(linkage, place) {
   const banners = createBanners(app);
   createPlanning(app);
   createTransport(app);
+  createInteraction(app);
   createPointing(app);
   createViewBar(app);
   createLegend(find('legend'), app);
   createByHand(app);
   createHistoryKeys(app);
+  if (place.keys === root) guardKeys(root, signal);
   if (!panels.length) return /** @type {AppWithPanels} */ (app);
   const { createPanels } = await loaded(app, 'The panels', () => pieces.panels());
   if (signal.aborted) return /** @type {AppWithPanels} */ (app);

@@ -3,7 +3,7 @@
  */
 
 /** What stands in the address under the same name as in the element. */
-const NAMES = ['controls', 'autoplay', 'loop', 'bounce', 'speed', 'frame', 'view', 'theme', 'readonly', 'panels', 'interaction'];
+const NAMES = ['controls', 'autoplay', 'loop', 'bounce', 'speed', 'frame', 'view', 'theme', 'readonly', 'panels', 'interaction', 'interaction'];
 
 /** What is on by standing there. */
 const SWITCHES = ['controls', 'autoplay', 'readonly', 'loop', 'bounce'];

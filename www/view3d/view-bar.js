@@ -70,7 +70,7 @@ export function createViewBar({ find, store, scene, say }) {
       { label: 'Ghost at this frame', checked: here, act: choose(others.length ? others : 'none') },
     ];
   });
-  const projection = element('button', { click: toggle, 'aria-keyshortcuts': spokenKey(KEYS.projection.keys[0]) });
+  const projection = element('button', { id: 'projection', click: toggle, 'aria-keyshortcuts': spokenKey(KEYS.projection.keys[0]) });
   const fit = element('button', { id: 'fit', click: () => scene.fit() }, 'Fit view');
   keyTip(fit, 'Show the whole linkage', 'fit');
   const bar = find('view-bar');

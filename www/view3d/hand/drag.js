@@ -174,7 +174,9 @@ function connect(app, scene) {
         return moves.gizmoDrag(target);
       }
       const place = scene.pick(event);
-      const held = place === store.view.selected ? target : targetOf(place);
+      // A finger that scrolls past takes hold of nothing: a tap selects it first.
+      const passes = event.pointerType === 'touch' && app.interaction !== 'full';
+      const held = place === store.view.selected ? target : passes ? null : targetOf(place);
       return held && moves.planeDrag(held, place, at);
     },
     click: (event) => take(scene.pick(event)),

@@ -44,7 +44,8 @@ export function createPointerDrags(canvas, { hover, grab, click }) {
 
   first('pointerdown', (/** @type {PointerEvent} */ event) => {
     if (held) return keep(event);
-    if (event.button !== 0) return;
+    // A second finger belongs to what the first one does.
+    if (event.button !== 0 || !event.isPrimary) return;
     const at = place(event);
     const drag = grab(at, event);
     if (!drag) return;
