@@ -10,14 +10,12 @@
  *
  * @typedef {ReturnType<typeof createLinkage>} Linkage
  */
+import { NOTHING } from './nothing.js';
 import { createOpening } from './open.js';
 import { Planner } from '../planner/planner.js';
 import { Player } from './player.js';
 import { createReplanning } from './replan.js';
 import { createStore } from './store.js';
-
-/** @type {import('./types.js').MechanismDocument} */
-const NOTHING = { version: 1, chains: [], motion: { key_frames: [] } };
 
 export function createLinkage() {
   const planner = new Planner();
@@ -46,6 +44,3 @@ export function createLinkage() {
     },
   });
 }
-
-/** Whether a linkage has been given a document. @param {import('./store.js').Store} store */
-export const isEmpty = (store) => store.doc === NOTHING;

@@ -9,7 +9,7 @@
  *   `chains[1].joints[0]`; empty where the document is not at fault
  */
 import { textOf } from '../core/document-text.js';
-import { isEmpty } from '../core/linkage.js';
+import { isEmpty } from '../core/nothing.js';
 import { reason } from '../core/open.js';
 import { Refusal } from '../core/refusal.js';
 import { announce } from './events.js';

@@ -3,7 +3,7 @@
  * newest counts.
  */
 import { ask, LATE, untilAnswered } from '../core/ask.js';
-import { isEmpty } from '../core/linkage.js';
+import { isEmpty } from '../core/nothing.js';
 import { Refusal } from '../core/refusal.js';
 import { findDocument } from './find.js';
 
