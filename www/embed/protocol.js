@@ -15,12 +15,12 @@
 import { VERSION } from './version.js';
 
 /** What a page may change, by the names of the element's properties. */
-const CHANGEABLE = /** @type {const} */ (['frame', 'currentTime', 'loop', 'bounce', 'speed', 'view', 'theme', 'panels']);
+const CHANGEABLE = /** @type {const} */ (['frame', 'currentTime', 'loop', 'bounce', 'speed', 'view', 'theme', 'panels', 'interaction']);
 
 /** @param {SyntheticaLinkage} element */
 function stateOf(element) {
-  const { frame, currentTime, duration, paused, loop, bounce, speed, view, trajectory } = element;
-  return { frame, frames: trajectory?.frames ?? 0, currentTime, duration, paused, loop, bounce, speed, view };
+  const { frame, currentTime, duration, paused, loop, bounce, speed, view, interaction, trajectory } = element;
+  return { frame, frames: trajectory?.frames ?? 0, currentTime, duration, paused, loop, bounce, speed, view, interaction };
 }
 
 /**
