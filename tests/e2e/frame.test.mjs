@@ -106,6 +106,47 @@ test('a document, a state and a question of a parent of another origin than the 
   assert.deepEqual(await page.evaluate(() => window.heard), []);
 });
 
+test('the content policy allows what a frame needs and nothing else, and the browser holds to it', async () => {
+  const { page, problems } = await browser.blankPage({ viewport: { width: 1200, height: 800 } });
+  // Panels, a worker, a document from the site: nothing of the frame breaks it.
+  await page.goto(`${browser.address}embed.html?src=mechanisms/2tpr.json&panels=info+charts`);
+  await page.locator('.uplot').first().waitFor();
+  const policy = await page.locator('meta[http-equiv="Content-Security-Policy"]').getAttribute('content');
+  assert.deepEqual(policy.split('; '), [
+    "default-src 'none'",
+    "script-src 'self' 'wasm-unsafe-eval'",
+    'worker-src blob:',
+    "connect-src 'self'",
+    "style-src 'self'",
+    "img-src 'self' data:",
+    "base-uri 'none'",
+    "form-action 'none'",
+  ]);
+  assert.equal(page.workers().length, 1);
+  assert.deepEqual(problems, []);
+  const attempts = [
+    ['script-src-elem', () => document.body.append(Object.assign(document.createElement('script'), { textContent: 'window.ran = true' }))],
+    ['script-src', () => void setTimeout('window.ran = true')],
+    ['script-src-elem', () => document.body.append(Object.assign(document.createElement('script'), { src: 'https://other.example/a.js' }))],
+    ['img-src', () => document.body.append(Object.assign(new Image(), { src: 'https://other.example/a.png' }))],
+    ['connect-src', () => void fetch('https://other.example/a.json').catch(() => {})],
+    ['style-src-elem', () => document.head.append(Object.assign(document.createElement('style'), { textContent: 'body { display: none }' }))],
+    ['frame-src', () => document.body.append(Object.assign(document.createElement('iframe'), { src: 'https://other.example/' }))],
+    ['worker-src', () => void new Worker('./inline.js')],
+    ['base-uri', () => document.head.append(Object.assign(document.createElement('base'), { href: 'https://other.example/' }))],
+  ];
+  await page.evaluate(() => {
+    window.broken = [];
+    document.addEventListener('securitypolicyviolation', ({ effectiveDirective }) => window.broken.push(effectiveDirective));
+  });
+  for (const [directive, attempt] of attempts) {
+    await page.evaluate(attempt);
+    await page.waitForFunction(() => window.broken.length > 0);
+    assert.deepEqual(await page.evaluate(() => window.broken.splice(0)), [directive], `${attempt}`);
+  }
+  assert.equal(await page.evaluate(() => window.ran), undefined);
+});
+
 test('a window of the parent’s origin that is not the parent is not obeyed', async () => {
   const { page } = await pageAround('embed.html?sample=2tpr');
   await heard(page, 'ready');
