@@ -36,6 +36,9 @@ async function pageAround(query, { attributes = '', referrer = '' } = {}) {
   return { page, problems, frame: page.frameLocator('iframe') };
 }
 
+/** The number of the shown frame, all of it: “2 / 129” is in “42 / 129” too. */
+const atFrame = (frame, text) => frame.locator('#frame-number', { hasText: new RegExp(`^${text}$`) }).waitFor();
+
 const heard = (page, type) => page.waitForFunction((wanted) => window.heard.findLast((message) => message.type === wanted), type).then((found) => found.jsonValue());
 const send = (page, message) => page.evaluate((one) => document.querySelector('iframe').contentWindow.postMessage(one, '*'), message);
 
@@ -53,7 +56,7 @@ test('shows what its parent says, and answers what it asks', async () => {
   const { page, frame } = await pageAround('embed.html?sample=2tpr');
   const { document } = await heard(page, 'document');
   await send(page, { synthetica: 1, type: 'state', state: { frame: 40, speed: 2, view: 'top' } });
-  await frame.locator('#frame-number', { hasText: '41 / 129' }).waitFor();
+  await atFrame(frame, '41 / 129');
   await page.waitForFunction(() => window.heard.some(({ type, state }) => type === 'state' && state.frame === 40 && state.speed === 2 && state.view === 'top'));
   await send(page, { synthetica: 1, type: 'get', what: 'trajectory', id: 7 });
   const answer = await page.waitForFunction(() => window.heard.find(({ id }) => id === 7));
@@ -82,12 +85,66 @@ test('refuses in words what it does not know', async () => {
 
 test('an origin in the address must be the parent’s: nobody else hears a document or is obeyed', async () => {
   const { page, frame } = await pageAround('embed.html?sample=2tpr&origin=https://other.example');
-  await frame.locator('#frame-number', { hasText: '1 / 129' }).waitFor();
+  await atFrame(frame, '1 / 129');
   await send(page, { synthetica: 1, type: 'state', state: { frame: 40 } });
   await send(page, { synthetica: 1, type: 'get', what: 'document', id: 1 });
   await frame.locator('#scrub').press('ArrowRight');
-  await frame.locator('#frame-number', { hasText: '2 / 129' }).waitFor();
+  await atFrame(frame, '2 / 129');
   assert.deepEqual(await page.evaluate(() => window.heard), []);
+});
+
+test('a document, a state and a question of a parent of another origin than the address names change nothing', async () => {
+  const { page, frame } = await pageAround(`embed.html?sample=2tpr&origin=${encodeURIComponent('https://other.example')}`);
+  await atFrame(frame, '1 / 129');
+  for (const message of [{ type: 'document', document: { version: 1 } }, { type: 'state', state: { frame: 40, view: 'top' } }, { type: 'hello' }]) await send(page, { synthetica: 1, ...message });
+  const seen = await page.frames()[1].evaluate(() => new Promise((resolve) => {
+    // Messages come in turn: what was sent before has been dealt with.
+    addEventListener('message', ({ data }) => data === 'last' && requestAnimationFrame(() => resolve({ frame: document.querySelector('synthetica-linkage').frame, view: document.querySelector('synthetica-linkage').view, error: document.querySelector('synthetica-linkage').error })));
+    window.postMessage('last', '*');
+  }));
+  assert.deepEqual(seen, { frame: 0, view: '', error: null });
+  assert.deepEqual(await page.evaluate(() => window.heard), []);
+});
+
+test('the content policy allows what a frame needs and nothing else, and the browser holds to it', async () => {
+  const { page, problems } = await browser.blankPage({ viewport: { width: 1200, height: 800 } });
+  // Panels, a worker, a document from the site: nothing of the frame breaks it.
+  await page.goto(`${browser.address}embed.html?src=mechanisms/2tpr.json&panels=info+charts`);
+  await page.locator('.uplot').first().waitFor();
+  const policy = await page.locator('meta[http-equiv="Content-Security-Policy"]').getAttribute('content');
+  assert.deepEqual(policy.split('; '), [
+    "default-src 'none'",
+    "script-src 'self' 'wasm-unsafe-eval'",
+    'worker-src blob:',
+    "connect-src 'self'",
+    "style-src 'self'",
+    "img-src 'self' data:",
+    "base-uri 'none'",
+    "form-action 'none'",
+  ]);
+  assert.equal(page.workers().length, 1);
+  assert.deepEqual(problems, []);
+  const attempts = [
+    ['script-src-elem', () => document.body.append(Object.assign(document.createElement('script'), { textContent: 'window.ran = true' }))],
+    ['script-src', () => void setTimeout('window.ran = true')],
+    ['script-src-elem', () => document.body.append(Object.assign(document.createElement('script'), { src: 'https://other.example/a.js' }))],
+    ['img-src', () => document.body.append(Object.assign(new Image(), { src: 'https://other.example/a.png' }))],
+    ['connect-src', () => void fetch('https://other.example/a.json').catch(() => {})],
+    ['style-src-elem', () => document.head.append(Object.assign(document.createElement('style'), { textContent: 'body { display: none }' }))],
+    ['frame-src', () => document.body.append(Object.assign(document.createElement('iframe'), { src: 'https://other.example/' }))],
+    ['worker-src', () => void new Worker('./inline.js')],
+    ['base-uri', () => document.head.append(Object.assign(document.createElement('base'), { href: 'https://other.example/' }))],
+  ];
+  await page.evaluate(() => {
+    window.broken = [];
+    document.addEventListener('securitypolicyviolation', ({ effectiveDirective }) => window.broken.push(effectiveDirective));
+  });
+  for (const [directive, attempt] of attempts) {
+    await page.evaluate(attempt);
+    await page.waitForFunction(() => window.broken.length > 0);
+    assert.deepEqual(await page.evaluate(() => window.broken.splice(0)), [directive], `${attempt}`);
+  }
+  assert.equal(await page.evaluate(() => window.ran), undefined);
 });
 
 test('a window of the parent’s origin that is not the parent is not obeyed', async () => {
@@ -102,9 +159,13 @@ test('a window of the parent’s origin that is not the parent is not obeyed', a
   const jump = (to) => parent.frames[0].postMessage({ synthetica: 1, type: 'state', state: { frame: to } }, '*');
   await beside.evaluate(jump, 50);
   await embedded.waitForFunction(() => window.got.length === 1);
-  // The same words from the parent are obeyed, and by then the others were heard.
+  // What came before it has been dealt with when the parent is answered.
+  await send(page, { synthetica: 1, type: 'get', what: 'state', id: 1 });
+  const answer = await page.waitForFunction(() => window.heard.find(({ id }) => id === 1));
+  assert.equal((await answer.jsonValue()).state.frame, 0);
+  // The same words from the parent are obeyed.
   await page.evaluate(jump, 30);
-  await page.frameLocator('iframe[src]').locator('#frame-number', { hasText: '31 / 129' }).waitFor();
+  await atFrame(page.frameLocator('iframe[src]'), '31 / 129');
   assert.deepEqual(await embedded.evaluate(() => window.got), [[around, false, 50], [around, true, 30]]);
   await page.waitForFunction(() => window.heard.some(({ type, state }) => type === 'state' && state.frame === 30));
   assert.ok(await page.evaluate(() => window.heard.every(({ state }) => state?.frame !== 50)), 'nobody went to frame 51');
@@ -115,8 +176,14 @@ test('without a known origin it tells only that it is ready and how high it is',
   await heard(page, 'ready');
   await send(page, { synthetica: 1, type: 'get', what: 'document', id: 1 });
   await frame.locator('#scrub').press('ArrowRight');
-  await frame.locator('#frame-number', { hasText: '2 / 129' }).waitFor();
-  assert.deepEqual([...new Set(await page.evaluate(() => window.heard.map(({ type }) => type)))].sort(), ['height', 'ready']);
+  await atFrame(frame, '2 / 129');
+  await send(page, { synthetica: 1, type: 'hello' });
+  await page.waitForFunction(() => window.heard.some(({ again }) => again));
+  const told = await page.evaluate(() => window.heard);
+  assert.deepEqual([...new Set(told.map(({ type }) => type))].sort(), ['height', 'hello', 'ready']);
+  const { height, ...greeting } = told.find(({ again }) => again);
+  assert.deepEqual(greeting, { synthetica: 1, type: 'hello', again: true, listens: false, ready: { version: 1 }, fromFrame: true });
+  assert.ok(height > 400);
 });
 
 test('works in a sandbox: no storage, no origin, no worker of its own', async () => {
@@ -189,7 +256,7 @@ test('the code of the share dialog works where it is pasted', async () => {
   const { page } = await browser.blankPage();
   await page.goto(around);
   const frame = page.frameLocator('iframe');
-  await frame.locator('#frame-number', { hasText: '1 / 129' }).waitFor();
+  await atFrame(frame, '1 / 129');
   assert.equal(await frame.locator('synthetica-linkage').getAttribute('panels'), 'info');
   await page.waitForFunction(() => document.querySelector('synthetica-linkage').trajectory?.frames === 129);
   assert.equal(await page.evaluate(() => document.querySelector('synthetica-linkage').readonly), true);

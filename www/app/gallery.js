@@ -13,7 +13,7 @@ import '../style/gallery.css';
 /** Made by scripts/thumbnails.mjs. @type {Record<string, string>} */
 const pictures = import.meta.glob('../thumbnails/*.webp', { query: '?url&no-inline', import: 'default', eager: true });
 
-/** @param {import('../element/workbench.js').App} app */
+/** @param {Pick<import('../element/workbench.js').App, 'store' | 'open' | 'say'>} app */
 export function openGallery({ store, open, say }) {
   const groups = inGroups(index).map(({ heading, members }, index) => {
     const title = element('h3', { id: `examples-${index}` }, heading);

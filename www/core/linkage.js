@@ -10,9 +10,9 @@
  *
  * @typedef {ReturnType<typeof createLinkage>} Linkage
  */
+import { NOTHING } from './nothing.js';
 import { createOpening } from './open.js';
 import { Planner } from '../planner/planner.js';
-import { NOTHING } from './nothing.js';
 import { Player } from './player.js';
 import { createReplanning } from './replan.js';
 import { createStore } from './store.js';

@@ -4,6 +4,7 @@
  * @typedef {import('./types.js').MechanismDocument} MechanismDocument
  */
 import { ask } from './ask.js';
+import { isEmpty } from './nothing.js';
 import { Refusal } from './refusal.js';
 import { sayUndo } from './undo.js';
 
@@ -17,7 +18,10 @@ export function createOpening({ store, planner, player, say }) {
     const { doc: former, unsaved } = store;
     player.currentTime = 0;
     store.setView({ selected: '', hovered: '' });
-    store.open(doc, { title, handle, saved: doc });
+    const origin = { title, handle, saved: doc };
+    // There is nothing that undo could take back.
+    if (isEmpty(store)) return store.restore({ doc, past: [], future: [] }, origin);
+    store.open(doc, origin);
     const name = former.name || 'the linkage';
     if (unsaved) sayUndo({ store, say }, former, `Opened ${doc.name || title || 'a linkage'} in place of ${name}, which has changes that are in no file.`);
   }

@@ -25,6 +25,26 @@ export function findSample(name) {
 /** @param {string} name @returns {{file: string}} */
 export function sampleOf(name) {
   const found = findSample(name);
-  if (!found) throw new Refusal(`There is no sample “${name}”. Accepted: ${samples.map(({ file }) => file).join(', ')}.`);
-  return found;
+  if (found) return found;
+  const near = nearestSample(name);
+  throw new Refusal(`There is no sample “${name}”.${near ? ` Did you mean “${near.file.replace('.json', '')}”?` : ''} Accepted: ${samples.map(({ file }) => file).join(', ')}.`);
+}
+
+/** The one whose file or title is few letters away from a name; none where all are too far for a slip. @param {string} name */
+export function nearestSample(name) {
+  const wanted = name.trim().toLowerCase().replace(/\.json$/, '');
+  const far = (/** @type {Sample} */ { file, title }) => Math.min(...[file.replace('.json', ''), title.toLowerCase()].map((known) => lettersApart(wanted, known)));
+  const [near] = [...samples].sort((a, b) => far(a) - far(b));
+  return far(near) <= Math.max(1, wanted.length / 2) ? near : undefined;
+}
+
+/** How many letters must be put in, left out or changed (Levenshtein's distance, by the rows of its table). @param {string} a @param {string} b */
+function lettersApart(a, b) {
+  let row = [...b, ''].map((_, j) => j);
+  for (let i = 1; i <= a.length; i++) {
+    const above = row;
+    row = [i];
+    for (let j = 1; j <= b.length; j++) row[j] = Math.min(above[j] + 1, row[j - 1] + 1, above[j - 1] + (a[i - 1] === b[j - 1] ? 0 : 1));
+  }
+  return row[b.length];
 }

@@ -38,9 +38,13 @@ function element(text, { controls, autoplay, readonly, panels, height }) {
 </synthetica-linkage>`;
 }
 
-/** @param {string} text a document @param {string} home the applet's own address @param {Wish} wish */
-export const elementCode = (text, home, wish) => `<script type="module" src="${quoted(new URL('element.js', home).href)}"></script>
-${element(text, wish)}`;
+/**
+ * The tag and its script: a classic one, which a page may load from another server whatever that answers, where a module
+ * would need a header of it.
+ * @param {string} text a document @param {string} home the applet's own address @param {Wish} wish
+ */
+export const elementCode = (text, home, wish) => `${element(text, wish)}
+<script src="${quoted(new URL('inline.js', home).href)}" async></script>`;
 
 /**
  * One file with everything in it.

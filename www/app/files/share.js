@@ -8,6 +8,7 @@ import { element } from '../../ui/dom.js';
 import { openDialog } from '../../ui/dialog.js';
 import { shareAddress } from '../../core/address.js';
 import { elementCode, fileCode, frameCode } from './codes.js';
+import { withPart } from '../../ui/lazy.js';
 import { fileName, saveFile } from '../../export/save.js';
 
 /** What may stand beside the view in another page. */
@@ -20,7 +21,7 @@ const LEAST_HEIGHT = 160;
  * @param {string} text the document
  * @param {string} payload the same, packed
  */
-export function openShare({ store }, text, payload) {
+export function openShare({ store, say }, text, payload) {
   const home = location.href.replace(/[?#].*$/s, '');
   const name = store.doc.name || 'Linkage';
   const link = shareAddress(location.href, payload);
@@ -75,17 +76,23 @@ export function openShare({ store }, text, payload) {
     }
   }
 
-  const size = link.length.toLocaleString('en').replaceAll(',', ' ');
+  const grouped = (/** @type {number} */ count) => count.toLocaleString('en').replaceAll(',', ' ');
+  const picture = element('div', { class: 'link-code' });
+  withPart({ say }, 'The QR code', () => import('./qr.js'), ({ MOST, qrPicture }) => {
+    const fits = link.length <= MOST;
+    picture.append(fits ? qrPicture(link, 'QR code of the link') : element('p', { class: 'muted' }, `The link is too long for a QR code, which holds ${grouped(MOST)} characters.`));
+  });
+
   const section = (/** @type {string} */ title, /** @type {string} */ words, /** @type {Node[]} */ ...parts) =>
     element('section', {}, element('h3', {}, title), element('p', { class: 'muted' }, words), ...parts);
   const dialog = openDialog(
     'Share',
-    section('Link', `It holds the whole document, in ${size} characters, and is sent nowhere.`, ...address.parts),
+    section('Link', `It holds the whole document, in ${grouped(link.length)} characters, and is sent nowhere.`, ...address.parts, picture),
     element('h3', {}, 'In another page'),
     element('p', { class: 'wishes', role: 'group', 'aria-label': 'What it has' }, controls.label, autoplay.label, readonly.label, element('label', {}, 'Height ', height, ' px')),
     element('p', { class: 'wishes', role: 'group', 'aria-label': 'Panels' }, element('span', { class: 'muted' }, 'Panels'), ...panels.map(({ label }) => label)),
-    section('Frame', 'For course systems: paste it where they take HTML.', ...frame.parts),
-    section('Element', 'For pages of your own: the tag and its script. Many on a page share one planner.', ...tag.parts),
+    section('Frame', 'For course systems: paste it where they take HTML. It works from any site and in a sandbox, and needs nothing of a server.', ...frame.parts),
+    section('Element', `For pages of your own: the tag and its script, which needs nothing of a server. Many on a page share one planner. A module in its place, ${new URL('element.js', home).href}, loads less at first, but from another site only where this one answers with the header Access-Control-Allow-Origin.`, ...tag.parts),
     section('One file', 'The linkage with all that it needs in one HTML file, which works without a network.', element('p', {}, file)),
     said,
   );

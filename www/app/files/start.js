@@ -8,6 +8,7 @@
 import { readAddress, plainAddress } from '../../core/address.js';
 import { untilAnswered } from '../../core/ask.js';
 import { answerTo } from '../../core/from-address.js';
+import { isEmpty } from '../../core/nothing.js';
 import { saveFile } from '../../export/save.js';
 
 /**
@@ -22,7 +23,7 @@ export function start(linkage, keeper) {
     const { history } = store;
     player.currentTime = 0;
     store.setView({ selected: '', hovered: '' });
-    const past = [...history.past, history.doc, ...work.past];
+    const past = [...history.past, ...(isEmpty(store) ? [] : [history.doc]), ...work.past];
     store.restore({ doc: work.doc, past, future: work.future }, originOf(work));
   }
 
@@ -58,7 +59,7 @@ export function start(linkage, keeper) {
     const { href } = location;
     const { work, broken } = keeper.load();
     const asked = readAddress(location);
-    const explicit = asked.payload !== null || asked.sample !== null || asked.sets.length > 0;
+    const explicit = asked.payload !== null || asked.src !== null || asked.sample !== null || asked.sets.length > 0;
     const shown = !explicit && work !== null && (await showKept(work));
     if (broken) {
       say('What this browser kept of your last document cannot be read. It is in the File menu (▾ beside Save), Earlier documents.', {
@@ -69,13 +70,16 @@ export function start(linkage, keeper) {
     }
     if (!shown) {
       const { value } = await untilAnswered(store, () => answerTo(asked, linkage));
-      const { doc, title, broken, problems } = value;
+      const { doc, title, from, broken, missing, problems } = value;
       if (work && !explicit) {
         keeper.setAside();
         say('Your last document has a fault, and no motion without it is known. It is in the File menu (▾ beside Save), Earlier documents.', { label: 'Open it', act: () => takeUp(work), stays: true });
       }
-      store.restore({ doc, past: [], future: [] }, { title, handle: null, saved: doc });
-      if (broken) say(`This link cannot be opened: a sample is shown in its place. ${broken}`, { stays: true });
+      if (doc) store.restore({ doc, past: [], future: [] }, { title, handle: null, saved: doc });
+      // Another linkage would be taken for the one that was asked for.
+      else (await import('../missing.js')).showMissing(linkage, missing);
+      if (from && doc) say(`Opened from ${from}.`);
+      if (broken) say(`This link cannot be opened${doc ? ': a sample is shown in its place' : ''}. ${broken}`, { stays: true });
       for (const problem of problems) say(problem, { stays: true });
       if (explicit && work) {
         keeper.disown();
@@ -109,7 +113,7 @@ export function start(linkage, keeper) {
       if (mine !== addresses) return;
       if (shared.is === 'trouble') return say(`This link was not opened. ${shared.message}`, { label: 'Try again', act: follow, stays: true });
       const { broken, problems } = shared.value;
-      if (broken) return say(`This link cannot be opened. ${broken}`, { stays: true });
+      if (broken || !shared.value.doc) return say(`This link cannot be opened. ${broken}`, { stays: true });
       doc = shared.value.doc;
       show(doc);
       for (const problem of problems) say(problem, { stays: true });
