@@ -4,6 +4,12 @@
 import { Refusal } from '../core/refusal.js';
 import { findSample, sampleText } from '../core/samples.js';
 
+/** @param {HTMLElement} element */
+const inside = (element) => element.querySelector(':scope > script[type="application/json"]');
+
+/** Whether its attribute type says what it shows. @param {HTMLElement & {src: string, type: string}} element */
+export const isByType = (element) => !element.src && !inside(element) && element.type !== '';
+
 /**
  * @param {HTMLElement & {src: string, type: string}} element
  * @param {(type: string) => Promise<import('../core/ask.js').Outcome<string>>} assemble asks the planner for a linkage of a type
@@ -12,8 +18,8 @@ import { findSample, sampleText } from '../core/samples.js';
 export async function findDocument(element, assemble) {
   const { src, type } = element;
   if (src) return { text: await fetched(src, element.baseURI), title: src.replace(/^.*\//, '') };
-  const inside = element.querySelector(':scope > script[type="application/json"]');
-  if (inside) return { text: inside.textContent ?? '', title: '' };
+  const script = inside(element);
+  if (script) return { text: script.textContent ?? '', title: '' };
   if (!type) return null;
   const sample = await findSample(type);
   if (sample) return { text: await sampleText(sample), title: sample.file };

@@ -5,7 +5,7 @@
 import { ask, LATE, untilAnswered } from '../core/ask.js';
 import { isEmpty } from '../core/linkage.js';
 import { Refusal } from '../core/refusal.js';
-import { findDocument } from './find.js';
+import { findDocument, isByType } from './find.js';
 
 /** How long an element may be without a document before it says so, in milliseconds: a script may be about to give it one. */
 const PATIENCE = 1000;
@@ -27,8 +27,15 @@ export function createOpening(element, complain) {
   /** What the attributes or the content ask for. */
   async function load() {
     const now = ++loads;
+    const known = isByType(element) ? linkage.planner.holdDefaults() : () => {};
+    /** @param {string} type */
+    const assemble = (type) => {
+      const made = ask(() => linkage.planner.assemble(type), 'make a linkage of this type');
+      known();
+      return made;
+    };
     try {
-      const found = await findDocument(element, (type) => answer(now, () => ask(() => linkage.planner.assemble(type), 'make a linkage of this type')));
+      const found = await findDocument(element, (type) => answer(now, () => assemble(type))).finally(known);
       if (found) await open(found.text, found.title, now);
       else if (document.readyState === 'loading') document.addEventListener('DOMContentLoaded', () => now === loads && load(), { once: true });
       else setTimeout(() => now === loads && isEmpty(linkage.store) && complain(new Refusal(NOTHING_GIVEN)), PATIENCE);
