@@ -13,6 +13,9 @@ import { TARGETS, tight } from './tight.js';
 const at = (path) => fileURLToPath(new URL(path, import.meta.url));
 
 /** Every file below a folder, by its path from there. @param {string} folder */
+/** The length of a wasm package. @param {string} name */
+const bytes = (name) => statSync(at(`../www/${name}/synthetica_bg.wasm`)).size;
+
 const filesIn = (folder) =>
   readdirSync(folder, { recursive: true, withFileTypes: true })
     .filter((entry) => entry.isFile())
@@ -28,7 +31,7 @@ const INLINE = 'embed/inline.js';
 const lastingScripts = () => ({
   name: 'lasting-scripts',
   async generateBundle() {
-    this.emitFile({ type: 'asset', fileName: 'inline.js', source: await inlineScript(INLINE) });
+    this.emitFile({ type: 'asset', fileName: 'inline.js', source: (await inlineScript(INLINE)).script });
   },
   configureServer({ middlewares }) {
     const serve = (name, text) =>
@@ -37,7 +40,7 @@ const lastingScripts = () => ({
         if (script) response.setHeader('content-type', 'text/javascript').end(script);
       });
     for (const [name, file] of Object.entries(LASTING)) serve(name, async () => `export * from '/${file}';`);
-    serve('inline', () => inlineScript(INLINE));
+    serve('inline', async () => (await inlineScript(INLINE)).script);
   },
 });
 
@@ -121,6 +124,6 @@ export default defineConfig({
   },
   worker: { format: 'es' },
   // For the progress of its loading, see www/planner/worker.js.
-  define: { FIRST_WASM_BYTES: statSync(at('../www/pkg-first/synthetica_bg.wasm')).size },
+  define: { WASM_BYTES: JSON.stringify({ first: bytes('pkg-first'), whole: bytes('pkg') }) },
   plugins: [pages(), bundle(), tight(), lastingScripts(), licencesOfOthers(), serviceWorker()],
 });

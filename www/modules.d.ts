@@ -4,5 +4,5 @@ declare module '*?bundle' {
   export const style: string;
 }
 
-/** The length of the first wasm, which the page's build writes (tools/vite.config.js). */
-declare const FIRST_WASM_BYTES: number | undefined;
+/** The lengths of the two wasm files, which the page's build writes (tools/vite.config.js). */
+declare const WASM_BYTES: { first: number; whole: number } | undefined;

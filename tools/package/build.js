@@ -9,7 +9,7 @@ import { importedAtOnce } from '../imported-at-once.js';
 import { licences, packagesIn } from '../licences.js';
 import { TARGETS, tight } from '../tight.js';
 import { documentTypes } from './document-types.js';
-import { inlineScript } from './inline.js';
+import { inlineModule, inlineScript } from './inline.js';
 import { planner } from './planner.js';
 
 const at = (path) => fileURLToPath(new URL(`../../${path}`, import.meta.url));
@@ -30,7 +30,7 @@ const together = [['planner', 'planner/api.js'], ['linkage', 'element/define.js'
 });
 
 /**
- * @param {Record<string, string>} entry names and files in www/
+ * @param {Record<string, string>} entry names and files
  * @param {{wasm: string, worker: string, codeSplitting: unknown}} how with names of files in tools/package/files
  * @returns {Promise<string[]>} the npm packages whose code is in it
  */
@@ -44,13 +44,20 @@ async function modules(entry, { wasm, worker, codeSplitting }) {
       ...TARGETS,
       outDir: at('dist'),
       emptyOutDir: false,
-      lib: { entry: Object.fromEntries(Object.entries(entry).map(([name, file]) => [name, at(`www/${file}`)])), formats: ['es'] },
-      rolldownOptions: { output: { entryFileNames: '[name].js', chunkFileNames: 'part-[name].js', codeSplitting } },
+      lib: { entry: Object.fromEntries(Object.entries(entry).map(([name, file]) => [name, at(file)])), formats: ['es'] },
+      rolldownOptions: { external: /^node:/, output: { entryFileNames: '[name].js', chunkFileNames: 'part-[name].js', codeSplitting } },
     },
     plugins: [asWritten([wasm, worker]), planner({ wasm: `./${wasm}`, worker: `./${worker}` }), tight()],
   });
   for (const name of [wasm, worker]) copyFileSync(at(`tools/package/files/${name}`), dist(name));
   return packagesIn(output);
+}
+
+/** The worker with the module that says where the wasm is, as it is written. @param {string} worker */
+function withWasm(worker) {
+  const [line, name] = worker.match(/^import ?\{ ?wasm as (\w+) ?\} ?from ?"\.\/wasm\.js";\n?/) ?? [];
+  if (!line) throw new Error('dist/worker.js does not begin with its import of wasm.js');
+  return `${readFileSync(at('tools/package/files/wasm.js'), 'utf8').replace('export const wasm', `const ${name}`)}${worker.slice(line.length)}`;
 }
 
 /** Those of the functions come from the code, those of documents from the schema; the element's are written by hand, and checked against it. */
@@ -60,7 +67,7 @@ function types() {
   // In the package all lie in one folder.
   const flat = (file) => readFileSync(join(made, file), 'utf8').replaceAll('../core/types.js', './types.js');
   put('index.d.ts', flat('www/planner/api.d.ts'));
-  put('errors.d.ts', flat('www/planner/errors.d.ts'));
+  for (const name of ['errors', 'configure', 'configuration']) put(`${name}.d.ts`, flat(`www/planner/${name}.d.ts`));
   put('frame.d.ts', flat('www/embed/host.d.ts'));
   rmSync(made, { recursive: true });
   for (const name of ['element.d.ts', 'inline.d.ts', 'worker.d.ts']) copyFileSync(at(`tools/package/types/${name}`), dist(name));
@@ -78,12 +85,12 @@ const manifest = {
   license: JSON.parse(crate('license')),
   type: 'module',
   // Where the element is defined, and what is a program of its own.
-  sideEffects: ['./element.js', './part-linkage.js', './inline.js', './worker.js'],
+  sideEffects: ['./element.js', './part-linkage.js', './inline.js', './inline-module.js', './worker.js', './worker.node.js'],
   exports: {
     '.': { types: './index.d.ts', node: './index.node.js', default: './index.js' },
     './element': { types: './element.d.ts', default: './element.js' },
     './frame': { types: './frame.d.ts', default: './frame.js' },
-    './inline': { types: './inline.d.ts', default: './inline.js' },
+    './inline': { types: './inline.d.ts', default: './inline-module.js' },
     './worker': { types: './worker.d.ts', default: './worker.js' },
     './types': { types: './types.d.ts', default: './types.js' },
     './wasm': './synthetica.wasm',
@@ -97,10 +104,18 @@ const manifest = {
 
 rmSync(at('dist'), { recursive: true, force: true });
 mkdirSync(dist('samples'), { recursive: true });
-const others = await modules({ index: 'planner/api.js', element: 'element/embed.js', frame: 'embed/host.js', worker: 'planner/worker.js' }, { wasm: 'wasm.js', worker: 'start-worker.js', codeSplitting: { groups: together } });
-await modules({ 'index.node': 'planner/api.js' }, { wasm: 'wasm.node.js', worker: 'start-worker.node.js', codeSplitting: false });
+const BROWSER = { wasm: 'wasm.js', worker: 'start-worker.js' };
+const NODE = { wasm: 'wasm.node.js', worker: 'start-worker.node.js', codeSplitting: false };
+const others = await modules({ index: 'www/planner/api.js', element: 'www/element/embed.js', frame: 'www/embed/host.js' }, { ...BROWSER, codeSplitting: { groups: together } });
+// Whole, so that a site may have it anywhere.
+await modules({ worker: 'www/planner/worker.js' }, { ...BROWSER, codeSplitting: false });
+writeFileSync(dist('worker.js'), withWasm(readFileSync(dist('worker.js'), 'utf8')));
+await modules({ 'index.node': 'www/planner/api.js' }, NODE);
+await modules({ 'worker.node': 'tools/package/worker.node.js' }, NODE);
 put('LICENSE-OTHERS', licences(others));
-put('inline.js', await inlineScript('embed/everything.js'));
+const { script, names } = await inlineScript('embed/everything.js');
+put('inline.js', script);
+put('inline-module.js', inlineModule(names));
 types();
 for (const [from, to] of [
   ['www/pkg/synthetica_bg.wasm', 'synthetica.wasm'],

@@ -36,7 +36,7 @@ async function oneScript(entry, modules) {
     plugins: [planner({ wasm: at('held.js'), worker: at('held.js') }), held(modules), tight()],
   });
   if (output.length !== 1) throw new Error(`${entry} needs other files: ${output.map(({ fileName }) => fileName).join(', ')}`);
-  return output[0].code;
+  return output[0];
 }
 
 /** In the same words wherever it is read: a page and a server may say nothing of the encoding. @param {string} code */
@@ -44,9 +44,21 @@ const asAscii = (code) => code.replace(/[^\0-\x7f]/g, (letter) => `\\u${letter.c
 
 const asModule = (value) => `export default ${JSON.stringify(value)};`;
 
-/** The script's text, which may stand in a page's script tag too. @param {string} entry a file in www/ @returns {Promise<string>} */
+/**
+ * The script's text, which may stand in a page's script tag too, and the names that its global has.
+ * @param {string} entry a file in www/ @returns {Promise<{script: string, names: string[]}>}
+ */
 export async function inlineScript(entry) {
   const wasm = gzipSync(readFileSync(at('../../www/pkg/synthetica_bg.wasm')), { level: 9 }).toString('base64');
   const worker = await oneScript('planner/worker.js', { 'held:wasm': 'export default self.packed;', 'held:worker': asModule('') });
-  return asAscii(inert(await oneScript(entry, { 'held:wasm': asModule(wasm), 'held:worker': asModule(worker) })));
+  const { code, exports } = await oneScript(entry, { 'held:wasm': asModule(wasm), 'held:worker': asModule(worker.code) });
+  // In a module its variable would be nobody else's.
+  return { script: asAscii(inert(`${code.trimEnd()}\n${exports.length > 0 ? 'globalThis.synthetica = synthetica;\n' : ''}`)), names: exports };
 }
+
+/** The same to import from. The script stays one of its own, since pages name it. @param {string[]} names */
+export const inlineModule = (names) => `// What inline.js leaves in the global synthetica, to import from.
+import './inline.js';
+
+export const { ${names.join(', ')} } = globalThis.synthetica;
+`;

@@ -22,6 +22,9 @@ export function askedFor(element) {
   return inside ? `inside ${inside}` : type && `type ${type}`;
 }
 
+/** Whether its attribute type says what it shows. @param {HTMLElement & {src: string, type: string}} element */
+export const isByType = (element) => askedFor(element).startsWith('type ');
+
 /**
  * @param {HTMLElement & {src: string, type: string}} element
  * @param {(type: string) => Promise<import('../core/ask.js').Outcome<string>>} assemble asks the planner for a linkage of a type

@@ -6,7 +6,7 @@ import { ask, LATE, untilAnswered } from '../core/ask.js';
 import { empty, isEmpty } from '../core/nothing.js';
 import { reason } from '../core/open.js';
 import { Refusal } from '../core/refusal.js';
-import { askedFor, findDocument } from './find.js';
+import { askedFor, findDocument, isByType } from './find.js';
 
 /** How long an element may be without a document before it says so, in milliseconds: a script may be about to give it one. */
 const PATIENCE = 1000;
@@ -51,8 +51,15 @@ export function createOpening(element, { begun, complain, emptied, settle }) {
     if (document.readyState === 'loading') document.addEventListener('DOMContentLoaded', lookAgain, { once: true });
     await begun;
     if (now !== loads) return;
+    const known = isByType(element) ? linkage.planner.holdDefaults() : () => {};
+    /** @param {string} type */
+    const assemble = (type) => {
+      const made = ask(() => linkage.planner.assemble(type), 'make a linkage of this type');
+      known();
+      return made;
+    };
     try {
-      const found = await findDocument(element, (type) => answer(now, () => ask(() => linkage.planner.assemble(type), 'make a linkage of this type')));
+      const found = await findDocument(element, (type) => answer(now, () => assemble(type))).finally(known);
       if (now !== loads) return;
       if (found) await open(found.text, found.title, now);
       else if (isEmpty(store)) nothingYet(now);

@@ -1,6 +1,6 @@
 /**
- * The planner for programs: every question a function that promises its answer. Planned in a worker where there is one,
- * apart from that of the elements on the same page.
+ * The planner for programs: every question a function that promises its answer. Planned in workers where there are any,
+ * apart from that of the elements on the same page. Frames are counted from 0.
  *
  * @typedef {import('../core/types.js').MechanismDocument} MechanismDocument
  * @typedef {import('../core/types.js').Motion} Motion
@@ -17,23 +17,28 @@
  * @typedef {Options & {stop?: AbortSignal, onProgress?: (progress: Progress) => void}} PlanOptions `stop` ends the planning
  *   with what there is so far, a motion whose `partial` is true; `onProgress` is told how far the planning is
  */
-import { Queue } from './queue.js';
+import { column, number, object, options as optionsOf, text as textOf, wrong, written } from './arguments.js';
 import { DocumentFault } from './errors.js';
+import { Pool } from './pool.js';
 import { groupAt } from '../core/shown.js';
 
+export { configure } from './configure.js';
 export { DocumentFault, PlannerFailure, PlannerNotLoaded } from './errors.js';
 
 /** A program may ask for what takes minutes, and waits for all that it asked for. */
-const queue = new Queue(Infinity);
+const pool = new Pool(Infinity);
 
-/** Written anew each time: a program may have changed it. @param {MechanismDocument | string} doc */
-const written = (doc) => (typeof doc === 'string' ? doc : JSON.stringify(doc));
+const JOINTS = 'an array of numbers: rad or lengths, chain by chain';
+const GOAL = 'an array of 7 numbers: x y z, then the rotation’s quaternion x y z w';
 
-/** @param {ArrayLike<number>} numbers */
-const column = (numbers) => Float64Array.from(numbers);
+/** The options of a question. @type {Record<string, (keyof PlanOptions)[]>} */
+const KNOWN = { plan: ['signal', 'stop', 'onProgress'], compare_metrics: ['signal'], export_motion: ['signal', 'onProgress'] };
+
+/** Columns that `at` reads. @type {('joints' | 'pose' | 'goal' | 'rows')[]} */
+const GROUPS = ['joints', 'pose', 'goal', 'rows'];
 
 /** @param {import('./calls.js').Call} call @param {...unknown} args @returns {Promise<any>} */
-const ask = (call, ...args) => queue.ask({ asker: queue, latest: false, call, args });
+const ask = (call, ...args) => pool.ask({ asker: pool, latest: false, call, args });
 
 /**
  * A document as it was when it was opened, of which many questions are asked. It is read and checked once. What is asked
@@ -57,17 +62,17 @@ export class Session {
 
   /** The closest reachable motion; made once. @param {PlanOptions} [options] @returns {Promise<Motion>} */
   plan(options) {
-    return this.#ask('plan', [], options);
+    return this.#ask('plan', () => [], options);
   }
 
   /** The document with every default written out. @returns {Promise<MechanismDocument>} */
   async normalise() {
-    return JSON.parse(await this.#ask('text', []));
+    return JSON.parse(await this.#ask('text', () => []));
   }
 
   /** The document with the start that the planner uses written into it. @returns {Promise<MechanismDocument>} */
   async findStart() {
-    return JSON.parse(await this.#ask('find_start', []));
+    return JSON.parse(await this.#ask('find_start', () => []));
   }
 
   /**
@@ -77,7 +82,7 @@ export class Session {
    * @returns {Promise<Posture>}
    */
   pull(joints, goal) {
-    return this.#ask('pull', [column(joints), column(goal)]);
+    return this.#ask('pull', () => [column('joints', joints, JOINTS), column('goal', goal, GOAL)]);
   }
 
   /**
@@ -88,7 +93,7 @@ export class Session {
    * @returns {Promise<Posture>}
    */
   drive(joints, variable, value) {
-    return this.#ask('drive', [column(joints), variable, value]);
+    return this.#ask('drive', () => [column('joints', joints, JOINTS), number('variable', variable, 'a whole number, counted from 0 through all chains'), number('value', value, 'a number: rad or length')]);
   }
 
   /**
@@ -98,7 +103,7 @@ export class Session {
    * @returns {Promise<Insight>}
    */
   explain(joints, goal) {
-    return this.#ask('explain', [column(joints), column(goal)]);
+    return this.#ask('explain', () => [column('joints', joints, JOINTS), column('goal', goal, GOAL)]);
   }
 
   /**
@@ -108,12 +113,12 @@ export class Session {
    * @returns {Promise<Trace>}
    */
   trace(frame, joints = []) {
-    return this.#ask('trace', [frame, column(joints)]);
+    return this.#ask('trace', () => [number('frame', frame, 'a whole number, counted from 0'), column('joints', joints, JOINTS)]);
   }
 
   /** The matrix [A] at a position, with its singular values. @param {ArrayLike<number>} joints rad or lengths, chain by chain @returns {Promise<Matrix>} */
   matrix(joints) {
-    return this.#ask('matrix', [column(joints)]);
+    return this.#ask('matrix', () => [column('joints', joints, JOINTS)]);
   }
 
   /**
@@ -121,7 +126,7 @@ export class Session {
    * @param {Options} [options] @returns {Promise<[MetricGaps, MetricGaps]>}
    */
   compareMetrics(options) {
-    return this.#ask('compare_metrics', [], options);
+    return this.#ask('compare_metrics', () => [], options);
   }
 
   /**
@@ -131,25 +136,26 @@ export class Session {
    * @returns {Promise<string>}
    */
   exportMotion(format, options) {
-    return this.#ask('export_motion', [format], options);
+    return this.#ask('export_motion', () => [textOf('format', format, 'csv, json, mjcf')], options);
   }
 
   /** Frees what the planner keeps of it; nothing more can be asked. */
   close() {
     this.#closed = true;
-    queue.close(this.#asker, this.#text);
+    pool.close(this.#asker, this.#text);
   }
 
-  /** @param {import('./calls.js').Call} call @param {unknown[]} args @param {PlanOptions} [options] @returns {Promise<any>} */
-  async #ask(call, args, { signal, stop, onProgress } = {}) {
+  /** @param {import('./calls.js').Call} call @param {() => unknown[]} args @param {PlanOptions} [options] @returns {Promise<any>} */
+  async #ask(call, args, options) {
     if (this.#closed) throw new Error('the session is closed');
+    const { signal, stop, onProgress } = optionsOf(options, KNOWN[call] ?? []);
     signal?.throwIfAborted();
-    return queue.ask({ asker: this.#asker, latest: false, call, args, text: this.#text, signal, stop, onProgress });
+    return pool.ask({ asker: this.#asker, latest: false, call, args: args(), text: this.#text, signal, stop, onProgress });
   }
 }
 
 /** @param {MechanismDocument | string} doc */
-const once = (doc) => new Session(written(doc), queue);
+const once = (doc) => new Session(written(doc), pool);
 
 /**
  * A document that is asked about more than once.
@@ -276,7 +282,7 @@ export async function exportMotion(doc, format, options) {
  * @param {string} type such as `3RRS` or `RPS+2TS`, or `delta?base=400&platform=50` @returns {Promise<MechanismDocument>}
  */
 export async function assemble(type) {
-  return JSON.parse(await ask('assemble', type));
+  return JSON.parse(await ask('assemble', textOf('type', type, 'the name of a type, such as 3RRS')));
 }
 
 /**
@@ -284,7 +290,7 @@ export async function assemble(type) {
  * @param {import('../core/types.js').MakeRequest} request @returns {Promise<MechanismDocument>}
  */
 export async function make(request) {
-  return JSON.parse(await ask('make', JSON.stringify(request)));
+  return JSON.parse(await ask('make', JSON.stringify(object('request', request, 'an object with type and sizes'))));
 }
 
 /**
@@ -295,7 +301,7 @@ export async function make(request) {
  * @returns {Promise<import('../core/types.js').PoseTable>}
  */
 export async function readPoses(table, request = {}) {
-  return JSON.parse(await ask('read_poses', table, JSON.stringify(request)));
+  return JSON.parse(await ask('read_poses', textOf('table', table, 'the text of a table'), JSON.stringify(object('request', request, 'an object, see PoseTableRequest'))));
 }
 
 /** What can be made from the few numbers of its paper: names, inputs with their defaults, sources. @returns {Promise<import('../core/types.js').Maker[]>} */
@@ -311,7 +317,8 @@ export function makers() {
  * @returns {Promise<MechanismDocument>}
  */
 export async function makeNamed(name, inputs = {}, unit) {
-  return JSON.parse(await ask('make_named', name, JSON.stringify(inputs), unit));
+  const label = unit === undefined ? unit : textOf('unit', unit, 'm, cm, mm, µm, in');
+  return JSON.parse(await ask('make_named', textOf('name', name, 'the name of a maker, such as delta'), JSON.stringify(object('inputs', inputs, 'an object with numbers by their names')), label));
 }
 
 /** The JSON Schema of a document. @returns {Promise<Record<string, unknown>>} */
@@ -328,16 +335,16 @@ export function enumeration() {
  * The k-th chain with this degree of constraint, such as `RPS`; undefined where there is none.
  * @param {number} constraints @param {number} k counted from 0 @returns {Promise<string | undefined>}
  */
-export function chainByIndex(constraints, k) {
-  return ask('chain_by_index', constraints, k);
+export async function chainByIndex(constraints, k) {
+  return ask('chain_by_index', number('constraints', constraints), number('k', k));
 }
 
 /**
  * The k-th assembly with this total degree of constraint, as chain names; undefined where there is none.
  * @param {number} constraints @param {number} k counted from 0 @returns {Promise<string[] | undefined>}
  */
-export function assemblyByIndex(constraints, k) {
-  return ask('assembly_by_index', constraints, k);
+export async function assemblyByIndex(constraints, k) {
+  return ask('assembly_by_index', number('constraints', constraints), number('k', k));
 }
 
 /**
@@ -347,5 +354,10 @@ export function assemblyByIndex(constraints, k) {
  * @param {number} frame counted from 0
  */
 export function at(motion, name, frame) {
-  return groupAt(motion[name], { index: frame, frames: motion.frames });
+  const { frames, [name]: numbers } = object('motion', motion, 'a motion that was planned');
+  if (!GROUPS.includes(name)) throw wrong('name', name, GROUPS.join(', '));
+  if (typeof frames !== 'number' || !ArrayBuffer.isView(numbers)) throw new TypeError(`motion has no frames and ${name}. Accepted: a motion that was planned.`);
+  const accepted = `a whole number from 0 to ${frames - 1}`;
+  if (!Number.isInteger(number('frame', frame, accepted)) || frame < 0 || frame >= frames) throw new RangeError(`frame is the number ${frame}. Accepted: ${accepted}.`);
+  return groupAt(/** @type {Float64Array} */ (numbers), { index: frame, frames });
 }

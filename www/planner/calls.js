@@ -6,10 +6,12 @@
  * @typedef {import('../core/types.js').Progress} Progress
  *
  * A question of a document names it by a number of the asker's choice; its text comes with the first question. `stop`
- * asks for what there is so far of a plan, `cancel` for nothing more; `close` frees a document.
+ * asks for what there is so far of a plan, `cancel` for nothing more; `close` frees a document. `wasm`, before all others,
+ * says what to load (configure.js).
  * @typedef {{kind: 'ask', id: number, call: Call, args: unknown[], doc?: number, text?: string}
  *   | {kind: 'stop' | 'cancel', id: number}
- *   | {kind: 'close', doc: number}} Message
+ *   | {kind: 'close', doc: number}
+ *   | {kind: 'wasm', wasm: import('./configuration.js').Wasm}} Message
  * @typedef {{id: number, kind: 'value', value: unknown}
  *   | {id: number, kind: 'fault', fault: Fault}
  *   | {id: number, kind: 'failure', message: string, loading?: boolean}
@@ -28,6 +30,7 @@
  * @typedef {{text: string, sessions: Map<Module['Session'], any>, users: number, closed: boolean, forWhole?: boolean}} Open
  */
 import init, { Session, defaults } from '../pkg-first/synthetica.js';
+import { configuration } from './configuration.js';
 
 /** What a page needs at once, from the smaller of the two packages. */
 const first = { Session, defaults };
@@ -40,26 +43,45 @@ const PORTION = 30;
 /** The planner could not be loaded, which is no failure of its own. */
 class NotLoaded extends Error {}
 
-/** Loads once; a load that failed is not kept, and the next question tries again. @template T @param {() => Promise<T>} load */
+/**
+ * Loads once; a load that failed is not kept, and the next question tries again.
+ * @template T @param {() => Promise<T>} load
+ */
 function once(load) {
   /** @type {Promise<T> | null} */
   let loading = null;
-  return () =>
-    (loading ??= load().catch((error) => {
-      loading = null;
-      throw new NotLoaded(error instanceof Error ? error.message : String(error));
-    }));
+  return {
+    isBegun: () => loading !== null,
+    load: () =>
+      (loading ??= load().catch((error) => {
+        loading = null;
+        throw new NotLoaded(error instanceof Error ? error.message : String(error));
+      })),
+  };
 }
 
-/** Begins to load what every question needs. */
-export const load = once(() => init());
+const small = once(async () => {
+  await init();
+  return first;
+});
 
-/** The whole package, loaded when something else is asked for. */
-const loadWhole = once(async () => {
+/** The whole package, for what is not in the smaller one. */
+const whole = once(async () => {
+  // One after the other: in the npm package both are the same.
+  if (small.isBegun()) await small.load();
   const module = await import('../pkg/synthetica.js');
   await module.default();
   return module;
 });
+
+/** Whether the whole package is loaded, or is being loaded. */
+export const isWhole = whole.isBegun;
+
+/**
+ * The package that answers: of those that can, the one that is there or comes already.
+ * @param {Call} call @param {Open} [doc] @returns {Promise<Record<string, any> & Module>}
+ */
+const packageFor = (call, doc) => (FIRST.includes(call) && !doc?.forWhole && (small.isBegun() || !whole.isBegun()) ? small : whole).load();
 
 /** @param {(answer: Answer) => void} send */
 export function createAnswers(send) {
@@ -72,6 +94,10 @@ export function createAnswers(send) {
   function receive(message) {
     if (message.kind === 'ask') return answer(message);
     if (message.kind === 'close') return close(message.doc);
+    if (message.kind === 'wasm') {
+      configuration.wasm = message.wasm;
+      return;
+    }
     const question = asked.get(message.id);
     if (!question) return;
     if (message.kind === 'stop') question.stopped = true;
@@ -93,12 +119,10 @@ export function createAnswers(send) {
     /** @type {Answer | null} */
     let last = null;
     try {
-      await load();
-      /** @type {Record<string, any> & Module} */
-      let module = FIRST.includes(call) && !doc?.forWhole ? first : await loadWhole();
+      let module = await packageFor(call, doc);
       if (!isWanted()) return;
       if (doc && module === first && !isRead(doc)) {
-        module = await loadWhole();
+        module = await whole.load();
         if (!isWanted()) return;
       }
       send({ id, kind: 'begun' });

@@ -24,8 +24,18 @@ export class OpenDocuments {
    * @param {object} asker @param {string} text
    */
   about(asker, text) {
-    const known = this.#open.find((one) => one.asker === asker && one.text === text);
+    const known = this.#find(asker, text);
     return known ? { doc: known.doc } : { doc: ++this.#last, text };
+  }
+
+  /** @param {object} asker @param {string} text */
+  has(asker, text) {
+    return this.#find(asker, text) !== undefined;
+  }
+
+  /** @param {object} asker @param {string} text */
+  #find(asker, text) {
+    return this.#open.find((one) => one.asker === asker && one.text === text);
   }
 
   /** It is open, and asked about last. @param {object} asker @param {string} text @param {number} doc */
@@ -36,7 +46,7 @@ export class OpenDocuments {
 
   /** @param {object} asker @param {string} text */
   close(asker, text) {
-    this.#free((open) => open.find((one) => one.asker === asker && one.text === text));
+    this.#free(() => this.#find(asker, text));
   }
 
   /** @param {object} asker */

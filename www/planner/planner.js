@@ -17,6 +17,8 @@ export class Planner {
   #queue;
   /** Asked for once. @type {Promise<Defaults> | null} */
   #defaults = null;
+  /** @type {Promise<void> | null} */
+  #held = null;
 
   constructor(where = queue) {
     this.#queue = where;
@@ -113,11 +115,24 @@ export class Planner {
 
   /** What new things are made of. @returns {Promise<Defaults>} */
   defaults() {
-    this.#defaults ??= this.#askNoDocument('defaults').catch((error) => {
+    const asked = () => this.#askNoDocument('defaults');
+    this.#defaults ??= (this.#held ? this.#held.then(asked) : asked()).catch((error) => {
       this.#defaults = null;
       throw error;
     });
     return this.#defaults;
+  }
+
+  /**
+   * They are not asked for until it is known whether the whole package is needed, which has them too: then the smaller one
+   * need not be loaded.
+   * @returns {() => void} it is known
+   */
+  holdDefaults() {
+    /** @type {() => void} */
+    let known = () => {};
+    this.#held = new Promise((resolve) => (known = resolve));
+    return known;
   }
 
   /** A document with a linkage of a type, such as 3RPS or RPS+2TS, or of a maker, delta?base=400. @param {string} type @returns {Promise<string>} */

@@ -83,6 +83,11 @@ export class Queue {
     this.#documents.close(asker, text);
   }
 
+  /** Whether its worker has a document open. @param {object} asker @param {string} text */
+  knows(asker, text) {
+    return this.#documents.has(asker, text);
+  }
+
   /** Takes back all that an asker asked, and frees its documents. @param {object} asker @returns {Call[]} what was asked */
   leave(asker) {
     const jobs = [...this.#running.values(), ...this.#waiting].filter((job) => job.asker === asker && !job.cancelled);
@@ -240,8 +245,8 @@ export class Queue {
   }
 }
 
-/** @param {Job} job */
-const isLong = ({ call }) => LONG.includes(call);
+/** Whether it goes in portions. @param {Request} request */
+export const isLong = ({ call }) => LONG.includes(call);
 
 /** Whether one of the two goes on with what the other one plans; a comparison makes plans of its own. @param {Request} one @param {Request} other */
 const isOfSamePlan = (one, other) =>

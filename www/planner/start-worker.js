@@ -19,3 +19,6 @@ export function startWorker() {
   const text = `import ${JSON.stringify(address)};`;
   return new Worker(own ? address : URL.createObjectURL(new Blob([text], { type: 'text/javascript' })), { type: 'module' });
 }
+
+/** How many workers a program may have. */
+export const atMost = () => 1;

@@ -3,4 +3,9 @@
  */
 import { readFile } from 'node:fs/promises';
 
-export const wasm = () => readFile(new URL('./synthetica.wasm', import.meta.url));
+/** @param {unknown} [given] what a program said to load instead: an address, a path, or what is there */
+export function wasm(given) {
+  if (given === undefined) return readFile(new URL('./synthetica.wasm', import.meta.url));
+  if (typeof given !== 'string' || /^https?:/.test(given)) return given;
+  return readFile(given.startsWith('file:') ? new URL(given) : given);
+}

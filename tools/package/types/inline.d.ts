@@ -1,8 +1,9 @@
 /**
- * The element and the planner in one script. It exports nothing: to import a part is what the other entries are for. As a
- * plain script it leaves a global `synthetica` with all functions of the package and the element's class.
+ * The element and the planner in one script, which loads nothing. Imported, it gives all functions of the package and the
+ * element's class; imported or as a plain script (`inline.js`) it leaves them in a global `synthetica`.
  */
-import './element.js';
+export * from './index.js';
+export { SyntheticaLinkage } from './element.js';
 
 declare global {
   var synthetica: typeof import('./index.js') & Pick<typeof import('./element.js'), 'SyntheticaLinkage'>;
