@@ -6,7 +6,7 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build } from 'vite';
 import { importedAtOnce } from '../imported-at-once.js';
-import { licences, packagesIn } from '../licences.js';
+import { licences, packagesIn, partsOf } from '../licences.js';
 import { TARGETS, tight } from '../tight.js';
 import { documentTypes } from './document-types.js';
 import { inlineScript } from './inline.js';
@@ -99,7 +99,7 @@ rmSync(at('dist'), { recursive: true, force: true });
 mkdirSync(dist('samples'), { recursive: true });
 const others = await modules({ index: 'planner/api.js', element: 'element/embed.js', frame: 'embed/host.js', worker: 'planner/worker.js' }, { wasm: 'wasm.js', worker: 'start-worker.js', codeSplitting: { groups: together } });
 await modules({ 'index.node': 'planner/api.js' }, { wasm: 'wasm.node.js', worker: 'start-worker.node.js', codeSplitting: false });
-put('LICENSE-OTHERS', licences(others));
+put('LICENSE-OTHERS', licences(partsOf(others, { wasm: true })));
 put('inline.js', await inlineScript('embed/everything.js'));
 types();
 for (const [from, to] of [

@@ -4,6 +4,7 @@ import { fileURLToPath } from 'node:url';
 import { gzipSync } from 'node:zlib';
 import { build } from 'vite';
 import { inert } from '../../www/export/inert.js';
+import { licenceComment, packagesIn } from '../licences.js';
 import { TARGETS, tight } from '../tight.js';
 import { planner } from './planner.js';
 
@@ -17,7 +18,7 @@ const held = (modules) => ({
   load: (id) => modules[id.slice(1)] ?? null,
 });
 
-/** @param {string} entry a file in www/ @param {Record<string, string>} modules */
+/** @param {string} entry a file in www/ @param {Record<string, string>} modules @returns {Promise<{code: string, packages: string[]}>} */
 async function oneScript(entry, modules) {
   const { output } = await build({
     configFile: false,
@@ -36,7 +37,7 @@ async function oneScript(entry, modules) {
     plugins: [planner({ wasm: at('held.js'), worker: at('held.js') }), held(modules), tight()],
   });
   if (output.length !== 1) throw new Error(`${entry} needs other files: ${output.map(({ fileName }) => fileName).join(', ')}`);
-  return output[0].code;
+  return { code: output[0].code, packages: packagesIn(output) };
 }
 
 /** In the same words wherever it is read: a page and a server may say nothing of the encoding. @param {string} code */
@@ -44,9 +45,11 @@ const asAscii = (code) => code.replace(/[^\0-\x7f]/g, (letter) => `\\u${letter.c
 
 const asModule = (value) => `export default ${JSON.stringify(value)};`;
 
-/** The script's text, which may stand in a page's script tag too. @param {string} entry a file in www/ @returns {Promise<string>} */
+/** The script's text with the licences of what is in it, which may stand in a page's script tag too. @param {string} entry a file in www/ @returns {Promise<string>} */
 export async function inlineScript(entry) {
   const wasm = gzipSync(readFileSync(at('../../www/pkg/synthetica_bg.wasm')), { level: 9 }).toString('base64');
   const worker = await oneScript('planner/worker.js', { 'held:wasm': 'export default self.packed;', 'held:worker': asModule('') });
-  return asAscii(inert(await oneScript(entry, { 'held:wasm': asModule(wasm), 'held:worker': asModule(worker) })));
+  const whole = await oneScript(entry, { 'held:wasm': asModule(wasm), 'held:worker': asModule(worker.code) });
+  const packages = [...new Set([...whole.packages, ...worker.packages])].sort();
+  return asAscii(inert(licenceComment(packages, { wasm: true }) + whole.code));
 }
