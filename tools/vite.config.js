@@ -5,7 +5,7 @@ import { join, relative } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build, defineConfig } from 'vite';
 import { importedAtOnce } from './imported-at-once.js';
-import { licences, packagesIn } from './licences.js';
+import { licenceComment, licences, ourselves, packagesIn, partsOf } from './licences.js';
 import { inlineScript } from './package/inline.js';
 import { pages } from './pages.js';
 import { TARGETS, tight } from './tight.js';
@@ -61,16 +61,17 @@ const serviceWorker = () => ({
   },
 });
 
-/** Writes licences.txt: those of the packages whose code is in the build. */
+/** Writes licences.txt: ours, and those of the packages and crates whose code is in the build. */
 const licencesOfOthers = () => ({
   name: 'licences-of-others',
   apply: 'build',
   generateBundle(_, output) {
-    this.emitFile({ type: 'asset', fileName: 'licences.txt', source: licences(packagesIn(Object.values(output))) });
+    const parts = [ourselves(), ...partsOf(packagesIn(Object.values(output)), { wasm: true })];
+    this.emitFile({ type: 'asset', fileName: 'licences.txt', source: licences(parts) });
   },
 });
 
-/** `file.js?bundle`: that script with all it imports as one text, and its styles as another. */
+/** `file.js?bundle`: that script with all it imports and their licences as one text, and its styles as another. */
 const bundle = () => ({
   name: 'bundle',
   enforce: 'pre',
@@ -93,7 +94,8 @@ const bundle = () => ({
     const style = output.filter((file) => file.fileName.endsWith('.css')).map((file) => file.source);
     if (output.filter((file) => file.type === 'chunk').length !== 1) throw new Error(`${entry} is in more than one piece`);
     this.addWatchFile(entry);
-    return `export const script = ${JSON.stringify(script)};\nexport const style = ${JSON.stringify(style.join('\n'))};`;
+    const licensed = licenceComment(packagesIn(output), { wasm: false }) + script;
+    return `export const script = ${JSON.stringify(licensed)};\nexport const style = ${JSON.stringify(style.join('\n'))};`;
   },
 });
 

@@ -6,7 +6,7 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build } from 'vite';
 import { importedAtOnce } from '../imported-at-once.js';
-import { licences, packagesIn } from '../licences.js';
+import { licences, packagesIn, partsOf } from '../licences.js';
 import { TARGETS, tight } from '../tight.js';
 import { documentTypes } from './document-types.js';
 import { inlineModule, inlineScript } from './inline.js';
@@ -112,7 +112,7 @@ await modules({ worker: 'www/planner/worker.js' }, { ...BROWSER, codeSplitting: 
 writeFileSync(dist('worker.js'), withWasm(readFileSync(dist('worker.js'), 'utf8')));
 await modules({ 'index.node': 'www/planner/api.js' }, NODE);
 await modules({ 'worker.node': 'tools/package/worker.node.js' }, NODE);
-put('LICENSE-OTHERS', licences(others));
+put('LICENSE-OTHERS', licences(partsOf(others, { wasm: true })));
 const { script, names } = await inlineScript('embed/everything.js');
 put('inline.js', script);
 put('inline-module.js', inlineModule(names));

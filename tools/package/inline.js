@@ -4,6 +4,7 @@ import { fileURLToPath } from 'node:url';
 import { gzipSync } from 'node:zlib';
 import { build } from 'vite';
 import { inert } from '../../www/export/inert.js';
+import { licenceComment, packagesIn } from '../licences.js';
 import { TARGETS, tight } from '../tight.js';
 import { planner } from './planner.js';
 
@@ -17,7 +18,7 @@ const held = (modules) => ({
   load: (id) => modules[id.slice(1)] ?? null,
 });
 
-/** @param {string} entry a file in www/ @param {Record<string, string>} modules */
+/** @param {string} entry a file in www/ @param {Record<string, string>} modules @returns {Promise<{code: string, exports: string[], packages: string[]}>} */
 async function oneScript(entry, modules) {
   const { output } = await build({
     configFile: false,
@@ -36,7 +37,8 @@ async function oneScript(entry, modules) {
     plugins: [planner({ wasm: at('held.js'), worker: at('held.js') }), held(modules), tight()],
   });
   if (output.length !== 1) throw new Error(`${entry} needs other files: ${output.map(({ fileName }) => fileName).join(', ')}`);
-  return output[0];
+  const [{ code, exports }] = output;
+  return { code, exports, packages: packagesIn(output) };
 }
 
 /** In the same words wherever it is read: a page and a server may say nothing of the encoding. @param {string} code */
@@ -45,15 +47,17 @@ const asAscii = (code) => code.replace(/[^\0-\x7f]/g, (letter) => `\\u${letter.c
 const asModule = (value) => `export default ${JSON.stringify(value)};`;
 
 /**
- * The script's text, which may stand in a page's script tag too, and the names that its global has.
+ * The script's text with the licences of what is in it, which may stand in a page's script tag too, and the names that its
+ * global has.
  * @param {string} entry a file in www/ @returns {Promise<{script: string, names: string[]}>}
  */
 export async function inlineScript(entry) {
   const wasm = gzipSync(readFileSync(at('../../www/pkg/synthetica_bg.wasm')), { level: 9 }).toString('base64');
   const worker = await oneScript('planner/worker.js', { 'held:wasm': 'export default self.packed;', 'held:worker': asModule('') });
-  const { code, exports } = await oneScript(entry, { 'held:wasm': asModule(wasm), 'held:worker': asModule(worker.code) });
+  const { code, exports, packages } = await oneScript(entry, { 'held:wasm': asModule(wasm), 'held:worker': asModule(worker.code) });
+  const comment = licenceComment([...new Set([...packages, ...worker.packages])].sort(), { wasm: true });
   // In a module its variable would be nobody else's.
-  return { script: asAscii(inert(`${code.trimEnd()}\n${exports.length > 0 ? 'globalThis.synthetica = synthetica;\n' : ''}`)), names: exports };
+  return { script: asAscii(inert(`${comment}${code.trimEnd()}\n${exports.length > 0 ? 'globalThis.synthetica = synthetica;\n' : ''}`)), names: exports };
 }
 
 /** The same to import from. The script stays one of its own, since pages name it. @param {string[]} names */

@@ -22,4 +22,6 @@ export const helpItems = ({ tour, showKeys, showNumbers, lesson }) => [
   { label: 'Course', hint: 'A lecture with live linkages', act: page('./course.html') },
   { label: 'Method', hint: 'The derivation, and the paper’s misprints', act: page('./method.html') },
   { label: 'Reference', hint: 'Documents and programs', act: page('./reference.html') },
+  { label: 'How to get it', hint: 'For a site or a program of your own', act: page('./get.html') },
+  { label: 'Licences', hint: 'This program’s, and those of others in it', act: page('./licences.txt') },
 ];
