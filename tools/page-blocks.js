@@ -1,11 +1,13 @@
-// Blocks of the site's pages that are made of the project's own files: cards of samples, fields of documents, types.
+// Blocks of the site's pages that are made of the project's own files: cards of samples, fields of documents, types, the element's words.
 import { readFileSync } from 'node:fs';
+import { ATTRIBUTES } from '../www/element/attributes.js';
+import { DESCRIPTIONS, EVENTS, MEMBERS } from '../www/element/descriptions.js';
 import { inGroups } from '../www/core/mechanism-groups.js';
 
 const read = (path) => readFileSync(new URL(`../${path}`, import.meta.url), 'utf8');
 
 /** Fenced blocks by name: the words within, a Markdown renderer for a line, an escape for HTML. */
-export const blocks = { samples, fields, declarations };
+export const blocks = { samples, fields, declarations, attributes, members, events };
 
 /** Every sample with its picture, in groups. */
 function samples(_, inline, escape) {
@@ -79,4 +81,31 @@ function declarations(names, inline, escape) {
     return found[0].replaceAll(/^export /gm, '');
   };
   return `<pre><code>${escape(names.map(one).join('\n\n'))}</code></pre>\n`;
+}
+
+/** @param {string} label @param {string[]} heads @param {string[][]} rows as HTML */
+const table = (label, heads, rows) => `<div class="scroller" tabindex="0" role="group" aria-label="${label}">
+<table><thead><tr>${heads.map((head) => `<th scope="col">${head}</th>`).join('')}</tr></thead>
+<tbody>${rows.map(([first, ...rest]) => `<tr><th scope="row">${first}</th>${rest.map((cell) => `<td>${cell}</td>`).join('')}</tr>`).join('\n')}</tbody></table></div>\n`;
+
+const code = (words, escape) => words.map((word) => `<code>${escape(word)}</code>`).join(' ');
+
+/** The element's attributes, out of their one list. */
+function attributes(_, inline, escape) {
+  const rows = Object.entries(ATTRIBUTES).map(([name, { type, words, read }]) => {
+    const standard = [read(null)].flat().join(' ');
+    return [code([name], escape), words ? code(words, escape) : type === 'boolean' ? 'there or not' : type === 'number' ? 'number' : 'text', standard === '' || type === 'boolean' ? '' : code([String(standard)], escape), inline(DESCRIPTIONS[name])];
+  });
+  return table('Attributes', ['attribute', 'accepted', 'without it', 'means'], rows);
+}
+
+/** Its properties that are no attributes, and its methods. */
+function members(_, inline, escape) {
+  const rows = Object.entries(MEMBERS).map(([name, { given, what, readonly }]) => [code([given === undefined ? name : `${name}(${given.replace(/\?? *:.*/, '')})`], escape), `${inline(what)}${readonly ? ' <small>to be read only</small>' : ''}`]);
+  return table('Properties and methods', ['name', 'what'], rows);
+}
+
+/** Its events. */
+function events(_, inline, escape) {
+  return table('Events', ['event', 'when', '<code>detail</code>'], Object.entries(EVENTS).map(([name, { when, detail }]) => [code([name], escape), inline(when), detail === 'null' ? '' : code([detail === 'LinkageError' ? '{message, where, code}' : detail.replaceAll(/: \w+/g, '').replace(';', ',').replaceAll(/\{ | \}/g, (brace) => brace.trim())], escape)]));
 }

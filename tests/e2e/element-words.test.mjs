@@ -14,7 +14,7 @@ before(async () => {
   browser = await openBrowser();
   ({ page, problems } = await browser.blankPage({ reducedMotion: 'no-preference' }));
   for (const name of ['3rps', '2tpr', 'bennett']) {
-    await page.route(`${browser.address}${name}.json`, (route) => route.fulfill({ contentType: 'application/json', body: sample(name) }));
+    await page.route(`${browser.address}${name}.json*`, (route) => route.fulfill({ contentType: 'application/json', body: sample(name) }));
   }
   await page.route(`${browser.address}faulty.json`, (route) => route.fulfill({ contentType: 'application/json', body: '{"version": 1, "chains": [], "motion": {"key_frames": []}}' }));
 });
@@ -150,6 +150,8 @@ test('another document resets playhead and selection, and its motion is not the 
     return one.frame;
   });
   assert.equal(set, 100);
+  await planned();
+  assert.deepEqual(await page.evaluate(() => [one.frame, one.getAttribute('frame'), one.document.name]), [100, '100', '2TPR']);
 });
 
 test('null empties it; attributes taken away give their defaults', async () => {

@@ -1,7 +1,8 @@
 // What the element's attributes mean, how states are written, and what is refused in words.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { ATTRIBUTES, DESCRIPTIONS, PANELS, modeOf } from '../../www/element/attributes.js';
+import { ATTRIBUTES, PANELS, modeOf } from '../../www/element/attributes.js';
+import { DESCRIPTIONS } from '../../www/element/descriptions.js';
 
 test('an absent attribute means the default', () => {
   const absent = Object.fromEntries(Object.entries(ATTRIBUTES).map(([name, { read }]) => [name, read(null)]));

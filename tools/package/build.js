@@ -9,6 +9,7 @@ import { importedAtOnce } from '../imported-at-once.js';
 import { licences, packagesIn, partsOf } from '../licences.js';
 import { TARGETS, tight } from '../tight.js';
 import { documentTypes } from './document-types.js';
+import { attributeTypes, elementsManifest, frameworkTypes } from './element-types.js';
 import { inlineModule, inlineScript } from './inline.js';
 import { planner } from './planner.js';
 
@@ -60,9 +61,10 @@ function withWasm(worker) {
   return `${readFileSync(at('tools/package/files/wasm.js'), 'utf8').replace('export const wasm', `const ${name}`)}${worker.slice(line.length)}`;
 }
 
-/** Those of the functions come from the code, those of documents from the schema; the element's are written by hand, and checked against it. */
+/** Those of the functions come from the code, those of documents from the schema, those of attributes and events from their list; the element's others are written by hand, and checked against it. */
 function types() {
   const made = mkdtempSync(join(tmpdir(), 'types-'));
+  writeFileSync(at('tools/package/types/attributes.d.ts'), attributeTypes());
   execFileSync(at('tools/node_modules/.bin/tsc'), ['-p', at('tools/package'), '--outDir', made], { stdio: 'inherit' });
   // In the package all lie in one folder.
   const flat = (file) => readFileSync(join(made, file), 'utf8').replaceAll('../core/types.js', './types.js');
@@ -70,8 +72,10 @@ function types() {
   for (const name of ['errors', 'configure', 'configuration']) put(`${name}.d.ts`, flat(`www/planner/${name}.d.ts`));
   put('frame.d.ts', flat('www/embed/host.d.ts'));
   rmSync(made, { recursive: true });
-  for (const name of ['element.d.ts', 'inline.d.ts', 'worker.d.ts']) copyFileSync(at(`tools/package/types/${name}`), dist(name));
+  for (const name of ['attributes.d.ts', 'element.d.ts', 'inline.d.ts', 'worker.d.ts']) copyFileSync(at(`tools/package/types/${name}`), dist(name));
   put('types.d.ts', `${readFileSync(at('src/bind/wasm.d.ts'), 'utf8')}\n${documentTypes(JSON.parse(readFileSync(at('src/document/schema.json'), 'utf8')))}`);
+  for (const [name, text] of Object.entries(frameworkTypes())) put(name, text);
+  put('custom-elements.json', `${JSON.stringify(elementsManifest(), null, 2)}\n`);
   put('types.js', '// Only types: see types.d.ts.\nexport {};\n');
 }
 
@@ -92,13 +96,19 @@ const manifest = {
     './frame': { types: './frame.d.ts', default: './frame.js' },
     './inline': { types: './inline.d.ts', default: './inline-module.js' },
     './worker': { types: './worker.d.ts', default: './worker.js' },
+    // Only types.
+    './react': { types: './react.d.ts', default: './types.js' },
+    './vue': { types: './vue.d.ts', default: './types.js' },
+    './svelte': { types: './svelte.d.ts', default: './types.js' },
     './types': { types: './types.d.ts', default: './types.js' },
     './wasm': './synthetica.wasm',
     './schema': './document.schema.json',
     './samples/*': './samples/*',
+    './custom-elements.json': './custom-elements.json',
     './package.json': './package.json',
   },
   files: ['*.js', '*.d.ts', '*.wasm', '*.json', 'samples', 'LICENSE-*'],
+  customElements: './custom-elements.json',
   engines: { node: '>=20.19' },
 };
 

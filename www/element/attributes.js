@@ -1,7 +1,8 @@
 /**
  * The attributes of <synthetica-linkage>: the one list of them, what may stand in each, and how it is written. No DOM.
  *
- * From it come the attributes that are observed, the properties of the same names, the types and the table of the reference.
+ * From it come the attributes that are observed, the properties of the same names, and with the sentences of descriptions.js
+ * the types, the package's manifest of elements and the tables of the reference.
  *
  * @typedef {import('../core/playhead.js').Loop} Loop
  * @typedef {keyof typeof ATTRIBUTES} Name
@@ -13,6 +14,7 @@
  * @property {(value: V) => string | null} write null for no attribute
  * @property {'boolean' | 'number' | 'string'} type of the property of its name
  * @property {readonly string[]} [words] all that is accepted
+ * @property {true} [many] any of those words, with blanks between
  */
 import { Refusal } from '../core/refusal.js';
 import { STANDARD_VIEWS } from '../core/standard-views.js';
@@ -59,6 +61,8 @@ const number = (name, standard, good, accepted) => ({
 /** @type {Attribute<import('./workbench.js').Panel[]>} */
 const panels = {
   type: 'string',
+  words: PANELS,
+  many: true,
   read: (text) => (text ?? '').split(/[\s,]+/).filter(Boolean).map((name) => oneOf('panels', name, PANELS)),
   write: (names) => names.join(' ') || null,
 };
@@ -83,26 +87,6 @@ export const ATTRIBUTES = {
   keys: word('keys', /** @type {const} */ (['element', 'page']), 'element'),
   loading: word('loading', /** @type {const} */ (['lazy', 'eager']), 'lazy'),
   poster: any,
-};
-
-/** One sentence or two for each, in Markdown: for the reference and the types. No page loads it. @type {Record<Name, string>} */
-export const DESCRIPTIONS = {
-  src: 'Address of a document.',
-  type: 'A sample by its name or its file; a maker with its inputs, such as `delta?base=400&platform=50&arms=300,580&unit=mm` (what is left out has the number of its paper); or any type, such as `3RRS` or `RPS+2TS`: chains of joints from base to workpiece, each with its count. A name alone that is a type too is the type: `?` behind it asks for the maker.',
-  controls: 'The animation bar, the buttons of the view, the legend.',
-  autoplay: 'Plays as soon as the motion is there, unless the reader asks for less motion.',
-  loop: 'At the end from the start again, without end.',
-  bounce: 'There and back without end, with or without `loop`.',
-  frame: 'The frame shown first, from 0.',
-  speed: 'A factor, such as `0.5`.',
-  view: 'The side that is looked from; without it the linkage stands turned as it was left.',
-  theme: 'The scheme: `auto` is the system’s; without it the page’s own.',
-  readonly: 'Everything can be looked at, nothing edited.',
-  panels: 'Which panels stand around the view, with blanks between.',
-  interaction: 'What is taken of the reader’s pointer, wheel and keys: nothing, what a page does not need to scroll, or everything.',
-  keys: '`page`: the keys work wherever the focus is; else only within the element.',
-  loading: '`lazy`: nothing is loaded until it comes near the view, or a script asks for something; `eager`: at once.',
-  poster: 'Address of a picture that stands there until the linkage does.',
 };
 
 /** What happens at the end, by the two attributes. @param {{loop: boolean, bounce: boolean}} attributes @returns {Loop} */

@@ -1,68 +1,36 @@
 /**
  * The element <synthetica-linkage>.
  */
+import type { LinkageAttributes, LinkageError, LinkageEventMap } from './attributes.js';
 import type { MechanismDocument, Motion } from './types.js';
 
-/** `where` is the place in the document; empty where the document is not at fault. */
-export interface LinkageError {
-  message: string;
-  where: string;
-  code: string;
-}
+export type { LinkageAttributes, LinkageError, LinkageEventMap } from './attributes.js';
 
-export interface LinkageEventMap {
-  /** The first motion of a document is there. */
-  ready: CustomEvent<null>;
-  /** The reader edits the document. */
-  input: CustomEvent<null>;
-  /** The edit is finished, and planned. */
-  change: CustomEvent<null>;
-  /** Another frame is shown. */
-  framechange: CustomEvent<{ frame: number; time: number }>;
-  play: CustomEvent<null>;
-  pause: CustomEvent<null>;
-  /** The document, its address or an attribute is at fault. */
-  error: CustomEvent<LinkageError>;
-}
-
-export type View = '' | 'front' | 'back' | 'left' | 'right' | 'top' | 'bottom' | 'isometric' | 'first';
+/** Its attributes are properties too. */
+export interface SyntheticaLinkage extends LinkageAttributes {}
 
 export class SyntheticaLinkage extends HTMLElement {
-  play(): void;
+  /** Kept when it plays, after the first motion if need be; refused with an `AbortError` or a `NotSupportedError`. */
+  play(): Promise<void>;
   pause(): void;
   readonly paused: boolean;
+  /** Whether it is at its end, without `loop` and `bounce`. */
+  readonly ended: boolean;
+  readonly seeking: boolean;
   /** From the first key frame: seconds, or parts of the way from 0 to 1 where the key frames name no times. */
   currentTime: number;
   readonly duration: number;
-  /** Address of a document. */
-  src: string;
-  /** A sample by its name, or any type, such as `3RRS` or `RPS+2TS`. */
-  type: string;
-  controls: boolean;
-  autoplay: boolean;
-  readonly: boolean;
-  /** At the end from the start again. */
-  loop: boolean;
-  /** There and back, with or without `loop`. */
-  bounce: boolean;
-  /** Counted from 0. */
-  frame: number;
-  /** A factor: 2 is twice as fast. */
-  speed: number;
-  view: View;
-  /** `light`, `dark`, `auto` for the system's; empty for the page's own. */
-  theme: '' | 'light' | 'dark' | 'auto';
-  /** Names with blanks between them: mechanism motion teach types info charts algorithm. */
-  panels: string;
-  interaction: 'none' | 'ctrl' | 'full';
-  keys: 'element' | 'page';
-  loading: 'lazy' | 'eager';
-  /** Address of a picture that stands there until the linkage does. */
-  poster: string;
-  /** The document as it is now, with every default; null before there is one. Give it an object, its text, or null: it waits for one. */
+  /** The same as `speed`. */
+  playbackRate: number;
+  /** 0 without a document or while another one is asked for, 1 when it is read, 4 when its motion is there. */
+  readonly readyState: 0 | 1 | 4;
+  /** The document as it is now, with every default; null before there is one. Give it an object or its text; null empties the element. */
   get document(): MechanismDocument | null;
   set document(next: MechanismDocument | string | null);
-  /** The planned motion; null before there is one. */
+  /** The same as `document`, which in the text of an inline handler is the page's own. */
+  get linkage(): MechanismDocument | null;
+  set linkage(next: MechanismDocument | string | null);
+  /** The planned motion; null until that of the document is there. */
   readonly trajectory: Motion | null;
   readonly error: LinkageError | null;
   /** The planned motion as a table, degrees and the document's length unit. */
