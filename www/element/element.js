@@ -205,7 +205,11 @@ export class SyntheticaLinkage extends LinkageWords {
   /** The view takes the focus, made or not. @param {FocusOptions} [options] */
   focus(options) {
     this.#seen.show();
-    this.shadowRoot?.querySelector('canvas')?.focus(options);
+    const take = () => this.shadowRoot?.querySelector('canvas')?.focus(options);
+    take();
+    const { activeElement: former } = this.ownerDocument;
+    // One that is being loaded takes it then, unless the reader has gone elsewhere.
+    if (former !== this) this.workbench.then(() => this.ownerDocument.activeElement === former && take(), () => {});
   }
 
   // --- telling ---

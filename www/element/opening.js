@@ -36,19 +36,21 @@ export function createOpening(element, { begun, complain, emptied, settle }) {
 
   const lookAgain = () => seen !== null && askedFor(element) !== seen && element.isConnected && load();
 
-  function begin() {
-    player.first.asks();
+  /** @param {boolean} another whether another document is asked for */
+  function begin(another) {
+    if (another) player.first.asks();
     if (!isEmpty(store)) playhead.forget();
     return ++loads;
   }
 
   /** What the attributes or the content ask for. */
   async function load() {
-    const now = begin();
     seen = askedFor(element);
+    const now = begin(seen !== '' || !isEmpty(store));
     content.observe(element, { childList: true, characterData: true, subtree: true });
     // The page's parser may be about to add what is asked for before anything else.
     if (document.readyState === 'loading') document.addEventListener('DOMContentLoaded', lookAgain, { once: true });
+    if (!seen) return isEmpty(store) ? nothingYet(now) : clear();
     await begun;
     if (now !== loads) return;
     const known = isByType(element) ? linkage.planner.holdDefaults() : () => {};
@@ -60,22 +62,19 @@ export function createOpening(element, { begun, complain, emptied, settle }) {
     };
     try {
       const found = await findDocument(element, (type) => answer(now, () => assemble(type))).finally(known);
-      if (now !== loads) return;
-      if (found) await open(found.text, found.title, now);
-      else if (isEmpty(store)) nothingYet(now);
-      else clear();
+      if (found && now === loads) await open(found.text, found.title, now);
     } catch (error) {
       if (now === loads) fail(error);
     }
   }
 
   /** @param {number} now */
-  function nothingYet(now) {
-    if (now !== loads) return;
+  async function nothingYet(now) {
     player.first.stays();
     forgive();
-    if (document.readyState === 'loading') document.addEventListener('DOMContentLoaded', () => nothingYet(now), { once: true });
-    else setTimeout(() => now === loads && isEmpty(store) && fail(new Refusal(NOTHING_GIVEN)), PATIENCE);
+    await begun;
+    if (document.readyState === 'loading') await new Promise((ready) => document.addEventListener('DOMContentLoaded', ready, { once: true }));
+    setTimeout(() => now === loads && isEmpty(store) && fail(new Refusal(NOTHING_GIVEN)), PATIENCE);
   }
 
   /** @param {unknown} error */
@@ -165,7 +164,7 @@ export function createOpening(element, { begun, complain, emptied, settle }) {
     comeBack: () => goOn?.(null),
     /** A document as an object or its text; null waits for one, whatever the attributes ask for. @param {unknown} next */
     give(next) {
-      const now = begin();
+      const now = begin(true);
       seen = null;
       content.disconnect();
       if (next == null) {

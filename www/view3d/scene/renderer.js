@@ -57,6 +57,8 @@ export function createDrawing(canvas, root, signal) {
     /** @param {import('three').Camera} camera */
     draw(camera) {
       const { width, height } = canvas;
+      // It has no size yet, or none any more.
+      if (!width || !height) return;
       const ratio = ratioOf(canvas);
       makeRoom(renderer, ratio);
       // The part at the upper left; the renderer counts from below.
