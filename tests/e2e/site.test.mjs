@@ -289,14 +289,17 @@ test('the codes of the gallery work in pages of another origin', async () => {
     assert.ok(codes[what].includes(`"${address}`), codes[what]);
   }
   assert.deepEqual(await violations(page), []);
-  const other = await (await browser.newContext()).newPage();
-  await other.route('http://other.test/**', (route) => route.fulfill({ contentType: 'text/html', body: `<!doctype html><title>Other</title>${new URL(route.request().url()).pathname === '/frame' ? codes.Frame : codes.Element}` }));
-  await other.goto('http://other.test/element');
+  const around = createServer(({ url }, response) => response.setHeader('content-type', 'text/html').end(`<!doctype html><title>Other</title>${url === '/frame' ? codes.Frame : codes.Element}`));
+  await new Promise((resolve) => around.listen(0, '127.0.0.1', resolve));
+  after(() => around.close());
+  const elsewhere = `http://127.0.0.1:${around.address().port}`;
+  const other = await browser.newPage();
+  await other.goto(`${elsewhere}/element`);
   await other.waitForFunction(() => document.querySelector('synthetica-linkage').trajectory?.frames > 1);
-  await other.goto('http://other.test/frame');
-  const inside = other.frameLocator('iframe').locator('synthetica-linkage');
-  await inside.getByRole('button', { name: 'Play' }).waitFor();
-  assert.match(await inside.evaluate((element) => element.document.name), /agile eye/i);
+  await other.goto(`${elsewhere}/frame`);
+  const frame = await (await other.locator('iframe').elementHandle()).contentFrame();
+  await frame.waitForFunction(() => document.querySelector('synthetica-linkage')?.trajectory?.frames > 1);
+  assert.match(await frame.evaluate(() => document.querySelector('synthetica-linkage').document.name), /agile eye/i);
 });
 
 test('the files that the page How to get it names suffice for what they are for', async () => {
@@ -371,6 +374,37 @@ test('the linkages of the course are alive, and move as its text says', async ()
   await linkages[2].getByRole('button', { name: 'Pause' }).click();
   assert.deepEqual(await violations(page), []);
   assert.deepEqual(problems, []);
+});
+
+test('the course is scrolled past its linkages, which are loaded when they come near', async () => {
+  const { page } = await open('course.html', { viewport: { width: 1000, height: 700 } });
+  const linkages = page.locator('synthetica-linkage');
+  assert.deepEqual(await linkages.evaluateAll((all) => all.map(({ interaction, loading }) => [interaction, loading])), Array(3).fill(['ctrl', 'lazy']));
+  const first = linkages.first();
+  await first.scrollIntoViewIfNeeded();
+  await page.waitForFunction(() => document.querySelector('synthetica-linkage').trajectory);
+  assert.deepEqual(await linkages.evaluateAll((all) => all.map(({ trajectory }) => trajectory !== null)), [true, false, false]);
+  const box = await first.boundingBox();
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 3);
+  const from = await page.evaluate(() => scrollY);
+  await page.mouse.wheel(0, 200);
+  await page.waitForFunction((before) => scrollY > before + 150, from);
+});
+
+test('on paper every linkage of the course is a picture, also one that was never seen', async () => {
+  const { page } = await open('course.html', { viewport: { width: 1000, height: 700 } });
+  await page.emulateMedia({ media: 'print' });
+  const drawn = [];
+  for (const linkage of await page.locator('synthetica-linkage').all()) {
+    const picture = linkage.locator('.poster, #canvas[data-draws]').filter({ visible: true }).first();
+    await picture.waitFor();
+    const { width, height } = await picture.boundingBox();
+    assert.ok(width > 200 && height > 120, `${width} × ${height}`);
+    drawn.push(await picture.evaluate((shown) => (shown instanceof HTMLImageElement ? shown.decode().then(() => shown.src) : null)));
+  }
+  // The first is near the view, and draws itself; those further down were never loaded.
+  assert.deepEqual(drawn.slice(1), ['four-bar', '2tpr'].map((name) => `${address}thumbnails/${name}.webp`));
+  assert.equal(await page.locator('header.site, .contents').filter({ visible: true }).count(), 0);
 });
 
 test('the development server has the pages, the schema and the samples', async () => {
