@@ -3,6 +3,7 @@ import { tex } from '@mdit/plugin-tex';
 import MarkdownIt from 'markdown-it';
 import temml from 'temml';
 import { blocks } from './page-blocks.js';
+import { readable } from './readable-tables.js';
 
 const escape = (text) => text.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('"', '&quot;');
 
@@ -29,11 +30,16 @@ const code = rules.fence;
 const textOf = (token) => token.children.map(({ content }) => content).join('');
 const slug = (text) => text.toLowerCase().replaceAll(/[^a-z0-9]+/g, '-').replaceAll(/^-|-$/g, '');
 
+/** A heading some levels up. @param {string} tag @param {number} levels */
+const raised = (tag, levels) => `h${Number(tag[1]) - levels}`;
+
 md.core.ruler.push('addresses', ({ tokens, env }) => {
   tokens.forEach((token, i) => {
+    if (token.type === 'heading_close') token.tag = raised(token.tag, env.raise);
     if (token.type !== 'heading_open') return;
+    token.tag = raised(token.tag, env.raise);
     const id = slug(textOf(tokens[i + 1]));
-    if (env.ids.has(id)) throw new Error(`Two headings of a page have the address #${id}`);
+    if (env.ids.has(id)) throw new Error(`Two headings have the address #${id}`);
     env.ids.add(id);
     token.attrSet('id', id);
     if (['h2', 'h3'].includes(token.tag)) env.contents.push({ id, level: token.tag, html: md.renderer.render(tokens[i + 1].children, md.options, { equations: [] }) });
@@ -54,8 +60,13 @@ rules.fence = (tokens, i, options, env, self) => {
   return code(tokens, i, options, env, self);
 };
 
-/** @param {string} source @returns {{body: string, contents: {id: string, level: 'h2' | 'h3', html: string}[]}} */
-export function render(source) {
-  const env = { contents: [], ids: new Set(), equations: [...source.matchAll(/\\tag\{(\d+)\}/g)].map(([, number]) => number) };
-  return { body: md.render(source, env), contents: env.contents };
+/**
+ * @typedef {{id: string, level: 'h2' | 'h3', html: string}} Heading
+ * @param {string} source
+ * @param {{raise?: number, ids?: Set<string>}} [how] levels by which headings are raised; addresses that pages have in common
+ * @returns {{body: string, contents: Heading[]}}
+ */
+export function render(source, { raise = 0, ids = new Set() } = {}) {
+  const env = { contents: [], ids, raise, equations: [...source.matchAll(/\\tag\{(\d+)\}/g)].map(([, number]) => number) };
+  return { body: readable(md.render(source, env)), contents: env.contents };
 }

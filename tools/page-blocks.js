@@ -3,23 +3,33 @@ import { readFileSync } from 'node:fs';
 import { ATTRIBUTES } from '../www/element/attributes.js';
 import { DESCRIPTIONS, EVENTS, MEMBERS } from '../www/element/descriptions.js';
 import { inGroups } from '../www/core/mechanism-groups.js';
+import { addressOf } from './social.js';
 
 const read = (path) => readFileSync(new URL(`../${path}`, import.meta.url), 'utf8');
 
 /** Fenced blocks by name: the words within, a Markdown renderer for a line, an escape for HTML. */
 export const blocks = { samples, fields, declarations, attributes, members, events };
 
+/** A sample as code for other pages: pages/embed-codes.js writes whole addresses, where the build does not know the site's. */
+function embed({ file, title }, escape) {
+  const frame = `<iframe src="${addressOf(`embed.html?sample=${file}`)}" title="${title}" width="100%" height="420" loading="lazy" style="border: 0"></iframe>`;
+  const element = `<script src="${addressOf('inline.js')}"></script>\n<synthetica-linkage type="${file.replace('.json', '')}" poster="${addressOf(`thumbnails/${file.replace('.json', '.webp')}`)}" controls style="height: 420px"></synthetica-linkage>`;
+  const code = (what, text) => `<p>${what}</p>\n<pre aria-label="${what} of ${escape(title)}"><code>${escape(text)}</code></pre>`;
+  return `<details class="embed"><summary>Embed<span class="sr"> ${escape(title)}</span></summary>\n${code('Frame', frame)}\n${code('Element', element)}\n</details>`;
+}
+
 /** Every sample with its picture, in groups. */
 function samples(_, inline, escape) {
   const card = ({ file, title, line, mobility }) => {
     const { about } = JSON.parse(read(`www/mechanisms/${file}`));
     return `<li>
-  <a class="picture" href="./?sample=${file}" tabindex="-1" aria-hidden="true"><img src="./thumbnails/${file.replace('.json', '.webp')}" alt="" width="480" height="320" loading="lazy" /></a>
+  <a class="picture" href="./?sample=${file}" tabindex="-1" aria-hidden="true"><img vite-ignore src="./thumbnails/${file.replace('.json', '.webp')}" alt="" width="480" height="320" loading="lazy" /></a>
   <h3>${escape(title)}</h3>
   <p class="line">${escape(line)}</p>
   <p>${escape(about)}</p>
   <p class="mobility">${mobility} ${mobility === 1 ? 'freedom' : 'freedoms'}</p>
   <p class="ways"><a href="./?sample=${file}">Open <span class="sr">${escape(title)} </span>in the applet</a> <a href="./mechanisms/${file}">Document<span class="sr"> of ${escape(title)}</span></a></p>
+  ${embed({ file, title }, escape)}
 </li>`;
   };
   const group = ({ heading, members }) => `<h2>${escape(heading)}</h2>\n<ul class="samples">\n${members.map(card).join('\n')}\n</ul>\n`;

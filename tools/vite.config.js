@@ -50,7 +50,8 @@ const serviceWorker = () => ({
   apply: 'build',
   closeBundle() {
     const dist = at('../www/dist');
-    const files = filesIn(dist).filter((file) => file !== 'service-worker.js' && file !== 'index.html');
+    // Pictures for other sites are none of what a reader sees.
+    const files = filesIn(dist).filter((file) => file !== 'service-worker.js' && file !== 'index.html' && !file.startsWith('cards/'));
     const version = createHash('sha256');
     for (const file of ['index.html', ...files]) version.update(file).update(readFileSync(join(dist, file)));
     const list = { version: version.digest('hex').slice(0, 12), files: ['./', ...files.map((file) => `./${file}`)] };
@@ -119,6 +120,8 @@ export default defineConfig({
       input: Object.fromEntries(Object.entries({ index: 'index.html', embed: 'embed.html', ...LASTING }).map(([name, file]) => [name, at(`../www/${file}`)])),
       preserveEntrySignatures: 'exports-only',
       output: {
+        // Pictures of samples stand at lasting addresses, see tools/pages.js: there once.
+        assetFileNames: ({ originalFileNames: [file = ''] }) => (file.startsWith('thumbnails/') ? 'thumbnails/[name][extname]' : 'assets/[name]-[hash][extname]'),
         entryFileNames: ({ name }) => (name in LASTING ? '[name].js' : 'assets/[name]-[hash].js'),
         codeSplitting: { groups: [{ name: 'linkage', test: (id) => linkage.has(id) }, { name: 'workbench', test: (id) => workbench.has(id) }, { name: 'panels', test: (id) => panels.has(id) }] },
       },

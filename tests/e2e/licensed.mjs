@@ -37,7 +37,7 @@ export const packages = (names) =>
 /** What the page's own modules import that is not its own. */
 export function imported() {
   const modules = readdirSync(join(root, 'www'), { recursive: true }).filter((file) => file.endsWith('.js') && !/^(dist|pkg|pkg-first)\//.test(file));
-  const names = modules.flatMap((file) => [...read(`www/${file}`).matchAll(/^(?:import|export|\} from)\b[^;]*?['"]([@\w][^'".]*)['"];/gm)].map(([, name]) => name));
+  const names = modules.flatMap((file) => [...read(`www/${file}`).matchAll(/^import (?:.* from )?'([@\w][^'.]*)';$/gm)].map(([, name]) => name));
   return [...new Set(names)].sort();
 }
 
