@@ -20,7 +20,8 @@ environment: CHROMIUM, CHROMEDRIVER  the browser and its driver, where they are 
 TXT
 }
 
-say() { printf '\n== %s\n' "$*"; }
+# With the minutes since the beginning, so that one sees where they went.
+say() { printf '\n== %d:%02d %s\n' $((SECONDS / 60)) $((SECONDS % 60)) "$*"; }
 fail() { printf 'dev.sh: %s\n' "$*" >&2; exit 1; }
 has() { command -v "$1" >/dev/null 2>&1; }
 
@@ -88,9 +89,10 @@ setup_browser() {
   printf '{"goog:chromeOptions": {"binary": "%s"}}\n' "$CHROMIUM" >"$WASM_BINDGEN_TEST_WEBDRIVER_JSON"
 }
 
-# Python with MuJoCo in an environment of its own, made once for every clone with the same requirements.
-setup_mujoco() {
-  local wanted=tests/mujoco/requirements.txt key
+# Python with what a file of requirements names, in an environment of its own, made once for every clone with the same
+# requirements; PYTHON is its program.
+setup_python() {
+  local name=$1 wanted=$2 key
   if ! has python3 || ! python3 -c 'import venv, ensurepip' 2>/dev/null; then
     if has apt-get && [ "$(id -u)" = 0 ]; then
       say "Python, by apt-get"
@@ -98,17 +100,36 @@ setup_mujoco() {
     fi
   fi
   python3 -c 'import sys, venv, ensurepip; sys.exit(sys.version_info < (3, 11))' 2>/dev/null \
-    || fail "needs python3 (3.11 or later) with its venv module, to check the exported models with MuJoCo"
+    || fail "needs python3 (3.11 or later) with its venv module, for $name"
   key=$({ cat "$wanted"; python3 -c 'import sys; print(sys.version, sys.executable)'; } | git hash-object --stdin)
-  local root; root=$(cache)/mujoco-${key:0:12}
+  local root; root=$(cache)/$name-${key:0:12}
   if [ ! -d "$root" ]; then
-    say "MuJoCo, into $root"
+    say "Python packages of $wanted, into $root"
     # Only a whole one gets its name, so that what was interrupted is made anew.
     python3 -m venv "$root-$$"
     "$root-$$/bin/python" -m pip install --quiet --disable-pip-version-check --only-binary :all: -r "$wanted"
     if [ -d "$root" ]; then rm -r "$root-$$"; else mv "$root-$$" "$root"; fi
   fi
-  MUJOCO_PYTHON=$root/bin/python
+  PYTHON=$root/bin/python
+}
+
+# What checks the exported models.
+setup_mujoco() {
+  setup_python mujoco tests/mujoco/requirements.txt
+  MUJOCO_PYTHON=$PYTHON
+}
+
+# What builds the example pages: one lock file for all that comes from npm, and what writes pages in Python.
+setup_examples() {
+  local folder=examples/pages
+  if ! cmp -s $folder/package-lock.json $folder/node_modules/.installed-lock; then
+    say "npm packages of $folder"
+    # The package itself is put in its place by the tests: it need not be built yet.
+    npm ci --prefix $folder --no-audit --no-fund
+    cp $folder/package-lock.json $folder/node_modules/.installed-lock
+  fi
+  setup_python examples tests/examples/requirements.txt
+  export EXAMPLES_PYTHON=$PYTHON
 }
 
 # --- what is done ---------------------------------------------------------------------------------
@@ -207,8 +228,17 @@ test_page() {
   node --test --test-reporter=spec tests/page/*.test.mjs
   say "package, in pages and programs of others"
   node --test --test-reporter=spec tests/package/*.test.mjs
+  say "example pages"
+  node --test --test-reporter=spec tests/examples/*.test.mjs
   say "page, end to end in Chromium"
   node --test --test-reporter=spec tests/e2e/*.test.mjs
+}
+
+test_crate() {
+  lint_rust
+  test_rust
+  test_mujoco
+  test_wasm
 }
 
 # --- commands -------------------------------------------------------------------------------------
@@ -229,6 +259,7 @@ case $command in
   setup)
     setup_browser
     setup_mujoco
+    setup_examples
     say "all there"
     ;;
   serve)
@@ -261,16 +292,26 @@ case $command in
   test)
     setup_browser
     setup_mujoco
-    lint_rust
-    test_rust
-    test_mujoco
-    test_wasm
+    setup_examples
+    # The crate beside the page: neither keeps two cores busy. What the crate's part says comes when it has ended.
+    crate_says=$(mktemp)
+    set -m # with a process group of its own, so that it can be ended whole
+    test_crate >"$crate_says" 2>&1 &
+    crate=$!
+    set +m
+    trap 'kill -- -$crate 2>/dev/null || true; cat "$crate_says"; rm "$crate_says"' EXIT
     build_package
     check_size
     lint_page
     build_page
     build_npm
     test_page
+    ended=0
+    wait $crate || ended=$?
+    trap - EXIT
+    cat "$crate_says"
+    rm "$crate_says"
+    [ $ended = 0 ] || fail "the crate's tests failed: see above"
     say "every check and every test passed, in $((SECONDS / 60)) min $((SECONDS % 60)) s"
     ;;
 esac

@@ -59,6 +59,8 @@ export async function openBrowser() {
         });
       }
       await context.addInitScript(lookInside);
+      // Other suites may run at the same time.
+      context.setDefaultTimeout(60_000);
       const page = await context.newPage();
       const problems = [];
       page.on('console', (message) => {

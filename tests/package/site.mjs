@@ -42,6 +42,8 @@ export const openBrowser = () => chromium.launch(LAUNCH);
 /** @param {import('playwright-core').Browser} browser @param {string} address */
 export async function open(browser, address) {
   const page = await (await browser.newContext({ viewport: { width: 800, height: 600 }, reducedMotion: 'reduce' })).newPage();
+  // Other suites may run at the same time.
+  page.setDefaultTimeout(60_000);
   const problems = [];
   const requests = [];
   // Chromium remarks on its own screenshots of a canvas.
