@@ -4,5 +4,6 @@
  */
 export const pieces = {
   workbench: () => import('./workbench.js'),
+  guest: () => import('./guest.js'),
   panels: () => import('./panels.js'),
 };

@@ -40,6 +40,7 @@ export function createSeen(element, { root, wishes, complain, begin }) {
     // One that does not come leaves its place to the content.
     find('poster').addEventListener('error', () => showPoster(false));
     setPoster();
+    addEventListener('beforeprint', () => (find('fallback').dataset.line = lineFor(element)), { signal });
     whileSeen(element, signal, (seen) => {
       linkage.player.seen = seen;
       if (seen) show();
@@ -130,4 +131,11 @@ function withResolvers() {
   // Avoids an unhandled rejection where nobody awaits it.
   all.promise.catch(() => {});
   return all;
+}
+
+/** What is printed of an element that was never loaded and has no content. @param {HTMLElement} element */
+function lineFor(element) {
+  const isContent = (/** @type {ChildNode} */ node) => (node instanceof Element ? !node.matches('script, style, template') : node instanceof Text && /\S/.test(node.data));
+  if ([...element.childNodes].some(isContent)) return '';
+  return ['Linkage', element.getAttribute('type') ?? element.getAttribute('src')].filter(Boolean).join(' ');
 }

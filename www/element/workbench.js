@@ -31,11 +31,10 @@ import { loaded } from '../ui/lazy.js';
 import { createBanners } from '../panels/info/banners.js';
 import { createByHand } from '../view3d/by-hand.js';
 import { createHistoryKeys } from './history-keys.js';
-import { createInteraction } from '../view3d/interaction.js';
 import { createLegend } from '../view3d/legend.js';
 import { createPlanning } from '../view3d/planning.js';
-import { guardKeys } from './key-guard.js';
 import { createPointing } from '../view3d/pointing.js';
+import { createPrinting } from '../view3d/printing.js';
 import { createTransport } from '../bar/transport.js';
 import { createViewBar } from '../view3d/view-bar.js';
 
@@ -48,10 +47,13 @@ const PHONE = 760;
  * @returns {Promise<AppWithPanels>} without `tabs` where no panels are asked for
  */
 export async function createWorkbench(linkage, place) {
-  const { root, signal, panels } = place;
+  const { root, signal, panels, interaction } = place;
+  // The applet is nobody's guest.
+  const guest = interaction === 'full' && place.keys !== root ? null : await loaded({ say: linkage.say, signal }, 'The view', () => pieces.guest());
   const find = finder(root);
   const store = heldBy(linkage.store, signal);
   const bench = find('bench');
+  bench.dataset.interaction = interaction;
   const narrow = () => bench.clientWidth < PHONE;
   let explained = false;
   const explain = () => {
@@ -64,13 +66,13 @@ export async function createWorkbench(linkage, place) {
   const banners = createBanners(app);
   createPlanning(app);
   createTransport(app);
-  createInteraction(app);
+  guest?.createGuest(app);
   createPointing(app);
   createViewBar(app);
   createLegend(find('legend'), app);
   createByHand(app);
   createHistoryKeys(app);
-  if (place.keys === root) guardKeys(root, signal);
+  createPrinting(app);
   if (!panels.length) return /** @type {AppWithPanels} */ (app);
   const { createPanels } = await loaded(app, 'The panels', () => pieces.panels());
   if (signal.aborted) return /** @type {AppWithPanels} */ (app);

@@ -12,9 +12,8 @@ const STAY = 1500;
 const WHEEL = `${/Mac|iP(hone|ad)/.test(globalThis.navigator?.platform ?? '') ? '⌘' : 'Ctrl'} and wheel zooms`;
 const FINGERS = 'Two fingers turn and zoom';
 
-/** @param {Pick<import('../element/workbench.js').App, 'find' | 'scene' | 'interaction' | 'signal'>} app */
-export function createInteraction({ find, scene, interaction, signal }) {
-  find('bench').dataset.interaction = interaction;
+/** @param {Pick<import('../element/workbench.js').App, 'scene' | 'interaction' | 'signal'>} app */
+export function createInteraction({ scene, interaction, signal }) {
   if (!scene || interaction === 'full') return;
   const { canvas, controls } = scene;
   if (interaction === 'none') {

@@ -10,7 +10,7 @@ import { layOut, offsetOn } from './label-layout.js';
 /** Classes by their rank in the choice of a side. */
 const RANKED = ['', 'pointed', 'chosen'];
 
-/** @param {HTMLElement} layer covers the canvas */
+/** @param {HTMLElement} layer covers the canvas, and is a container of its size */
 export function createLabels(layer) {
   /** @type {(import('./label-layout.js').Name & {at: Vector3, tag: HTMLElement, side: number})[]} */
   let labels = [];
@@ -69,7 +69,8 @@ export function createLabels(layer) {
         const [right, down] = offsetOn(label, side);
         tag.style.left = `${right}px`;
         tag.style.top = `${down}px`;
-        tag.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
+        // In shares of the layer, so that they stay in their places where the picture is scaled, as on paper.
+        tag.style.transform = `translate(${((100 * x) / width).toFixed(3)}cqw, ${((100 * y) / height).toFixed(3)}cqh)`;
       });
     },
     /** Where they stand now. @returns {import('./label-layout.js').Box[]} */

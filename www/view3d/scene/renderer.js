@@ -37,6 +37,9 @@ export function createDrawing(canvas, root, signal) {
   if (!all || !pen) return null;
   const { renderer, context, slow } = all;
   const view = { canvas, width: 0, height: 0 };
+  let sharpness = 1;
+  /** Pixels to a CSS pixel. */
+  const pixelRatio = () => Math.min(2, windowOf(canvas).devicePixelRatio) * sharpness;
   views.add(view);
   signal?.addEventListener('abort', () => {
     views.delete(view);
@@ -48,10 +51,14 @@ export function createDrawing(canvas, root, signal) {
     get isLost() {
       return context.isContextLost();
     },
+    /** How many times as sharp as a screen needs; from the next change of size on. @param {number} next */
+    setSharpness(next) {
+      sharpness = next;
+    },
     /** The canvas is empty then. @param {number} width @param {number} height in CSS pixels */
     resize(width, height) {
       Object.assign(view, { width, height });
-      const ratio = ratioOf(canvas);
+      const ratio = pixelRatio();
       Object.assign(canvas, { width: Math.floor(width * ratio), height: Math.floor(height * ratio) });
     },
     /** @param {import('three').Camera} camera */
@@ -59,7 +66,7 @@ export function createDrawing(canvas, root, signal) {
       const { width, height } = canvas;
       // It has no size yet, or none any more.
       if (!width || !height) return;
-      const ratio = ratioOf(canvas);
+      const ratio = pixelRatio();
       makeRoom(renderer, ratio);
       // The part at the upper left; the renderer counts from below.
       const part = /** @type {const} */ ([0, (renderer.domElement.height - height) / ratio, width / ratio, height / ratio]);
@@ -72,9 +79,6 @@ export function createDrawing(canvas, root, signal) {
     },
   };
 }
-
-/** Pixels to a CSS pixel. @param {HTMLCanvasElement} canvas */
-const ratioOf = (canvas) => Math.min(2, windowOf(canvas).devicePixelRatio);
 
 /** @param {WebGLRenderer} renderer @param {number} ratio */
 function makeRoom(renderer, ratio) {

@@ -22,6 +22,9 @@ import { watchPointers } from './refit.js';
 import { createDrawing } from './renderer.js';
 import { windowOf } from '../../ui/dom.js';
 
+/** How many times as sharp as the screen's a picture on paper is. */
+const PAPER = 2;
+
 /**
  * @param {{canvas: HTMLCanvasElement, labels: HTMLElement, signal?: AbortSignal, turned?: () => void}} place where it is, until when, and who is told when a
  *   hand turns it
@@ -44,7 +47,8 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
   const things = [linkage.group, paths.group];
   const marks = createMarks(canvas, things, layer);
   const pick = createPicker(things, canvas, () => view.camera);
-  root.add(...light.objects, ground.group, linkage.group, paths.group);
+  const pictured = [...light.objects, ground.group, linkage.group, paths.group];
+  root.add(...pictured);
 
   function paint() {
     const palette = readPalette(canvas);
@@ -129,7 +133,7 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
     root,
     changed,
     /** What belongs into a picture; handles and the like do not. */
-    pictured: [...light.objects, ground.group, linkage.group, paths.group],
+    pictured,
     /** The names that always stand in the scene. */
     get names() {
       return names();
@@ -226,5 +230,15 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
     pose,
 
     draw,
+
+    /** For paper: sharper, in the colours that its place has by then, and without handles. @param {boolean} on */
+    print(on) {
+      const handles = root.children.filter((thing) => on && thing.visible && !pictured.includes(thing));
+      for (const one of handles) one.visible = false;
+      drawing.setSharpness(on ? PAPER : 1);
+      paint();
+      resize();
+      for (const one of handles) one.visible = true;
+    },
   };
 }
