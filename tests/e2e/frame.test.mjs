@@ -47,7 +47,7 @@ test('tells its parent that it is ready, its document, its state and its height,
   assert.deepEqual(await heard(page, 'ready'), { synthetica: 1, type: 'ready', version: 1, fromFrame: true });
   assert.equal((await heard(page, 'document')).document.name, '2TPR');
   const { state } = await heard(page, 'state');
-  assert.deepEqual([state.frame, state.frames, state.paused], [0, 129, true]);
+  assert.deepEqual([state.frame, state.frames, state.paused, state.ended, state.loop, state.bounce, state.interaction], [0, 129, true, false, false, false, 'ctrl']);
   const { height } = await heard(page, 'height');
   assert.ok(height > 420 && height < 700, `${height}`);
 });
@@ -55,9 +55,12 @@ test('tells its parent that it is ready, its document, its state and its height,
 test('shows what its parent says, and answers what it asks', async () => {
   const { page, frame } = await pageAround('embed.html?sample=2tpr');
   const { document } = await heard(page, 'document');
-  await send(page, { synthetica: 1, type: 'state', state: { frame: 40, speed: 2, view: 'top' } });
+  await send(page, { synthetica: 1, type: 'state', state: { frame: 40, speed: 2, view: 'top', bounce: true, interaction: 'none' } });
   await atFrame(frame, '41 / 129');
-  await page.waitForFunction(() => window.heard.some(({ type, state }) => type === 'state' && state.frame === 40 && state.speed === 2 && state.view === 'top'));
+  await page.waitForFunction(() => window.heard.some(({ type, state }) => type === 'state' && state.frame === 40 && state.speed === 2 && state.view === 'top' && state.bounce && state.interaction === 'none'));
+  // Pages that were written when `loop` said how are understood.
+  await send(page, { synthetica: 1, type: 'state', state: { frame: 120, loop: 'once', speed: 10, paused: false } });
+  await page.waitForFunction(() => window.heard.some(({ type, state }) => type === 'state' && state.ended && state.frame === 128 && !state.bounce));
   await send(page, { synthetica: 1, type: 'get', what: 'trajectory', id: 7 });
   const answer = await page.waitForFunction(() => window.heard.find(({ id }) => id === 7));
   assert.equal(await answer.evaluate(({ type, trajectory }) => type === 'trajectory' && trajectory.closure.length), 129);

@@ -1,6 +1,10 @@
 // Documents in addresses: share links, samples, and changes that a person writes.
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
+import jsQR from 'jsqr';
+import { serve } from '../package/site.mjs';
+import { violations } from './axe.mjs';
 import { cell, keeps, nameIs, notice, openBrowser, openSample, ready, text } from './browser.mjs';
 
 let browser;
@@ -122,9 +126,6 @@ test('readable changes in the address are applied to a sample, and refused by pl
   await nameIs(page, 'Mine');
   await notice(page, /“motion\.frames:many”.*Accepted/).waitFor();
   await notice(page, /“chains\.7\.name:x”.*Accepted/).waitFor();
-  await page.goto(`${browser.address}?sample=nothing`);
-  await ready(page);
-  await notice(page, /no sample “nothing”/).waitFor();
   assert.deepEqual(problems, []);
 });
 
@@ -143,4 +144,106 @@ test('a link put into the address of the open page is opened as a step', async (
   await page.evaluate((hash) => (location.hash = hash), new URL(link).hash);
   await nameIs(page, '2TPR');
   await notice(page, /“motion\.frames:many”.*Accepted/).first().waitFor();
+});
+
+test('a sample that there is not: says which was meant, shows no other, and leads to the examples', async () => {
+  const { page, problems } = await browser.blankPage();
+  await page.goto(`${browser.address}?sample=2tqr&set=motion.frames:5`);
+  const note = page.locator('#linkage > [role=alert]');
+  await note.filter({ hasText: /no sample “2tqr”\. Did you mean “2tpr”\? Accepted: .*bennett\.json/ }).waitFor();
+  assert.ok(await note.isVisible());
+  assert.equal(await page.evaluate(() => document.querySelector('synthetica-linkage').document), null);
+  assert.deepEqual(await violations(page), []);
+  await note.getByRole('button', { name: 'See all examples' }).click();
+  await page.locator('[data-sample="2tpr.json"]').click();
+  await ready(page);
+  await nameIs(page, '2TPR');
+  assert.equal(await note.count(), 0);
+  // What was not there is no step.
+  assert.ok(await page.locator('#undo').isDisabled());
+  await page.goto(`${browser.address}?sample=zzzzzzzzzzzz`);
+  await note.filter({ hasText: /no sample “zzzzzzzzzzzz”\. Accepted/ }).waitFor();
+  assert.deepEqual(problems, []);
+});
+
+/** Some other server, with what it was asked. @param {Record<string, string>} headers */
+async function elsewhere(headers) {
+  const document = { ...JSON.parse(readFileSync(new URL('../../www/mechanisms/2tpr.json', import.meta.url), 'utf8')), name: 'Mine' };
+  const site = await serve({ '/mine.json': JSON.stringify(document), '/bad.json': '{"version": 1, "chains": [], "wheels": 4}' }, headers);
+  after(() => site.close());
+  return site.address;
+}
+
+test('one’s own document by its address: without cookies, told, and then an ordinary document', async () => {
+  const address = await elsewhere({ 'access-control-allow-origin': '*' });
+  const { page, problems } = await browser.blankPage();
+  await page.context().addCookies([{ name: 'session', value: 'mine', url: address }]);
+  const asking = page.waitForRequest(`${address}/mine.json`);
+  const opened = `${browser.address}?src=${encodeURIComponent(`${address}/mine.json`)}&set=motion.frames:9`;
+  await page.goto(opened);
+  assert.equal((await (await asking).allHeaders()).cookie, undefined);
+  await notice(page, `Opened from ${address}/mine.json.`).waitFor();
+  await ready(page);
+  await nameIs(page, 'Mine');
+  assert.match(await text(page, 'frame-number'), /\/ 9$/);
+  assert.ok(await page.locator('#unsaved').isHidden());
+  await page.reload();
+  await ready(page);
+  await nameIs(page, 'Mine');
+  assert.equal(page.url(), opened);
+  await edit(page, 'Changed', 'name');
+  assert.equal(page.url(), browser.address);
+  await keeps(page, 'Changed');
+  await page.reload();
+  await ready(page);
+  await nameIs(page, 'Changed');
+  assert.deepEqual(problems.filter((text) => text !== `asks for ${address}/mine.json`), []);
+  // Beside the page itself no header is needed.
+  await page.goto(`${browser.address}?src=mechanisms/2tpr.json`);
+  await ready(page);
+  await nameIs(page, '2TPR');
+});
+
+test('an address that no document can be had from: says where, what, and what would do; shows no other', async () => {
+  const [open, closed] = [await elsewhere({ 'access-control-allow-origin': '*' }), await elsewhere({})];
+  const { page } = await browser.blankPage();
+  await page.route('**/none.json', (route) => route.fulfill({ status: 404, headers: { 'access-control-allow-origin': '*' } }));
+  for (const [src, words] of [
+    [`${closed}/mine.json`, /127\.0\.0\.1:\d+\/mine\.json could not be loaded.*Accepted: .*lets other pages read it \(with the header Access-Control-Allow-Origin\)/],
+    ['none.json', /none\.json could not be loaded \(404.*Accepted: .*on this server/],
+    [`${open}/bad.json`, /bad\.json cannot be opened\. .*wheels.*Accepted/],
+    ['javascript:alert(1)', /src is “javascript:alert\(1\)”\. Accepted/],
+  ]) {
+    await page.goto(`${browser.address}?src=${encodeURIComponent(src)}`);
+    await page.locator('#linkage > [role=alert]').filter({ hasText: words }).waitFor();
+    assert.equal(await page.evaluate(() => document.querySelector('synthetica-linkage').document), null, src);
+  }
+});
+
+test('the QR code in the share dialog is read as the link, also in the dark scheme; where the link is too long that is said', async () => {
+  const { page, problems } = await browser.openPage({ colorScheme: 'dark', viewport: { width: 1200, height: 1100 } });
+  assert.deepEqual(await page.evaluate(() => performance.getEntriesByType('resource').filter(({ name }) => /\/qr-/.test(name))), [], 'not before it is asked for');
+  await page.getByRole('button', { name: 'Share', exact: true }).click();
+  const picture = page.getByRole('img', { name: 'QR code of the link' });
+  await picture.scrollIntoViewIfNeeded();
+  const shot = await picture.screenshot({ scale: 'css' });
+  const { data, width, height } = await page.evaluate(async (base64) => {
+    const bitmap = await createImageBitmap(new Blob([Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0))]));
+    const canvas = Object.assign(document.createElement('canvas'), { width: bitmap.width, height: bitmap.height });
+    const context = canvas.getContext('2d');
+    context.drawImage(bitmap, 0, 0);
+    return { width: bitmap.width, height: bitmap.height, data: [...context.getImageData(0, 0, bitmap.width, bitmap.height).data] };
+  }, shot.toString('base64'));
+  assert.equal(jsQR(new Uint8ClampedArray(data), width, height, { inversionAttempts: 'dontInvert' })?.data, await page.getByLabel('Link', { exact: true }).inputValue());
+  assert.deepEqual(await violations(page), []);
+  await page.keyboard.press('Escape');
+  let at = 1;
+  const noise = Array.from({ length: 1900 }, () => String.fromCharCode(0x4e00 + ((at = (at * 48271) % 2147483647) % 20000))).join('');
+  await page.locator('#about-button').click();
+  await page.locator('#about-text').fill(noise);
+  await page.keyboard.press('Escape');
+  await page.getByRole('button', { name: 'Share', exact: true }).click();
+  await page.locator('dialog p', { hasText: /too long for a QR code, which holds 2.953 characters/ }).waitFor();
+  assert.equal(await picture.count(), 0);
+  assert.deepEqual(problems, []);
 });

@@ -19,8 +19,8 @@ const CHANGEABLE = /** @type {const} */ (['frame', 'currentTime', 'loop', 'bounc
 
 /** @param {SyntheticaLinkage} element */
 function stateOf(element) {
-  const { frame, currentTime, duration, paused, loop, bounce, speed, view, interaction, trajectory } = element;
-  return { frame, frames: trajectory?.frames ?? 0, currentTime, duration, paused, loop, bounce, speed, view, interaction };
+  const { frame, currentTime, duration, paused, ended, loop, bounce, speed, view, interaction, trajectory } = element;
+  return { frame, frames: trajectory?.frames ?? 0, currentTime, duration, paused, ended, loop, bounce, speed, view, interaction };
 }
 
 /**
@@ -71,7 +71,7 @@ export function speak(element, { window, parent, origin, height, tellable, sent 
     tellHeight();
   });
   element.addEventListener('change', () => send('document', { document: element.document }));
-  for (const name of ['framechange', 'play', 'pause']) element.addEventListener(name, sendState);
+  for (const name of ['framechange', 'play', 'pause', 'ended']) element.addEventListener(name, sendState);
   element.addEventListener('error', (event) => send('error', { error: tellable(/** @type {CustomEvent} */ (/** @type {Event} */ (event)).detail) }));
   new ResizeObserver(() => height() !== told && tellHeight()).observe(element);
 

@@ -9,9 +9,9 @@ export const MOST = 2953;
 /** Empty modules around it, which the standard asks for. */
 const QUIET = 4;
 
-/** CSS pixels a side of the picture: of the smallest one, and of a module where there are many. */
+/** CSS pixels: the least of the picture's side and of a module's, which has a whole number of them. */
 const LEAST = 180;
-const MODULE = 2.5;
+const MODULE = 3;
 
 /** @param {string} text @returns {boolean[][]} its modules, row by row, dark ones true */
 export function qrModules(text) {
@@ -32,7 +32,7 @@ export function qrPicture(text, name) {
     return made;
   };
   const dark = modules.flatMap((row, y) => row.flatMap((on, x) => (on ? [`M${x + QUIET} ${y + QUIET}h1v1h-1z`] : []))).join('');
-  const size = Math.max(LEAST, Math.round(side * MODULE));
+  const size = side * Math.max(MODULE, Math.ceil(LEAST / side));
   const picture = make(
     'svg',
     { class: 'qr', role: 'img', 'aria-label': name, viewBox: `0 0 ${side} ${side}`, width: size, height: size, 'shape-rendering': 'crispEdges' },
