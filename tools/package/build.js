@@ -4,6 +4,7 @@ import { copyFileSync, cpSync, mkdirSync, mkdtempSync, readFileSync, rmSync, wri
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { gzipSync } from 'node:zlib';
 import { build } from 'vite';
 import { importedAtOnce } from '../imported-at-once.js';
 import { licences, packagesIn } from '../licences.js';
@@ -45,7 +46,7 @@ async function modules(entry, { wasm, worker, codeSplitting }) {
       outDir: at('dist'),
       emptyOutDir: false,
       lib: { entry: Object.fromEntries(Object.entries(entry).map(([name, file]) => [name, at(file)])), formats: ['es'] },
-      rolldownOptions: { external: /^node:/, output: { entryFileNames: '[name].js', chunkFileNames: 'part-[name].js', codeSplitting } },
+      rolldownOptions: { external: /^(node:|worker_threads$)/, output: { entryFileNames: '[name].js', chunkFileNames: 'part-[name].js', codeSplitting } },
     },
     plugins: [asWritten([wasm, worker]), planner({ wasm: `./${wasm}`, worker: `./${worker}` }), tight()],
   });
@@ -59,6 +60,15 @@ function withWasm(worker) {
   if (!line) throw new Error('dist/worker.js does not begin with its import of wasm.js');
   return `${readFileSync(at('tools/package/files/wasm.js'), 'utf8').replace('export const wasm', `const ${name}`)}${worker.slice(line.length)}`;
 }
+
+/** The wasm as a script of Node's. */
+const wasmText = () => `// The wasm as text, for servers whose bundler has moved the file.
+import { gunzipSync } from 'node:zlib';
+
+const TEXT = '${gzipSync(readFileSync(at('www/pkg/synthetica_bg.wasm')), { level: 9 }).toString('base64')}';
+
+export const wasm = () => gunzipSync(Buffer.from(TEXT, 'base64'));
+`;
 
 /** Those of the functions come from the code, those of documents from the schema; the element's are written by hand, and checked against it. */
 function types() {
@@ -111,6 +121,7 @@ const others = await modules({ index: 'www/planner/api.js', element: 'www/elemen
 await modules({ worker: 'www/planner/worker.js' }, { ...BROWSER, codeSplitting: false });
 writeFileSync(dist('worker.js'), withWasm(readFileSync(dist('worker.js'), 'utf8')));
 await modules({ 'index.node': 'www/planner/api.js' }, NODE);
+put('wasm-text.node.js', wasmText());
 await modules({ 'worker.node': 'tools/package/worker.node.js' }, NODE);
 put('LICENSE-OTHERS', licences(others));
 const { script, names } = await inlineScript('embed/everything.js');
