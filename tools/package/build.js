@@ -48,7 +48,7 @@ async function modules(entry, { wasm, worker, codeSplitting }) {
       lib: { entry: Object.fromEntries(Object.entries(entry).map(([name, file]) => [name, at(file)])), formats: ['es'] },
       rolldownOptions: { external: /^(node:|worker_threads$)/, output: { entryFileNames: '[name].js', chunkFileNames: 'part-[name].js', codeSplitting } },
     },
-    plugins: [asWritten([wasm, worker]), planner({ wasm: `./${wasm}`, worker: `./${worker}` }), tight()],
+    plugins: [planner({ wasm: `./${wasm}`, worker: `./${worker}` }), asWritten([wasm, worker]), tight()],
   });
   for (const name of [wasm, worker]) copyFileSync(at(`tools/package/files/${name}`), dist(name));
   return packagesIn(output);
