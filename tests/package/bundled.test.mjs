@@ -1,7 +1,7 @@
 // A small project that has the package installed: its TypeScript compiles, Vite builds it, and the page lives.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { writeFileSync } from 'node:fs';
+import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { after, before, test } from 'node:test';
@@ -13,7 +13,8 @@ const tsc = fileURLToPath(new URL('../../node_modules/.bin/tsc', import.meta.url
 
 const MAIN = `
 import 'synthetica/element';
-import { plan, DocumentFault, type Motion } from 'synthetica';
+import { configure, plan, DocumentFault, type Motion } from 'synthetica';
+import type * as inline from 'synthetica/inline';
 import type { Chain, MechanismDocument } from 'synthetica/types';
 import sample from 'synthetica/samples/2tpr.json';
 
@@ -26,6 +27,9 @@ linkage.bounce = true;
 const chain: Chain = { joints: [{ type: 'R', rows: [{ alpha: 90 }] }] };
 export const made: MechanismDocument = { version: 1, chains: [chain], motion: { key_frames: [{ x: 1 }, { roll: 30 }] } };
 
+export const given: Parameters<typeof configure>[0] = { wasm: new Response(), worker: new URL('https://example.org/worker.js') };
+export const all: typeof inline.plan = plan;
+export const left: typeof inline.SyntheticaLinkage | undefined = globalThis.synthetica?.SyntheticaLinkage;
 const motion: Motion = await plan(sample);
 document.body.dataset.rank = String(motion.report.mobility_rank);
 try {
@@ -52,12 +56,27 @@ for (const [name, module, resolution] of [['a bundler’s', 'esnext', 'bundler']
     writeFileSync(file, code);
     execFileSync(tsc, [...options, file], { cwd: project, encoding: 'utf8', stdio: ['ignore', 'inherit', 'inherit'] });
     // What is wrong is refused, so that the types are not just anything.
-    for (const wrong of ["linkage.loop = 'never';", "plan(12);", "motion.report.nothing;"]) {
+    for (const wrong of ["linkage.loop = 'never';", "plan(12);", "plan(sample, { signal: 5 });", "configure({ wasm: 5 });", "inline.nothing;", "motion.report.nothing;"]) {
       writeFileSync(file, `${code}\n${wrong}`);
       assert.throws(() => execFileSync(tsc, [...options, file], { cwd: project, stdio: 'pipe' }), wrong);
     }
   });
 }
+
+test('Vite builds what imports from the one script, which asks for no file', async () => {
+  const own = join(project, 'own');
+  mkdirSync(own);
+  writeFileSync(join(own, 'main.js'), "import { plan } from 'synthetica/inline';\nimport sample from 'synthetica/samples/2tpr.json';\ndocument.body.dataset.frames = String((await plan(sample)).frames);\n");
+  writeFileSync(join(own, 'index.html'), course('<script type="module" src="./main.js"></script>'));
+  await build({ root: own, configFile: false, base: './', logLevel: 'error', build: { target: 'es2022' } });
+  const site = await serve({ '/': pathToFileURL(join(own, 'dist/')) });
+  after(() => site.close());
+  const { page, problems, requests } = await open(browser, `${site.address}/index.html`);
+  await page.waitForFunction(() => document.body.dataset.frames === '129');
+  assert.equal(await alive(page), 129);
+  assert.ok(!requests.some((address) => /wasm|worker/.test(address)), requests.join());
+  assert.deepEqual(problems, []);
+});
 
 /** @param {import('playwright-core').Page} page */
 async function lives(page) {

@@ -45,6 +45,21 @@ test('as a plain script it leaves the functions of the package', async () => {
   assert.equal(await page.evaluate(async (text) => (await synthetica.plan(text)).frames, document), 129);
 });
 
+test('imported, it gives the functions, and leaves the same in the global', async () => {
+  const site = await serve({ '/course.html': course(''), '/inline-module.js': readFileSync(new URL('inline-module.js', dist), 'utf8'), '/inline.js': script });
+  after(() => site.close());
+  const { page, problems, requests } = await open(browser, `${site.address}/course.html`);
+  const text = readFileSync(new URL('samples/2tpr.json', dist), 'utf8');
+  const told = await page.evaluate(async (document) => {
+    const all = await import('/inline-module.js');
+    return { frames: (await all.plan(document)).frames, names: Object.keys(all).sort(), same: Object.keys(all).every((name) => all[name] === globalThis.synthetica[name]), defined: customElements.get('synthetica-linkage') === all.SyntheticaLinkage };
+  }, text);
+  const names = Object.keys(await import(new URL('index.node.js', dist)));
+  assert.deepEqual(told, { frames: 129, names: [...names, 'SyntheticaLinkage'].sort(), same: true, defined: true });
+  assert.deepEqual(requests.slice(1).map((address) => address.replace(site.address, '')), ['/inline-module.js', '/inline.js']);
+  assert.deepEqual(problems, []);
+});
+
 test('where a policy allows scripts and wasm, and nothing else, the page plans by itself', async () => {
   const { page, frames, problems } = await visit('<script src="/inline.js"></script>', { 'content-security-policy': "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'" });
   assert.equal(frames, 129);

@@ -1,7 +1,7 @@
 // The package in Node: planned without a browser, as its README says.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { readFileSync } from 'node:fs';
+import { readFileSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { dist } from './site.mjs';
@@ -17,7 +17,7 @@ const { open, plan, check, normalise, findStart, pull, drive, explain, trace, ma
 const run = (code) => execFileSync('node', ['--input-type=module', '-e', code], { cwd: installed(), encoding: 'utf8' }).trim().split('\n');
 
 test('three lines plan, and the programs of both READMEs run as printed', () => {
-  const given = "import { readFileSync } from 'node:fs';\nconst document = JSON.parse(readFileSync('node_modules/synthetica/samples/3rps.json', 'utf8'));\n";
+  const given = "import { readFileSync, readdirSync } from 'node:fs';\nconst document = JSON.parse(readFileSync('node_modules/synthetica/samples/3rps.json', 'utf8'));\n";
   const [three] = run(`${given}import { plan } from 'synthetica';\nconst motion = await plan(document);\nconsole.log(motion.report.mobility_rank)`);
   assert.equal(three, '3');
   const programs = (text) => [...text.matchAll(/```js\n([\s\S]*?)```/g)].map(([, code]) => code).filter((code) => !code.includes('synthetica/element'));
@@ -32,7 +32,7 @@ test('three lines plan, and the programs of both READMEs run as printed', () => 
 test('what the exports name is there', () => {
   const [line] = run(`
     const at = (name) => import.meta.resolve('synthetica/' + name);
-    import { readFileSync } from 'node:fs';
+    import { readFileSync, readdirSync } from 'node:fs';
     console.log(['element', 'frame', 'inline', 'worker', 'types', 'wasm', 'schema', 'samples/3rps.json', 'package.json'].map((name) => readFileSync(new URL(at(name))).length > 0).join());`);
   assert.equal(line, Array(9).fill('true').join());
 });
@@ -40,6 +40,16 @@ test('what the exports name is there', () => {
 test('a server that renders pages may load the element', () => {
   const lines = run("import { SyntheticaLinkage } from 'synthetica/element'; import { linkageFrame } from 'synthetica/frame'; import 'synthetica/inline'; console.log(typeof SyntheticaLinkage, typeof linkageFrame);");
   assert.deepEqual(lines, ['function function']);
+});
+
+test('bundlers can follow every import and every address of the modules', () => {
+  const modules = readdirSync(dist).filter((name) => name.endsWith('.js') && name !== 'inline.js');
+  assert.ok(modules.length > 20);
+  for (const name of modules) {
+    const code = readFileSync(new URL(name, dist), 'utf8').replace(/^\s*(\/\/|\*|\/\*).*$/gm, '');
+    for (const [call, first] of code.matchAll(/\bimport\((?:\/\*.*?\*\/)?\s*(.)/g)) assert.match(first, /["'`]/, `${name}: ${call}`);
+    for (const [call, address] of code.matchAll(/new URL\(([^()]*?),\s*import\.meta\.url\)/g)) assert.match(address, /^(["'`])[^$]*\1$/, `${name}: ${call}`);
+  }
 });
 
 test('every question has its answer', async () => {

@@ -4,6 +4,7 @@ import { copyFileSync, cpSync, mkdirSync, mkdtempSync, readFileSync, rmSync, wri
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { gzipSync } from 'node:zlib';
 import { build } from 'vite';
 import { importedAtOnce } from '../imported-at-once.js';
 import { licences, packagesIn, partsOf } from '../licences.js';
@@ -46,9 +47,9 @@ async function modules(entry, { wasm, worker, codeSplitting }) {
       outDir: at('dist'),
       emptyOutDir: false,
       lib: { entry: Object.fromEntries(Object.entries(entry).map(([name, file]) => [name, at(file)])), formats: ['es'] },
-      rolldownOptions: { external: /^node:/, output: { entryFileNames: '[name].js', chunkFileNames: 'part-[name].js', codeSplitting } },
+      rolldownOptions: { external: /^(node:|worker_threads$)/, output: { entryFileNames: '[name].js', chunkFileNames: 'part-[name].js', codeSplitting } },
     },
-    plugins: [asWritten([wasm, worker]), planner({ wasm: `./${wasm}`, worker: `./${worker}` }), tight()],
+    plugins: [planner({ wasm: `./${wasm}`, worker: `./${worker}` }), asWritten([wasm, worker]), tight()],
   });
   for (const name of [wasm, worker]) copyFileSync(at(`tools/package/files/${name}`), dist(name));
   return packagesIn(output);
@@ -60,6 +61,15 @@ function withWasm(worker) {
   if (!line) throw new Error('dist/worker.js does not begin with its import of wasm.js');
   return `${readFileSync(at('tools/package/files/wasm.js'), 'utf8').replace('export const wasm', `const ${name}`)}${worker.slice(line.length)}`;
 }
+
+/** The wasm as a script of Node's. */
+const wasmText = () => `// The wasm as text, for servers whose bundler has moved the file.
+import { gunzipSync } from 'node:zlib';
+
+const TEXT = '${gzipSync(readFileSync(at('www/pkg/synthetica_bg.wasm')), { level: 9 }).toString('base64')}';
+
+export const wasm = () => gunzipSync(Buffer.from(TEXT, 'base64'));
+`;
 
 /** Those of the functions come from the code, those of documents from the schema, those of attributes and events from their list; the element's others are written by hand, and checked against it. */
 function types() {
@@ -121,6 +131,7 @@ const others = await modules({ index: 'www/planner/api.js', element: 'www/elemen
 await modules({ worker: 'www/planner/worker.js' }, { ...BROWSER, codeSplitting: false });
 writeFileSync(dist('worker.js'), withWasm(readFileSync(dist('worker.js'), 'utf8')));
 await modules({ 'index.node': 'www/planner/api.js' }, NODE);
+put('wasm-text.node.js', wasmText());
 await modules({ 'worker.node': 'tools/package/worker.node.js' }, NODE);
 put('LICENSE-OTHERS', licences(partsOf(others, { wasm: true })));
 const { script, names } = await inlineScript('embed/everything.js');

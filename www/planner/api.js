@@ -42,7 +42,7 @@ const ask = (call, ...args) => pool.ask({ asker: pool, latest: false, call, args
 
 /**
  * A document as it was when it was opened, of which many questions are asked. It is read and checked once. What is asked
- * of two sessions is answered side by side; one function after the other asks as if of one session.
+ * of two sessions is answered side by side; of the functions' plans each worker makes one after the other.
  */
 export class Session {
   #text;

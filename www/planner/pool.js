@@ -10,6 +10,7 @@
  * @typedef {{queue: Queue, open: Set<Request>}} Member `open`: what has no answer yet
  * @typedef {{request: Request, resolve: (answer: Promise<any>) => void}} Waiting
  */
+import { onAbort } from './on-abort.js';
 import { isLong, Queue } from './queue.js';
 import { atMost } from './start-worker.js';
 
@@ -37,14 +38,13 @@ export class Pool {
       this.#waiting.push(waiting);
       this.#next();
       if (!signal || !this.#waiting.includes(waiting)) return;
-      const takeBack = () => {
+      const end = onAbort(signal, () => {
+        end();
         this.#waiting = this.#waiting.filter((other) => other !== waiting);
         reject(signal.reason);
-      };
-      signal.addEventListener('abort', takeBack, { once: true });
-      // Else a signal that lives long would hold on to every question.
+      });
       waiting.resolve = (answer) => {
-        signal.removeEventListener('abort', takeBack);
+        end();
         resolve(answer);
       };
     });

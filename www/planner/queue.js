@@ -25,6 +25,7 @@
  */
 import { DocumentFault, PlannerFailure, PlannerNotLoaded, Superseded } from './errors.js';
 import { openChannel } from './channel.js';
+import { onAbort } from './on-abort.js';
 import { OpenDocuments } from './open-documents.js';
 
 /** How long a question that is computed may hold up others before its worker is ended, in milliseconds. */
@@ -63,18 +64,19 @@ export class Queue {
       this.#waiting = this.#waiting.filter((job) => job !== old);
       old.reject(new Superseded());
     }
-    // Else a signal that lives long would hold on to every question and its answer.
-    const over = new AbortController();
+    /** @type {(() => void)[]} */
+    const ends = [];
     const answer = new Promise((resolve, reject) => {
       /** @type {Job} */
       const job = { ...request, id: ++this.#lastId, resolve, reject, begun: false, slow: false, cancelled: false, repeated: false };
       this.#waiting.push(job);
-      request.signal?.addEventListener('abort', () => this.#takeBack(job, request.signal?.reason), { signal: over.signal });
-      request.stop?.addEventListener('abort', () => this.#stop(job), { signal: over.signal });
+      const { signal, stop } = request;
+      if (signal) ends.push(onAbort(signal, () => this.#takeBack(job, signal.reason)));
+      if (stop) ends.push(onAbort(stop, () => this.#stop(job)));
       this.#next();
     });
-    const end = () => over.abort();
-    answer.then(end, end);
+    const over = () => ends.forEach((end) => end());
+    answer.then(over, over);
     return answer;
   }
 

@@ -4,7 +4,8 @@
  */
 import { availableParallelism } from 'node:os';
 import { resolve } from 'node:path';
-import { Worker } from 'node:worker_threads';
+// By this name, and not as Worker: webpack takes that for a browser's, and writes what is none. It knows the module without `node:`.
+import { Worker as Thread } from 'worker_threads';
 
 /** A program may have as many as can run at once. */
 export const atMost = availableParallelism;
@@ -17,7 +18,7 @@ const OPTIONS = { execArgv: [], name: 'synthetica' };
 
 /** @param {string} [address] of worker.node.js, where it was said */
 export function startWorker(address) {
-  const thread = address ? new Worker(fileOf(address), OPTIONS) : new Worker(new URL('./worker.node.js', import.meta.url), OPTIONS);
+  const thread = address ? new Thread(fileOf(address), OPTIONS) : new Thread(new URL('./worker.node.js', import.meta.url), OPTIONS);
   thread.unref();
   /** Questions without an answer. */
   const open = new Set();
