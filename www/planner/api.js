@@ -16,6 +16,7 @@
  * @typedef {{signal?: AbortSignal}} Options `signal` ends wait and planning
  * @typedef {Options & {stop?: AbortSignal, onProgress?: (progress: Progress) => void}} PlanOptions `stop` ends the planning
  *   with what there is so far, a motion whose `partial` is true; `onProgress` is told how far the planning is
+ * @typedef {Pick<PlanOptions, 'signal' | 'onProgress'> & import('../core/types.js').ExportOptions} ExportOptions
  */
 import { Queue } from './queue.js';
 import { DocumentFault } from './errors.js';
@@ -127,11 +128,11 @@ export class Session {
   /**
    * The planned motion as text for other programs.
    * @param {'csv' | 'json' | 'mjcf'} format `mjcf` is a model for MuJoCo
-   * @param {Pick<PlanOptions, 'signal' | 'onProgress'>} [options]
+   * @param {ExportOptions} [options]
    * @returns {Promise<string>}
    */
-  exportMotion(format, options) {
-    return this.#ask('export_motion', [format], options);
+  exportMotion(format, { signal, onProgress, ...wished } = {}) {
+    return this.#ask('export_motion', [format, JSON.stringify(wished)], { signal, onProgress });
   }
 
   /** Frees what the planner keeps of it; nothing more can be asked. */
@@ -264,7 +265,7 @@ export async function compareMetrics(doc, options) {
  * The planned motion as text for other programs.
  * @param {MechanismDocument | string} doc
  * @param {'csv' | 'json' | 'mjcf'} format `mjcf` is a model for MuJoCo
- * @param {Pick<PlanOptions, 'signal' | 'onProgress'>} [options]
+ * @param {ExportOptions} [options]
  * @returns {Promise<string>}
  */
 export async function exportMotion(doc, format, options) {
