@@ -88,7 +88,14 @@ fn every_sample_is_planned_and_exported_as_the_library_does() {
         let problem = Problem::new(document).expect("a problem");
         let motion = problem.plan();
         for format in export::Format::ALL {
-            let expected = export::write(format, document, &problem.mechanism, &motion);
+            let expected = export::write(
+                format,
+                export::Options::default(),
+                document,
+                &problem.mechanism,
+                &motion,
+            )
+            .expect("a text");
             let exported = printed(&["export", format.name(), &name]);
             assert!(exported == expected, "{name}, {}", format.name());
         }
@@ -454,6 +461,45 @@ fn a_file_that_is_not_there_gives_no_answer() {
     assert_eq!(err.lines().count(), 2, "{err}");
 }
 
+#[test]
+fn a_table_has_its_units_where_they_are_asked_for() {
+    let head = |arguments: &[&str]| -> Vec<String> {
+        let out = printed(&[&["export", "csv", "--frames", "2", "scara.json"], arguments].concat());
+        let short = out
+            .lines()
+            .map(|line| line.split(',').take(4).collect::<Vec<_>>().join(","));
+        short.take(2).collect()
+    };
+    let [named, first] = &head(&[])[..] else {
+        panic!("two lines")
+    };
+    assert_eq!(named, "frame,time,status,x[m]");
+    assert!(first.starts_with("0,0,reached,"), "{first}");
+    assert_eq!(head(&["--headings", "units"]), head(&[]));
+    assert_eq!(
+        head(&["--headings", "plain"]),
+        ["frame,time,status,x", first.as_str()]
+    );
+    assert_eq!(
+        head(&["--headings", "two-rows"]),
+        ["frame,time,status,x", ",,,m"]
+    );
+}
+
+#[test]
+fn gravity_needs_a_unit_of_length() {
+    let model = printed(&["export", "mjcf", "--gravity", "delta.json"]);
+    assert!(model.contains("<option gravity=\"0 0 -9810\""));
+    let place = ["--set", "length_unit=furlong"];
+    let (out, err, code) =
+        run(&[&["export", "mjcf", "--gravity", "delta.json"][..], &place].concat());
+    assert_eq!((out.as_str(), code), ("", 1));
+    assert!(
+        err.contains("furlong") && err.contains("Accepted: m, cm, mm, \u{b5}m, in"),
+        "{err}"
+    );
+}
+
 /// In place of the document's, with a frame for each; the rows that cannot be taken over are told, and the rest is planned.
 #[test]
 fn key_frames_come_from_a_table() {
@@ -505,6 +551,18 @@ fn a_wrong_command_line_says_what_would_be_accepted() {
     for (arguments, accepted) in [
         (&["plan", "--format", "xls"][..], "csv, json"),
         (&["export", "xls"], "csv, json, mjcf"),
+        (
+            &["export", "csv", "--headings", "none"],
+            "units, plain, two-rows",
+        ),
+        (
+            &["export", "json", "--headings", "plain", "3rps.json"],
+            "Headings: the format json has none. Accepted: headings with the format csv.",
+        ),
+        (
+            &["export", "csv", "--gravity", "3rps.json"],
+            "Accepted: gravity with the format mjcf.",
+        ),
         (&["plan", "--frames", "1"], "2..=100001"),
         (&["plan", "--method", "guess"], "newton, gradient"),
         (&["enumerate", "chains", "5"], "1..=4"),

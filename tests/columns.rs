@@ -162,7 +162,12 @@ fn a_table_has_the_columns_of_the_list() {
             }
         }
     }
-    let text = table::csv(session.document(), mechanism, &motion);
+    let text = table::csv(
+        session.document(),
+        mechanism,
+        &motion,
+        table::Headings::Units,
+    );
     let found: Vec<&str> = text.lines().next().expect("a heading").split(',').collect();
     assert_eq!(found, expected);
 }

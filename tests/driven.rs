@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 use std::f64::consts::PI;
 use synthetica::document::report::Report;
-use synthetica::export::{Format, write};
+use synthetica::export::{Format, Options, write};
 use synthetica::math::pose::FrameCoordinates;
 use synthetica::motion::trajectory::DriveEnd;
 use synthetica::{Session, Status, Trajectory, Warning};
@@ -894,7 +894,10 @@ fn readers_of_goals_find_none() {
     let report = Report::new(&problem.mechanism, "mm", &t);
     assert_eq!(report.drivers, [0]);
 
-    let text = |format| write(format, session.document(), &problem.mechanism, &t);
+    let text = |format| {
+        let (document, mechanism) = (session.document(), &problem.mechanism);
+        write(format, Options::default(), document, mechanism, &t).expect("a text")
+    };
     let csv = text(Format::Csv);
     let mut lines = csv.lines().map(|line| line.split(',').collect::<Vec<_>>());
     let headings = lines.next().expect("headings");
@@ -920,6 +923,8 @@ fn readers_of_goals_find_none() {
     assert!(column("x")[0].is_number());
     let mjcf = text(Format::Mjcf);
     assert_eq!(mjcf.matches("<key ").count(), 5);
+    assert_eq!(mjcf.matches("<position ").count(), 1);
+    assert!(mjcf.contains("<position name=\"chain1_theta1_drive\" joint=\"chain1_theta1\""));
     assert!(!mjcf.contains("NaN"));
     // The text comes back as it is, and with its start.
     assert_eq!(

@@ -10,8 +10,9 @@ use synthetica::document::fault::FaultCode;
 use synthetica::document::problem::Problem;
 use synthetica::document::schema::{Document, LimitsEntry};
 use synthetica::document::text;
-use synthetica::exchange::export::{Format, write};
+use synthetica::exchange::export::{Format, Options, write};
 use synthetica::motion::trajectory::Trajectory;
+use synthetica::source::session::Session;
 
 const THREE_RPS: &str = include_str!("../www/mechanisms/3rps.json");
 const SCARA: &str = include_str!("../www/mechanisms/scara.json");
@@ -24,7 +25,9 @@ fn read(text: &str) -> Document {
 fn exported(document: &Document, format: Format) -> (String, Trajectory) {
     let problem = Problem::new(document).expect("a problem");
     let motion = problem.plan();
-    (write(format, document, &problem.mechanism, &motion), motion)
+    let options = Options::default();
+    let text = write(format, options, document, &problem.mechanism, &motion);
+    (text.expect("a text"), motion)
 }
 
 /// The values of an attribute of every element of this name, in order.
@@ -54,6 +57,7 @@ fn the_table_has_units_in_its_headings_and_every_digit() {
     };
     let same = |a: f64, b: f64| assert_eq!(a.to_bits(), b.to_bits());
     for frame in [0, 64, 128] {
+        assert_eq!(lines[frame + 1][column("frame")], frame.to_string());
         let joints = motion.joints_at(frame);
         same(number(frame, "chain1_theta1[deg]"), joints[0].to_degrees());
         same(number(frame, "chain1_d2[m]"), joints[1]);
@@ -101,6 +105,12 @@ fn the_json_has_the_columns_and_the_document() {
     }
     assert_eq!(value["name"], "a \"b\" \\ c");
     assert_eq!(value["frames"], motion.frames());
+    assert_eq!(
+        (&columns[0]["name"], &columns[0]["values"][0]),
+        (&"frame".into(), &0.into())
+    );
+    let last = motion.frames() - 1;
+    assert_eq!(columns[0]["values"][last], last);
     let kept = text::parse(&value["document"].to_string()).expect("the document");
     assert_eq!(kept.text(), document.text());
 }
@@ -135,13 +145,136 @@ fn the_model_has_a_joint_a_variable_and_a_weld_a_loop() {
         let values: Vec<f64> = key.split(' ').map(|x| x.parse().expect("x")).collect();
         assert_eq!(values, motion.joints_at(frame));
     }
+    let names = attributes(&xml, "key", "name");
+    assert_eq!((names[0], names[128]), ("frame0", "frame128"));
     let references: Vec<f64> = (attributes(&xml, "joint", "ref").iter())
         .map(|x| x.parse().expect("a number"))
         .collect();
     assert_eq!(references, motion.joints_at(0));
 }
 
-/// A C is a hinge and a slide in one body; a single chain needs no weld.
+/// The joints that have drives, in order.
+fn drives(document: &Document) -> Vec<String> {
+    let (xml, _) = exported(document, Format::Mjcf);
+    let own = attributes(&xml, "position", "joint");
+    own.into_iter().map(str::to_owned).collect()
+}
+
+/// As many drives as there are freedoms, on the joints that machines drive where those command the motion; what each key
+/// frame asks of them is what the joints have there.
+#[test]
+fn drives_are_where_they_command_the_motion() {
+    let sample = |text| drives(Session::open(text).expect("a sample").document());
+    let (tripod, delta) = (
+        include_str!("../www/mechanisms/tripod.json"),
+        include_str!("../www/mechanisms/delta.json"),
+    );
+    assert_eq!(sample(tripod), ["chain1_d2", "chain2_d2", "chain3_d2"]);
+    assert_eq!(
+        sample(delta),
+        ["chain1_theta1", "chain2_theta1", "chain3_theta1"]
+    );
+    // Its slider stands still where the crank is at a dead point.
+    let crank = include_str!("../www/mechanisms/slider-crank.json");
+    assert_eq!(sample(crank), ["chain1_theta1"]);
+    assert_eq!(sample(SCARA).len(), 4);
+
+    let (xml, motion) = exported(&read(THREE_RPS), Format::Mjcf);
+    let joints = attributes(&xml, "joint", "name");
+    let driven: Vec<usize> = (attributes(&xml, "position", "joint").iter())
+        .map(|name| joints.iter().position(|joint| joint == name).expect("one"))
+        .collect();
+    assert_eq!(driven.len(), 3);
+    for (frame, controls) in attributes(&xml, "key", "ctrl").iter().enumerate() {
+        let values: Vec<f64> = controls.split(' ').map(|x| x.parse().expect("x")).collect();
+        let own = driven.iter().map(|&k| motion.joints_at(frame)[k]);
+        assert_eq!(values, own.collect::<Vec<_>>());
+    }
+    // A joint that is held needs none.
+    let mut held = read(BENNETT);
+    let at = Some(45.0);
+    held.chains[1].joints[0].limits = Some(vec![Some(LimitsEntry { min: at, max: at })]);
+    assert!(!drives(&held).contains(&"chain2_theta1".to_owned()));
+}
+
+#[test]
+fn the_model_has_sensors_on_the_workpiece_and_gravity_where_it_is_asked_for() {
+    let mut document = read(THREE_RPS);
+    let problem = Problem::new(&document).expect("a problem");
+    let motion = problem.plan();
+    let (xml, _) = exported(&document, Format::Mjcf);
+    for kind in ["framepos", "framequat", "framelinvel", "frameangvel"] {
+        assert_eq!(attributes(&xml, kind, "objname"), ["workpiece"], "{kind}");
+    }
+    assert_eq!(attributes(&xml, "site", "name"), ["workpiece"]);
+    assert_eq!(attributes(&xml, "option", "gravity"), ["0 0 0"]);
+    let options = |gravity| Options {
+        gravity: Some(gravity),
+        ..Options::default()
+    };
+    for (unit, gravity) in [
+        ("m", "0 0 -9.81"),
+        ("mm", "0 0 -9810"),
+        ("cm", "0 0 -981"),
+        ("\u{3bc}m", "0 0 -9.81e6"),
+    ] {
+        document.length_unit = unit.into();
+        let write = |on| {
+            write(
+                Format::Mjcf,
+                options(on),
+                &document,
+                &problem.mechanism,
+                &motion,
+            )
+        };
+        let heavy = write(true).expect("a model");
+        assert_eq!(attributes(&heavy, "option", "gravity"), [gravity], "{unit}");
+        let light = write(false).expect("a model");
+        assert_eq!(attributes(&light, "option", "gravity"), ["0 0 0"]);
+    }
+    for unit in ["", "cubit"] {
+        document.length_unit = unit.into();
+        let write = |on| {
+            write(
+                Format::Mjcf,
+                options(on),
+                &document,
+                &problem.mechanism,
+                &motion,
+            )
+        };
+        assert!(write(false).is_ok());
+        let fault = write(true).expect_err("no gravity in it");
+        assert_eq!(fault.place, "length_unit");
+        assert_eq!(fault.accepted, "m, cm, mm, \u{b5}m, in");
+    }
+}
+
+#[test]
+fn options_are_words_of_their_format() {
+    let read = |text: &str| Options::read(text);
+    assert_eq!(read(""), Ok(Options::default()));
+    let plain = read("{\"headings\": \"plain\"}").expect("options");
+    assert!(plain.check(Format::Csv).is_ok());
+    for (fault, place) in [
+        (read("{\"headings\": \"none\"}"), "headings"),
+        (read("{\"gravity\": 9.81}"), "gravity"),
+        (read("{\"units\": true}"), "units"),
+        (plain.check(Format::Mjcf).map(|()| plain), "headings"),
+        (
+            read("{\"gravity\": false}").and_then(|own| own.check(Format::Csv).map(|()| own)),
+            "gravity",
+        ),
+    ] {
+        let fault = fault.expect_err(place);
+        assert_eq!(fault.place, place, "{fault}");
+        assert!(!fault.accepted.is_empty(), "{fault}");
+    }
+    let fault = read("{\"headings\": \"none\"}").expect_err("none");
+    assert!(fault.accepted.contains("units, plain, two-rows"), "{fault}");
+}
+
 /// What is only looked at has rounded numbers, by its own size: that of a linkage of a micrometre is there too.
 #[test]
 fn a_small_linkage_is_drawn() {
@@ -167,6 +300,7 @@ fn a_small_linkage_is_drawn() {
     }
 }
 
+/// A C is a hinge and a slide in one body; a single chain needs no weld.
 #[test]
 fn a_cylindric_joint_is_a_hinge_and_a_slide() {
     let (xml, _) = exported(&read(SCARA), Format::Mjcf);
@@ -206,7 +340,7 @@ fn a_model_of_open_loops_has_no_key_frames_and_any_name_is_text() {
     document.chains[0].joints[1].rows[0].alpha = 31.0;
     let (xml, motion) = exported(&document, Format::Mjcf);
     assert!(motion.closure.iter().all(|&opening| opening > 1e-6));
-    assert!(!xml.contains("<keyframe>"));
+    assert!(!xml.contains("<keyframe>") && !xml.contains("<actuator>"));
     assert!(xml.starts_with("<mujoco model=\"&lt;a&gt; &amp; &quot;b&quot;\">"));
 }
 

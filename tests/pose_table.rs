@@ -6,11 +6,12 @@ use synthetica::document::problem::Problem;
 use synthetica::document::schema::KeyFrameEntry;
 use synthetica::document::text::parse;
 use synthetica::exchange::delimited::Separator;
-use synthetica::exchange::export::{Format, write};
+use synthetica::exchange::export::{Format, Options, write};
 use synthetica::exchange::pose_columns::Convention;
 use synthetica::exchange::pose_table::{
     AngleUnit, PoseTable, PoseTableRequest, read_pose_table, read_pose_table_asked,
 };
+use synthetica::exchange::table::Headings;
 use synthetica::math::pose::{FrameCoordinates, Pose, gaps};
 use synthetica::motion::goal::MAX_FRAMES;
 use synthetica::motion::key_frames::MAX_KEY_FRAMES;
@@ -452,18 +453,41 @@ fn a_written_motion_reads_back() {
     let document = parse(include_str!("../www/mechanisms/3rps.json")).expect("a sample");
     let problem = Problem::new(&document).expect("a problem");
     let motion = problem.plan();
-    let table = read(&write(Format::Csv, &document, &problem.mechanism, &motion));
-    assert_eq!(
-        (table.key_frames.len(), table.skipped_count),
-        (motion.frames(), 0)
-    );
-    assert!(table.understood.time && table.understood.header);
-    for (key, reached) in table.key_frames.iter().zip(&motion.poses) {
-        let (shift, turn) = gaps(&pose(key), reached);
-        assert!(shift < 1e-12 && turn < 1e-9, "{shift:e}, {turn:e}");
+    for headings in Headings::ALL {
+        let options = Options {
+            headings: Some(headings),
+            ..Options::default()
+        };
+        let text = write(Format::Csv, options, &document, &problem.mechanism, &motion);
+        let table = read(&text.expect("a table"));
+        assert_eq!(
+            (table.key_frames.len(), table.skipped_count),
+            (motion.frames(), 0),
+            "{headings:?}"
+        );
+        assert!(table.understood.time && table.understood.header);
+        assert!(table.understood.assumed.is_empty());
+        for (key, reached) in table.key_frames.iter().zip(&motion.poses) {
+            let (shift, turn) = gaps(&pose(key), reached);
+            assert!(shift < 1e-12 && turn < 1e-9, "{shift:e}, {turn:e}");
+        }
+        let mut times = table.key_frames.iter().zip(&motion.time);
+        assert!(times.all(|(key, &time)| key.time == Some(time)));
     }
-    let mut times = table.key_frames.iter().zip(&motion.time);
-    assert!(times.all(|(key, &time)| key.time == Some(time)));
+}
+
+/// The units of the row below the headings are those of the columns; a row that only lacks numbers is told.
+#[test]
+fn a_row_of_units_is_read() {
+    let angles = "name\tx\ty\tz\trx\try\trz\n\tmm\tmm\tmm\trad\trad\trad\na\t1\t2\t3\t0\t0\t1.5\n";
+    let table = read(angles);
+    assert_eq!((table.key_frames.len(), table.skipped_count), (1, 0));
+    assert_eq!(table.understood.angles, AngleUnit::Radians);
+    assert_eq!(table.understood.columns[1].heading, "x[mm]");
+    let missing = read("x,y,z\nnone,none,?\n1,2,3\n");
+    assert_eq!((missing.key_frames.len(), missing.skipped[0].row), (1, 2));
+    let said = read("x[mm],y[mm],z[mm]\nmm,mm,mm\n1,2,3\n");
+    assert_eq!((said.key_frames.len(), said.skipped[0].row), (1, 2));
 }
 
 #[test]

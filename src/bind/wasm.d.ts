@@ -301,6 +301,14 @@ export interface Defaults {
   planner: object;
 }
 
+/** How a motion is written. */
+export interface ExportOptions {
+  /** Of CSV: units behind the names, as x[mm], none, or in a row of their own below the names; "units" without. */
+  headings?: 'units' | 'plain' | 'two-rows';
+  /** Of a MuJoCo model: gravity along −z, in the document's unit of length; none without. */
+  gravity?: boolean;
+}
+
 /** What is known of a table of poses, for `read_poses`; all of it is optional. */
 export interface PoseTableRequest {
   convention?: 'positions' | 'longitude_latitude_roll' | 'quaternion_wxyz' | 'quaternion_xyzw' | 'matrix' | 'roll_pitch_yaw';

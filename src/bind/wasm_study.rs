@@ -6,7 +6,7 @@ use crate::document::make;
 use crate::document::problem::Problem;
 use crate::document::schema::SCHEMA;
 use crate::document::text::{self, Digits};
-use crate::exchange::export::{self, Format};
+use crate::exchange::export::{self, Format, Options};
 use crate::exchange::pose_table::read_pose_table_asked;
 use crate::makers::from_type;
 use crate::makers::list;
@@ -144,18 +144,23 @@ impl Session {
         to_js(&comparison.finish()).map(JsCast::unchecked_into)
     }
 
-    /// The planned motion as text for other programs: `csv`, `json` or `mjcf`. A plan in portions that is complete is
-    /// not made again.
+    /// The planned motion as text for other programs: `csv`, `json` or `mjcf`, asked for by `ExportOptions` as JSON. A
+    /// plan in portions that is complete is not made again.
     ///
     /// # Errors
-    /// A `Fault` where there is no such format.
-    pub fn export_motion(&self, format: &str) -> Result<String, JsValue> {
-        let format = Format::named(format).map_err(|fault| refusal(&fault))?;
+    /// A `Fault` where there is no such format, or an option does not go with it.
+    pub fn export_motion(&self, format: &str, options: Option<String>) -> Result<String, JsValue> {
         let (document, mechanism) = (self.open.document(), &self.open.problem().mechanism);
-        Ok(match self.planned() {
-            Some(motion) => export::write(format, document, mechanism, motion),
-            None => export::write(format, document, mechanism, &self.open.plan()),
-        })
+        let written = || {
+            let format = Format::named(format)?;
+            let options = Options::read(options.as_deref().unwrap_or_default())?;
+            options.check(format)?;
+            match self.planned() {
+                Some(motion) => export::write(format, options, document, mechanism, motion),
+                None => export::write(format, options, document, mechanism, &self.open.plan()),
+            }
+        };
+        written().map_err(|fault| refusal(&fault))
     }
 }
 

@@ -1,25 +1,54 @@
-//! The linkage and its motion as a MuJoCo model (MJCF): every joint explicit, the loops closed by welds.
+//! The linkage and its motion as a MuJoCo model (MJCF): every joint explicit, the loops closed by welds, drives on as many
+//! joints as there are freedoms, sensors on the workpiece.
 //!
 //! Each chain is a branch of the tree of bodies: the base at G, a body for each row of the table with the
 //! row's joints, H behind the last. The workpiece is the end of the first chain; the end of every other
 //! chain is welded to it. The model's reference position is the first frame, so that a viewer opens it
-//! closed; the joints' values are the planner's all the same (`ref`), and every frame is a key frame.
+//! closed; the joints' values are the planner's all the same (`ref`), and every frame is a key frame, counted from 0,
+//! with the controls that hold it: the values of the joints that have drives.
+//!
+//! MuJoCo has no units: lengths are in the document's unit, times in seconds, masses in kilograms say. Moments and
+//! moments of inertia grow with the square of the size, so that a linkage moves the same in millimetres and in metres.
 
 use crate::document::bounds::{MAX_ANGLE, MAX_LENGTH};
+use crate::document::fault::{Fault, FaultCode, Place, excerpt};
 use crate::document::report::Report;
 use crate::document::schema::Document;
+use crate::exchange::drives::drives;
 use crate::exchange::table::{number, variable_name};
-use crate::math::pose::Pose;
+use crate::exchange::xml::{Xml, escaped, numbers, vector};
 use crate::model::chain::Chain;
 use crate::model::dh::{x_displacement, z_displacement};
 use crate::model::joint::{Limits, Moves};
 use crate::model::mechanism::Mechanism;
 use crate::motion::trajectory::{Status, Trajectory};
 use nalgebra::Vector3;
-use std::fmt::Write;
 
 /// The radius of a link as a share of the mechanism's size.
 const LINK: f64 = 1.0 / 60.0;
+/// Inertia of a motor, as the joint feels it: kg, of a hinge beside the square of the size. About that of all links.
+const MOTOR: f64 = 1.0;
+/// How stiff a drive holds its motor, rad/s, and the share of the critical damping. A drive is late by 2 DAMPING/STIFF,
+/// 0.2 ms, and gives way to gravity by 1e-6 m for each kilogram that it carries.
+const STIFF: f64 = 3000.0;
+const DAMPING: f64 = 0.3;
+/// Seconds a step: less than a radian of the stiffest motion there is.
+const STEP: f64 = 0.00025;
+/// Friction, kg/s, and inertia, kg, of every joint without a drive, of a hinge beside the square of the size: little beside
+/// a drive's, and enough that no part is so light that the welds give way.
+const FRICTION: f64 = 0.001;
+const BEARING: f64 = 0.001;
+/// How far a drive goes beyond its motion where the joint has no limit, rad or shares of the size.
+const BEYOND: f64 = 0.01;
+/// Gravity, m/s², and the units of length in which it can be said: how many of them are a metre.
+const GRAVITY: f64 = 9.81;
+const UNITS: [(&str, f64); 5] = [
+    ("m", 1.0),
+    ("cm", 100.0),
+    ("mm", 1000.0),
+    ("\u{b5}m", 1e6),
+    ("in", 1.0 / 0.0254),
+];
 /// Colours of the chains, taken in turn, and of the workpiece: red, green, blue, opacity.
 const CHAINS: [&str; 6] = [
     "0.26 0.47 0.75 1",
@@ -33,17 +62,31 @@ const WORKPIECE: &str = "0.85 0.72 0.35 1";
 
 /// What MuJoCo reads. Lengths stay in the document's unit; frames whose loops are open are left out of
 /// the key frames.
-pub fn mjcf(document: &Document, mechanism: &Mechanism, t: &Trajectory) -> String {
+///
+/// # Errors
+/// Where gravity is asked for and the document's unit of length is none of m, cm, mm, µm and in.
+pub fn mjcf(
+    document: &Document,
+    mechanism: &Mechanism,
+    t: &Trajectory,
+    with_gravity: bool,
+) -> Result<String, Fault> {
+    let gravity = if with_gravity {
+        GRAVITY * units_a_metre(&document.length_unit)?
+    } else {
+        0.0
+    };
     let frames: Vec<usize> = (0..t.frames())
         .filter(|&i| t.status[i] != Status::ClosureLost)
         .collect();
     let first = frames.first().map_or(&t.start[..], |&i| t.joints_at(i));
+    let drives = drives(mechanism, t, &frames);
     let mut xml = Xml::default();
     xml.open(&format!("<mujoco model=\"{}\">", escaped(&document.name)));
-    head(&mut xml, document, mechanism, t);
+    head(&mut xml, document, mechanism, t, gravity);
     xml.open("<worldbody>");
     let report = Report::new(mechanism, &document.length_unit, t);
-    let mut fixed = Vec::new();
+    let (mut fixed, mut actuators) = (Vec::new(), Vec::new());
     for (i, (chain, values)) in mechanism.split(first).enumerate() {
         let offset = mechanism.chains()[..i].iter().map(Chain::freedoms).sum();
         let branch = Branch {
@@ -56,48 +99,91 @@ pub fn mjcf(document: &Document, mechanism: &Mechanism, t: &Trajectory) -> Strin
                 .collect(),
             values,
             offset,
-            radius: LINK * mechanism.size_or(1.0),
+            size: mechanism.size_or(1.0),
+            drives: &drives,
         };
         branch.write(&mut xml, mechanism, t, &mut fixed);
+        actuators.extend(branch.actuators(t, &frames));
     }
     xml.close("</worldbody>");
     if mechanism.chains().len() > 1 || !fixed.is_empty() {
-        xml.open("<equality>");
-        for i in 2..=mechanism.chains().len() {
-            xml.line(&format!(
+        let welds = (2..=mechanism.chains().len()).map(|i| {
+            format!(
                 "<weld name=\"chain{i}_closes\" body1=\"workpiece\" body2=\"chain{i}_end\" relpose=\"0 0 0 1 0 0 0\"/>"
-            ));
-        }
-        for line in &fixed {
-            xml.line(line);
-        }
-        xml.close("</equality>");
+            )
+        });
+        xml.list("equality", welds.chain(fixed));
     }
+    if !actuators.is_empty() {
+        xml.line("<!-- Controls are values of joints; those of key frame frame0 hold the linkage where it begins. -->");
+        xml.list("actuator", actuators);
+    }
+    let sensors = [
+        ("framepos", "position"),
+        ("framequat", "rotation"),
+        ("framelinvel", "velocity"),
+        ("frameangvel", "angular_velocity"),
+    ];
+    let sensor = |(kind, name): (&str, &str)| {
+        format!("<{kind} name=\"workpiece_{name}\" objtype=\"site\" objname=\"workpiece\"/>")
+    };
+    xml.list("sensor", sensors.map(sensor));
     if !frames.is_empty() {
         if frames.len() < t.frames() {
             xml.line("<!-- Frames whose loops are open are left out. -->");
         }
-        xml.open("<keyframe>");
-        for &i in &frames {
-            xml.line(&format!(
-                "<key name=\"frame{}\" time=\"{}\" qpos=\"{}\"/>",
-                i + 1,
+        let controls = |joints: &[f64]| {
+            let own = numbers(drives.iter().map(|&k| joints[k]));
+            (!own.is_empty())
+                .then(|| format!(" ctrl=\"{own}\""))
+                .unwrap_or_default()
+        };
+        let key = |&i: &usize| {
+            let joints = t.joints_at(i);
+            format!(
+                "<key name=\"frame{i}\" time=\"{}\" qpos=\"{}\"{}/>",
                 number(t.time[i]),
-                numbers(t.joints_at(i).iter().copied())
-            ));
-        }
-        xml.close("</keyframe>");
+                numbers(joints.iter().copied()),
+                controls(joints)
+            )
+        };
+        xml.list("keyframe", frames.iter().map(key));
     }
     xml.close("</mujoco>");
-    xml.text
+    Ok(xml.text)
 }
 
-fn head(xml: &mut Xml, document: &Document, mechanism: &Mechanism, t: &Trajectory) {
+fn units_a_metre(unit: &str) -> Result<f64, Fault> {
+    // The Greek letter is the same sign as that for a millionth.
+    let plain = unit.trim().replace('\u{3bc}', "\u{b5}");
+    let found = UNITS.iter().find(|(name, _)| *name == plain);
+    found.map(|(_, count)| *count).ok_or_else(|| {
+        let what = if plain.is_empty() {
+            "gravity needs one, and there is none".to_owned()
+        } else {
+            format!("gravity in \u{201c}{}\u{201d} is not known", excerpt(unit))
+        };
+        let accepted = UNITS.map(|(name, _)| name).join(", ");
+        let place = Place::WHOLE.field("length_unit");
+        Fault::new(FaultCode::UnknownValue, &place, &what, &accepted)
+    })
+}
+
+fn head(xml: &mut Xml, document: &Document, mechanism: &Mechanism, t: &Trajectory, gravity: f64) {
     xml.line("<!-- Angles in radians, lengths in the unit named below. Masses only make the model move. -->");
     // MuJoCo refuses bodies lighter than 1e-15, and the parts of a small linkage would be.
-    xml.line("<compiler angle=\"radian\" boundmass=\"1e-6\" boundinertia=\"1e-9\"/>");
-    xml.line("<!-- No gravity, so that the linkage stays where a key frame puts it: \"0 0 -9.81\" for metres. -->");
-    xml.line("<option gravity=\"0 0 0\"/>");
+    let light = (1e-9 * mechanism.size_or(1.0).powi(2)).clamp(1e-14, 1e-9);
+    xml.line(&format!(
+        "<compiler angle=\"radian\" boundmass=\"1e-6\" boundinertia=\"{}\"/>",
+        number(light)
+    ));
+    if gravity == 0.0 {
+        xml.line("<!-- No gravity, unless it is asked for: \"0 0 -9.81\" for metres. -->");
+    }
+    xml.line(&format!(
+        "<option gravity=\"{}\" timestep=\"{STEP}\" integrator=\"implicitfast\"/>",
+        numbers([0.0, 0.0, -gravity])
+    ));
     let middle = (t.poses.iter()).fold(Vector3::zeros(), |sum, pose| sum + pose.translation.vector);
     let bases = (mechanism.chains().iter()).fold(Vector3::zeros(), |sum, chain| {
         sum + chain.base().translation.vector
@@ -112,18 +198,17 @@ fn head(xml: &mut Xml, document: &Document, mechanism: &Mechanism, t: &Trajector
     xml.line("<visual><headlight ambient=\"0.4 0.4 0.4\" diffuse=\"0.5 0.5 0.5\"/></visual>");
     xml.line("<asset><texture type=\"skybox\" builtin=\"gradient\" rgb1=\"0.9 0.92 0.95\" rgb2=\"0.6 0.66 0.74\" width=\"64\" height=\"64\"/></asset>");
     if !document.length_unit.is_empty() {
-        xml.open("<custom>");
-        xml.line(&format!(
-            "<text name=\"length_unit\" data=\"{}\"/>",
-            escaped(&document.length_unit)
-        ));
-        xml.close("</custom>");
+        let unit = escaped(&document.length_unit);
+        let text = format!("<text name=\"length_unit\" data=\"{unit}\"/>");
+        xml.list("custom", [text]);
     }
-    xml.open("<default>");
-    xml.line("<geom mass=\"0.1\" contype=\"0\" conaffinity=\"0\"/>");
-    xml.line("<joint damping=\"0.05\"/>");
-    xml.line("<equality solref=\"0.005 1\"/>");
-    xml.close("</default>");
+    // As stiff as the step allows, and with hardly any share of the load left over: MuJoCo's usual welds give way by a
+    // hundredth of the size where the drives pull.
+    let defaults = [
+        "<geom mass=\"0.1\" contype=\"0\" conaffinity=\"0\"/>",
+        "<equality solref=\"0.001 1\" solimp=\"0.9999 0.9999 0.001\"/>",
+    ];
+    xml.list("default", defaults);
 }
 
 /// A chain as a branch of the tree.
@@ -137,12 +222,15 @@ struct Branch<'a> {
     values: &'a [f64],
     /// Where its variables begin among all.
     offset: usize,
-    radius: f64,
+    /// Of the mechanism.
+    size: f64,
+    /// The variables with drives, among all.
+    drives: &'a [usize],
 }
 
 impl Branch<'_> {
     fn write(&self, xml: &mut Xml, mechanism: &Mechanism, t: &Trajectory, fixed: &mut Vec<String>) {
-        let (name, r) = (format!("chain{}", self.number + 1), self.radius);
+        let (name, r) = (format!("chain{}", self.number + 1), LINK * self.size);
         let colour = CHAINS[self.number % CHAINS.len()];
         xml.body(&format!("{name}_base"), self.chain.base());
         xml.geom("box", "0 0 0", &[1.6 * r, 1.6 * r, 1.6 * r], colour);
@@ -201,6 +289,7 @@ impl Branch<'_> {
         }
         if self.number == 0 {
             xml.body("workpiece", self.chain.gripper());
+            xml.line("<site name=\"workpiece\" group=\"4\"/>");
             xml.geom("sphere", "0 0 0", &[1.5 * r], WORKPIECE);
             for chain in mechanism.chains() {
                 let end = chain.gripper().inverse().translation.vector;
@@ -234,96 +323,50 @@ impl Branch<'_> {
             let ends = [limits.min.max(-open), limits.max.min(open)];
             range = format!(" range=\"{}\"", numbers(ends));
         }
+        let scale = self.scale(kind == "hinge");
+        let inertia = if self.drives.contains(&(self.offset + k)) {
+            MOTOR
+        } else {
+            BEARING
+        };
         xml.line(&format!(
-            "<joint name=\"{name}\" type=\"{kind}\" axis=\"0 0 1\" ref=\"{}\"{range}/>",
-            number(value)
-        ));
-    }
-}
-
-/// Lines of XML with their depth.
-#[derive(Default)]
-struct Xml {
-    text: String,
-    depth: usize,
-}
-
-impl Xml {
-    fn line(&mut self, line: &str) {
-        let indent = 2 * self.depth;
-        let _ = writeln!(self.text, "{:indent$}{line}", "");
-    }
-
-    fn open(&mut self, tag: &str) {
-        self.line(tag);
-        self.depth += 1;
-    }
-
-    fn close(&mut self, tag: &str) {
-        self.depth -= 1;
-        self.line(tag);
-    }
-
-    fn body(&mut self, name: &str, pose: &Pose) {
-        let q = pose.rotation.coords;
-        self.open(&format!(
-            "<body name=\"{name}\" pos=\"{}\" quat=\"{}\">",
-            vector(&pose.translation.vector),
-            numbers([q.w, q.x, q.y, q.z])
+            "<joint name=\"{name}\" type=\"{kind}\" axis=\"0 0 1\" ref=\"{}\" damping=\"{}\" armature=\"{}\"{range}/>",
+            number(value),
+            number(FRICTION * scale),
+            number(inertia * scale)
         ));
     }
 
-    fn geom(&mut self, kind: &str, place: &str, size: &[f64], colour: &str) {
-        self.line(&format!(
-            "<geom type=\"{kind}\" pos=\"{place}\" size=\"{}\" rgba=\"{colour}\"/>",
-            rounded(size)
-        ));
+    /// What moments and moments of inertia have that forces and masses have not.
+    fn scale(&self, turns: bool) -> f64 {
+        if turns { self.size * self.size } else { 1.0 }
     }
 
-    /// Nothing where the two ends are within its radius.
-    fn capsule(&mut self, from: &Vector3<f64>, to: &Vector3<f64>, radius: f64, colour: &str) {
-        if (to - from).norm() > radius {
-            let ends = [from.x, from.y, from.z, to.x, to.y, to.z];
-            self.line(&format!(
-                "<geom type=\"capsule\" fromto=\"{}\" size=\"{}\" rgba=\"{colour}\"/>",
-                rounded(&ends),
-                rounded(&[radius])
-            ));
-        }
+    /// The drives of this chain: each holds its joint at the value that is its control. Controls go to the joint's
+    /// limits, or to what the motion needs and a little beyond.
+    fn actuators(&self, t: &Trajectory, frames: &[usize]) -> Vec<String> {
+        let variables = self.chain.turns().zip(self.chain.limits()).enumerate();
+        let driven = variables.filter(|(k, _)| self.drives.contains(&(self.offset + k)));
+        let actuator = |(k, (turns, limits)): (usize, (bool, Limits))| {
+            let values = frames.iter().map(|&f| t.joints_at(f)[self.offset + k]);
+            let (least, most) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| {
+                (a.min(x), b.max(x))
+            });
+            let beyond = BEYOND * if turns { 1.0 } else { self.size };
+            let or = |limit: f64, other: f64| if limit.is_finite() { limit } else { other };
+            let ends = [
+                or(limits.min, least - beyond),
+                or(limits.max, most + beyond),
+            ];
+            let name = variable_name(self.number, self.labels[k]);
+            let stiff = MOTOR * self.scale(turns) * STIFF;
+            format!(
+                "<position name=\"{name}_drive\" joint=\"{name}\" kp=\"{}\" kv=\"{}\" ctrlrange=\"{}\"/>",
+                number(stiff * STIFF),
+                number(stiff * 2.0 * DAMPING),
+                numbers(ends)
+            )
+        };
+        driven.map(actuator).collect()
     }
-}
-
-fn numbers(values: impl IntoIterator<Item = f64>) -> String {
-    let texts: Vec<String> = values.into_iter().map(number).collect();
-    texts.join(" ")
-}
-
-fn vector(v: &Vector3<f64>) -> String {
-    numbers([v.x, v.y, v.z])
-}
-
-/// What is only looked at needs six decimals of the largest of these.
-fn rounded(values: &[f64]) -> String {
-    let largest = values.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-    let mut per_unit = 1e6;
-    while largest > 0.0 && largest * per_unit < 1e6 {
-        per_unit *= 10.0;
-    }
-    numbers(values.iter().map(|x| (x * per_unit).round() / per_unit))
-}
-
-/// A text within an attribute; characters that XML cannot hold are dropped.
-fn escaped(text: &str) -> String {
-    let mut out = String::new();
-    for c in text.chars() {
-        match c {
-            '&' => out += "&amp;",
-            '<' => out += "&lt;",
-            '>' => out += "&gt;",
-            '"' => out += "&quot;",
-            c if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}') => {}
-            c => out.push(c),
-        }
-    }
-    out
 }

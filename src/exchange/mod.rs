@@ -2,6 +2,7 @@
 
 #[cfg(feature = "study")]
 pub mod delimited;
+pub mod drives;
 pub mod export;
 pub mod mjcf;
 #[cfg(feature = "study")]
@@ -11,3 +12,4 @@ pub mod pose_rows;
 #[cfg(feature = "study")]
 pub mod pose_table;
 pub mod table;
+pub mod xml;

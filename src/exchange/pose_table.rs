@@ -76,7 +76,7 @@ pub struct Understood {
 /// A column of the table.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct ColumnRead {
-    /// As it stands there; empty without headings.
+    /// As it stands there, with its unit where a row below has one; empty without headings.
     pub heading: String,
     /// What it was taken for, such as x, qw, time or name; empty where it is not read.
     pub role: String,
@@ -99,8 +99,8 @@ pub fn read_pose_table_asked(text: &str, request: &str) -> Result<PoseTable, Fau
 /// Reads a table of poses, a row each.
 ///
 /// Fields are parted by tabs, semicolons, commas or blanks, and may stand in quotation marks; where the comma does not part
-/// them, it may be the decimal sign. Lines that begin with # are comments. Columns are told by their headings, or else by
-/// their number.
+/// them, it may be the decimal sign. Lines that begin with # are comments. Columns are told by their headings, which a row
+/// of units may follow, or else by their number.
 ///
 /// ```
 /// use synthetica::exchange::pose_table::{PoseTableRequest, read_pose_table};
@@ -135,8 +135,17 @@ pub fn read_pose_table(text: &str, request: &PoseTableRequest) -> Result<PoseTab
         ));
     };
     let header = is_header(first, &sample, separator);
-    let headings = if header { first.clone() } else { Vec::new() };
-    let body = &sample[usize::from(header)..];
+    let mut headings = if header { first.clone() } else { Vec::new() };
+    let units = sample
+        .get(1)
+        .filter(|row| is_units(&headings, row, separator));
+    let above = usize::from(header) + usize::from(units.is_some());
+    for (heading, unit) in headings.iter_mut().zip(units.into_iter().flatten()) {
+        if !unit.is_empty() {
+            *heading = format!("{heading}[{unit}]");
+        }
+    }
+    let body = &sample[above..];
     let (layout, assumed) = layout(&headings, body, separator, request)?;
     let (angles, angles_said) = angle_unit(&layout, &headings, request);
     let reader = Reader {
@@ -147,7 +156,7 @@ pub fn read_pose_table(text: &str, request: &PoseTableRequest) -> Result<PoseTab
         order: request.order.clone().unwrap_or_else(|| "xyz".to_owned()),
         scale: request.scale.unwrap_or(1.0),
     };
-    let taken = reader.read(rows(text).skip(usize::from(header)));
+    let taken = reader.read(rows(text).skip(above));
     let mut understood = understood(&reader, header, &headings, angles);
     understood.assumed = [assumed, angles_said].concat();
     if taken.error > ROUNDING {
@@ -216,6 +225,21 @@ fn is_header(first: &[String], sample: &[Vec<String>], separator: Separator) -> 
     let own = numbers(first);
     let behind = sample[1..].iter().map(|row| numbers(row)).max();
     2 * own < first.len() && behind.is_none_or(|most| own < most || most == 0) && own < 3
+}
+
+/// The row below headings without units has the units where none of its fields is a number and x, y and z have the same.
+fn is_units(headings: &[String], row: &[String], separator: Separator) -> bool {
+    let Some(Layout { position, .. }) = by_headings(headings, None) else {
+        return false;
+    };
+    let unit = |column: usize| row.get(column).map_or("", String::as_str);
+    let [x, y, z] = position.map(unit);
+    let is_name = |text: &String| heading(text).1.is_empty();
+    !x.is_empty()
+        && x == y
+        && y == z
+        && headings.iter().all(is_name)
+        && row.iter().all(|field| number(field, separator).is_none())
 }
 
 fn columns_of(headings: &[String], body: &[Vec<String>]) -> usize {

@@ -1,14 +1,57 @@
-//! A planned motion as a table with units in its headings: CSV, and JSON with its document beside it.
+//! A planned motion as a table: CSV, and JSON with its document beside it. Frames count from 0.
 
+use crate::document::fault::{Fault, FaultCode, Place, excerpt};
 use crate::document::report::Report;
 use crate::document::schema::Document;
 use crate::model::mechanism::Mechanism;
 use crate::motion::columns::{COLUMNS, Kind};
 use crate::motion::trajectory::{Status, Trajectory};
+use serde::Deserialize;
 use std::fmt::Write;
 
-/// Version of the JSON of a motion.
-pub const VERSION: u32 = 1;
+/// Version of the JSON of a motion: in 1 its column `frame` counted from 1.
+pub const VERSION: u32 = 2;
+
+/// Where a table in CSV has the units of its columns.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Headings {
+    /// Behind the names: `x[mm]`.
+    #[default]
+    Units,
+    /// Nowhere: `x`.
+    Plain,
+    /// In a row of their own below the names.
+    TwoRows,
+}
+
+impl Headings {
+    /// All.
+    pub const ALL: [Self; 3] = [Self::Units, Self::Plain, Self::TwoRows];
+
+    /// The word by which it is asked for.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Units => "units",
+            Self::Plain => "plain",
+            Self::TwoRows => "two-rows",
+        }
+    }
+
+    /// Those of this word.
+    ///
+    /// # Errors
+    /// Where there are none.
+    pub fn named(word: &str) -> Result<Self, Fault> {
+        let found = Self::ALL.into_iter().find(|one| one.name() == word);
+        found.ok_or_else(|| {
+            let what = format!("\u{201c}{}\u{201d} is unknown", excerpt(word));
+            let accepted = Self::ALL.map(Self::name).join(", ");
+            let place = Place::WHOLE.field("headings");
+            Fault::new(FaultCode::UnknownValue, &place, &what, &accepted)
+        })
+    }
+}
 
 /// What fills a column.
 enum Values {
@@ -77,7 +120,7 @@ fn columns(document: &Document, report: &Report, t: &Trajectory) -> Vec<Column> 
     let numbers = |values: &[f64]| Values::Numbers(values.to_vec());
     let degrees =
         |angles: &[f64]| Values::Numbers(angles.iter().map(|angle| angle.to_degrees()).collect());
-    let counted = (1..=t.frames()).map(|i| i as f64).collect();
+    let counted = (0..t.frames()).map(|i| i as f64).collect();
     add("frame", "", Values::Numbers(counted));
     for column in &COLUMNS {
         let (name, values) = (column.name, (column.values)(t));
@@ -124,17 +167,33 @@ fn columns(document: &Document, report: &Report, t: &Trajectory) -> Vec<Column> 
     list
 }
 
-/// A line of headings, then a line a frame. Angles in degrees, lengths in the document's unit, as the
-/// headings say; every number with all its digits, empty where there is none.
-pub fn csv(document: &Document, mechanism: &Mechanism, t: &Trajectory) -> String {
+/// Headings, then a line a frame. Angles in degrees, lengths in the document's unit; every number with all its digits,
+/// empty where there is none.
+pub fn csv(
+    document: &Document,
+    mechanism: &Mechanism,
+    t: &Trajectory,
+    headings: Headings,
+) -> String {
     let columns = columns(
         document,
         &Report::new(mechanism, &document.length_unit, t),
         t,
     );
     let line = |fields: Vec<String>| fields.join(",") + "\n";
-    let headings = columns.iter().map(|column| quoted(&column.heading()));
-    let mut text = line(headings.collect());
+    let row = |field: fn(&Column) -> String| {
+        line(
+            columns
+                .iter()
+                .map(|column| quoted(&field(column)))
+                .collect(),
+        )
+    };
+    let mut text = match headings {
+        Headings::Units => row(Column::heading),
+        Headings::Plain => row(|column| column.name.clone()),
+        Headings::TwoRows => row(|column| column.name.clone()) + &row(|column| column.unit.clone()),
+    };
     for frame in 0..t.frames() {
         let entries = columns.iter().map(|column| column.entry(frame, ""));
         text += &line(entries.collect());

@@ -28,7 +28,7 @@ async function saved(page, act) {
 test('the table has the numbers that are shown', async () => {
   const { page, problems } = await browser.openPage();
   await scrubTo(page, 63);
-  const { name, bytes } = await saved(page, () => choose(page, /CSV/));
+  const { name, bytes } = await saved(page, () => choose(page, /^Table \(CSV\)/));
   assert.equal(name, '3rps.csv');
   const [headings, ...lines] = bytes.toString().trimEnd().split('\n').map((line) => line.split(','));
   assert.equal(lines.length, Number((await text(page, 'frame-number')).split(' / ')[1]));
@@ -39,6 +39,11 @@ test('the table has the numbers that are shown', async () => {
   assert.ok(Math.abs(at('translation_gap[m]') - number(await text(page, 'gap-translation'))) < 1e-4);
   assert.ok(Math.abs(at('rotation_gap[deg]') - number(await text(page, 'gap-rotation'))) < 1e-2);
   assert.ok(at('chain1_theta1[deg]') > 3 && at('chain1_d2[m]') > 0, 'degrees and metres');
+  assert.equal(at('frame'), 63, 'frames count from 0');
+  for (const [item, rows] of /** @type {[RegExp, string[]][]} */ ([[/plain headings/, ['frame,time,status,x,', '0,0,']], [/second row/, ['frame,time,status,x,', ',,,m,', '0,0,']]])) {
+    const table = (await saved(page, () => choose(page, item))).bytes.toString().split('\n');
+    rows.forEach((row, i) => assert.ok(table[i].startsWith(row), table[i]));
+  }
   assert.deepEqual(problems, []);
 });
 
@@ -54,13 +59,16 @@ test('the data hold every frame and the document', async () => {
 
 test('the MuJoCo model has every joint and closes the loops', async () => {
   const { page } = await browser.openPage();
-  const { name, bytes } = await saved(page, () => choose(page, /MJCF/));
+  const { name, bytes } = await saved(page, () => choose(page, /^MuJoCo model \(MJCF\)/));
   assert.equal(name, '3rps.mjcf.xml');
   const counts = await page.evaluate((xml) => {
     const model = new DOMParser().parseFromString(xml, 'application/xml');
-    return ['parsererror', 'joint[type]', 'weld', 'key'].map((query) => model.querySelectorAll(query).length);
+    return ['parsererror', 'joint[type]', 'weld', 'key', 'actuator > position', 'sensor > *'].map((query) => model.querySelectorAll(query).length);
   }, bytes.toString());
-  assert.deepEqual(counts, [0, 15, 2, 129]);
+  assert.deepEqual(counts, [0, 15, 2, 129, 3, 4]);
+  assert.match(bytes.toString(), /<option gravity="0 0 0"/);
+  const heavy = await saved(page, () => choose(page, /with gravity/));
+  assert.match(heavy.bytes.toString(), /<option gravity="0 0 -9.81"/);
 });
 
 /** Size of a picture, its share of clear pixels, and how many colours it has. */

@@ -104,7 +104,7 @@ test('a planner that does not come is told, nothing kept is moved, and trying ag
   await notice('This link was not opened').waitFor();
 
   await page.getByRole('button', { name: 'Export', exact: true }).click();
-  await page.getByRole('menuitem', { name: /CSV/ }).click();
+  await page.getByRole('menuitem', { name: /^Table \(CSV\)/ }).click();
   await notice('The file could not be made').waitFor();
 
   await page.getByRole('tab', { name: 'Algorithm' }).click();

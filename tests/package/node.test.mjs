@@ -69,7 +69,14 @@ test('every question has its answer', async () => {
   assert.deepEqual((await compareMetrics(text)).map(({ metric }) => metric), ['pose', 'dual-quaternion']);
   assert.equal((await normalise(text)).planner.method, 'newton');
   assert.equal((await findStart(text)).chains[0].start.length, 5);
-  assert.deepEqual((await exportMotion(text, 'csv')).trim().split('\n').length, 130);
+  const table = (await exportMotion(text, 'csv')).trim().split('\n');
+  assert.deepEqual([table.length, table[0].slice(0, 22), table[1].split(',')[0]], [130, 'frame,time,status,x[m]', '0']);
+  const rows = async (headings) => (await exportMotion(text, 'csv', { headings })).split('\n').map((line) => line.split(',').slice(0, 4).join());
+  assert.deepEqual((await rows('plain'))[0], 'frame,time,status,x');
+  assert.deepEqual((await rows('two-rows')).slice(0, 2), ['frame,time,status,x', ',,,m']);
+  assert.match(await exportMotion(text, 'mjcf', { gravity: true }), /gravity="0 0 -9.81"[^]*<position [^]*<framepos /);
+  await assert.rejects(exportMotion(text, 'csv', { headings: 'none' }), (error) => error instanceof DocumentFault && error.where === 'headings' && /two-rows/.test(error.accepted));
+  await assert.rejects(exportMotion(text, 'json', { gravity: true }), { name: 'DocumentFault', where: 'gravity' });
   assert.equal((await schema()).$id, JSON.parse(readFileSync(new URL('document.schema.json', dist), 'utf8')).$id);
   assert.ok((await enumeration()).classes.length > 10);
   const delta = (await makers()).find(({ name }) => name === 'delta');

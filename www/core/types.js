@@ -4,6 +4,7 @@
  * @typedef {import('../pkg/synthetica.js').Motion} Motion
  * @typedef {import('../pkg/synthetica.js').Progress} Progress
  * @typedef {import('../pkg/synthetica.js').MakeRequest} MakeRequest
+ * @typedef {import('../pkg/synthetica.js').ExportOptions} ExportOptions
  * @typedef {import('../pkg/synthetica.js').PoseTableRequest} PoseTableRequest
  * @typedef {import('../pkg/synthetica.js').PoseTable} PoseTable
  * @typedef {import('../pkg/synthetica.js').Maker} Maker

@@ -22,8 +22,8 @@ export function exportItems(app) {
         say(`The file could not be made (${/** @type {Error} */ (error).message}).`);
       }
     });
-  /** @param {'csv' | 'json' | 'mjcf'} format */
-  const motion = (format) => attempt(() => import('./motion.js'), ({ exportMotion }) => exportMotion(app, format));
+  /** @param {'csv' | 'json' | 'mjcf'} format @param {import('../core/types.js').ExportOptions} [options] */
+  const motion = (format, options = {}) => attempt(() => import('./motion.js'), ({ exportMotion }) => exportMotion(app, format, options));
 
   const why = notWhole(store);
   const unseen = scene ? '' : 'This browser shows no 3D graphics (WebGL 2)';
@@ -42,8 +42,11 @@ export function exportItems(app) {
     item('Film (WebM)', 'One pass at the speed that is set', unseen || film || why, attempt(() => import('./film.js'), ({ exportFilm }) => exportFilm(app))),
     item('Playing page (HTML)', 'One file that plays this motion, without a network', why, attempt(() => import('./html.js'), ({ exportHtml }) => exportHtml(app))),
     'line',
-    item('Table (CSV)', 'Joints, poses, gaps at every frame; degrees', why, motion('csv')),
-    item('Data (JSON)', 'The same with the document', why, motion('json')),
-    item('MuJoCo model (MJCF)', 'Every joint, loops closed by welds, a key frame a frame', why, motion('mjcf')),
+    item('Table (CSV)', 'Joints, poses, gaps at every frame; degrees; headings such as x[m]', why, motion('csv')),
+    item('Table, units in a second row (CSV)', 'The same, with the units below the headings', why, motion('csv', { headings: 'two-rows' })),
+    item('Table, plain headings (CSV)', 'The same without units, for programs', why, motion('csv', { headings: 'plain' })),
+    item('Data (JSON)', 'The same with the document; frames count from 0', why, motion('json')),
+    item('MuJoCo model (MJCF)', 'Drives that follow the motion, sensors, loops closed by welds, a key frame a frame', why, motion('mjcf')),
+    item('MuJoCo model with gravity (MJCF)', 'The same, and −z is down', why, motion('mjcf', { gravity: true })),
   ];
 }

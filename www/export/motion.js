@@ -11,11 +11,14 @@ const FILES = {
   mjcf: { ending: 'mjcf.xml', type: 'application/xml' },
 };
 
-/** @param {import('../element/workbench.js').App} app @param {keyof typeof FILES} format */
-export async function exportMotion({ store, planner, say }, format) {
+/**
+ * @param {import('../element/workbench.js').App} app @param {keyof typeof FILES} format
+ * @param {import('../core/types.js').ExportOptions} options
+ */
+export async function exportMotion({ store, planner, say }, format, options) {
   const { doc } = store.result;
   if (!doc) return;
-  const text = await ask(() => planner.exportMotion(textOf(doc), format), 'write the motion');
+  const text = await ask(() => planner.exportMotion(textOf(doc), format, options), 'write the motion');
   if (text.is === 'late') return;
   if (text.is !== 'answer') return say(`The file could not be made. ${text.message}`, { stays: true });
   const { ending, type } = FILES[format];

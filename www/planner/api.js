@@ -16,6 +16,7 @@
  * @typedef {{signal?: AbortSignal}} Options `signal` ends wait and planning
  * @typedef {Options & {stop?: AbortSignal, onProgress?: (progress: Progress) => void}} PlanOptions `stop` ends the planning
  *   with what there is so far, a motion whose `partial` is true; `onProgress` is told how far the planning is
+ * @typedef {Pick<PlanOptions, 'signal' | 'onProgress'> & import('../core/types.js').ExportOptions} ExportOptions
  */
 import { column, number, object, options as optionsOf, text as textOf, wrong, written } from './arguments.js';
 import { DocumentFault } from './errors.js';
@@ -31,8 +32,8 @@ const pool = new Pool(Infinity);
 const JOINTS = 'an array of numbers: rad or lengths, chain by chain';
 const GOAL = 'an array of 7 numbers: x y z, then the rotation’s quaternion x y z w';
 
-/** The options of a question. @type {Record<string, (keyof PlanOptions)[]>} */
-const KNOWN = { plan: ['signal', 'stop', 'onProgress'], compare_metrics: ['signal'], export_motion: ['signal', 'onProgress'] };
+/** The options of a question. @type {Record<string, (keyof PlanOptions | keyof ExportOptions)[]>} */
+const KNOWN = { plan: ['signal', 'stop', 'onProgress'], compare_metrics: ['signal'], export_motion: ['signal', 'onProgress', 'headings', 'gravity'] };
 
 /** Columns that `at` reads. @type {('joints' | 'pose' | 'goal' | 'rows')[]} */
 const GROUPS = ['joints', 'pose', 'goal', 'rows'];
@@ -132,11 +133,15 @@ export class Session {
   /**
    * The planned motion as text for other programs.
    * @param {'csv' | 'json' | 'mjcf'} format `mjcf` is a model for MuJoCo
-   * @param {Pick<PlanOptions, 'signal' | 'onProgress'>} [options]
+   * @param {ExportOptions} [options]
    * @returns {Promise<string>}
    */
   exportMotion(format, options) {
-    return this.#ask('export_motion', () => [textOf('format', format, 'csv, json, mjcf')], options);
+    const args = () => {
+      const { signal, onProgress, ...wished } = optionsOf(options, KNOWN.export_motion);
+      return [textOf('format', format, 'csv, json, mjcf'), JSON.stringify(wished)];
+    };
+    return this.#ask('export_motion', args, options);
   }
 
   /** Frees what the planner keeps of it; nothing more can be asked. */
@@ -270,7 +275,7 @@ export async function compareMetrics(doc, options) {
  * The planned motion as text for other programs.
  * @param {MechanismDocument | string} doc
  * @param {'csv' | 'json' | 'mjcf'} format `mjcf` is a model for MuJoCo
- * @param {Pick<PlanOptions, 'signal' | 'onProgress'>} [options]
+ * @param {ExportOptions} [options]
  * @returns {Promise<string>}
  */
 export async function exportMotion(doc, format, options) {

@@ -68,12 +68,14 @@ const OPTIONS = {
   signal: { accepted: 'an AbortSignal', is: isSignal },
   stop: { accepted: 'an AbortSignal', is: isSignal },
   onProgress: { accepted: 'a function', is: (value) => typeof value === 'function' },
+  headings: { accepted: 'units, plain, two-rows', is: (value) => typeof value === 'string' },
+  gravity: { accepted: 'true, false', is: (value) => typeof value === 'boolean' },
 };
 
 /**
  * Options without those that are undefined or null.
  * @param {unknown} given @param {string[]} known
- * @returns {{signal?: AbortSignal, stop?: AbortSignal, onProgress?: (progress: import('../core/types.js').Progress) => void}}
+ * @returns {{signal?: AbortSignal, stop?: AbortSignal, onProgress?: (progress: import('../core/types.js').Progress) => void} & import('../core/types.js').ExportOptions}
  */
 export function options(given, known) {
   if (given === undefined || given === null) return {};

@@ -75,10 +75,11 @@ export class Planner {
 
   /**
    * The planned motion as a text for other programs.
-   * @param {string} text a document @param {'csv' | 'json' | 'mjcf'} format @returns {Promise<string>}
+   * @param {string} text a document @param {'csv' | 'json' | 'mjcf'} format
+   * @param {import('../core/types.js').ExportOptions} [options] @returns {Promise<string>}
    */
-  exportMotion(text, format) {
-    return this.#ask('export_motion', text, format);
+  exportMotion(text, format, options = {}) {
+    return this.#ask('export_motion', text, format, JSON.stringify(options));
   }
 
   /**

@@ -6,6 +6,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint, value_parser};
 use clap_complete::Shell;
 use std::path::{Path, PathBuf};
 use synthetica::exchange::export::Format;
+use synthetica::exchange::table::Headings;
 use synthetica::model::joint::JointKind;
 use synthetica::motion::goal::MAX_FRAMES;
 use synthetica::types::enumerate::{MAX_CHAIN_CONSTRAINTS, MAX_CONSTRAINTS};
@@ -121,17 +122,25 @@ pub struct Plan {
 
 #[derive(Args)]
 #[command(after_help = "\
-csv is a table with units in its headings, json has columns, report and document, mjcf is a model for
-MuJoCo with a key frame for every frame.
+csv is a table, json has columns, report and document, mjcf is a model for MuJoCo with drives that follow
+the motion, sensors on the workpiece and a key frame for every frame. Frames count from 0.
 
 Examples:
   synthetica export mjcf 3rps.json > 3rps.xml
+  synthetica export mjcf --gravity 3rps.json > 3rps.xml
+  synthetica export csv --headings two-rows 3rps.json > 3rps.csv
   synthetica export json --frames 33 3rps.json --output motion.json
   cat 3rps.json | synthetica export csv")]
 pub struct Export {
     /// What to print
     #[arg(value_parser = PossibleValuesParser::new(Format::ALL.map(Format::name)).try_map(|name| Format::named(&name)))]
     pub format: Format,
+    /// Of csv: units behind the names (x[mm]), plain names, or two rows, the names and below them their units
+    #[arg(long, value_name = "WORD", value_parser = PossibleValuesParser::new(Headings::ALL.map(Headings::name)).try_map(|word| Headings::named(&word)))]
+    pub headings: Option<Headings>,
+    /// Of mjcf: gravity along -z, in the document's unit of length
+    #[arg(long)]
+    pub gravity: bool,
     #[command(flatten)]
     pub options: MotionOptions,
 }

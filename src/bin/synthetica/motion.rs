@@ -2,11 +2,11 @@
 
 use crate::arguments::{Export, MotionOptions, Plan, Table};
 use crate::check::warnings;
-use crate::failure::{Failure, tell};
+use crate::failure::{Failure, NO_ANSWER, tell};
 use crate::files;
 use crate::planned::planned;
 use synthetica::document::report::Report;
-use synthetica::exchange::export::{Format, write};
+use synthetica::exchange::export::{Format, Options, write};
 
 /// The motion as a table or as JSON.
 pub fn plan(asked: &Plan) -> Result<(), Failure> {
@@ -14,15 +14,23 @@ pub fn plan(asked: &Plan) -> Result<(), Failure> {
         Table::Csv => Format::Csv,
         Table::Json => Format::Json,
     };
-    print(format, &asked.options)
+    print(format, Options::default(), &asked.options)
 }
 
 /// The motion for another program.
 pub fn export(asked: &Export) -> Result<(), Failure> {
-    print(asked.format, &asked.options)
+    let wished = Options {
+        headings: asked.headings,
+        gravity: asked.gravity.then_some(true),
+    };
+    wished.check(asked.format).map_err(|fault| {
+        tell(&format!("error: {fault}"));
+        Failure::Said(NO_ANSWER)
+    })?;
+    print(asked.format, wished, &asked.options)
 }
 
-fn print(format: Format, options: &MotionOptions) -> Result<(), Failure> {
+fn print(format: Format, wished: Options, options: &MotionOptions) -> Result<(), Failure> {
     let planned = planned(
         &options.document,
         &options.planning,
@@ -39,6 +47,16 @@ fn print(format: Format, options: &MotionOptions) -> Result<(), Failure> {
         }
     }
     let mechanism = &planned.problem().mechanism;
-    let text = write(format, planned.document(), mechanism, &planned.motion);
+    let text = write(
+        format,
+        wished,
+        planned.document(),
+        mechanism,
+        &planned.motion,
+    )
+    .map_err(|fault| Failure::Fault {
+        file: planned.file.clone(),
+        fault: Box::new(fault),
+    })?;
     files::write(options.into.file(), &text)
 }
