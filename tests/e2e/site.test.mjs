@@ -393,6 +393,8 @@ test('the course is scrolled past its linkages, which are loaded when they come 
 
 test('on paper every linkage of the course is a picture, also one that was never seen', async () => {
   const { page } = await open('course.html', { viewport: { width: 1000, height: 700 } });
+  await page.waitForFunction(() => document.querySelector('synthetica-linkage').trajectory);
+  await page.locator('#canvas[data-draws]').first().waitFor();
   await page.emulateMedia({ media: 'print' });
   const drawn = [];
   for (const linkage of await page.locator('synthetica-linkage').all()) {

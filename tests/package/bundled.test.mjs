@@ -56,7 +56,7 @@ for (const [name, module, resolution] of [['a bundler’s', 'esnext', 'bundler']
     writeFileSync(file, code);
     execFileSync(tsc, [...options, file], { cwd: project, encoding: 'utf8', stdio: ['ignore', 'inherit', 'inherit'] });
     // What is wrong is refused, so that the types are not just anything.
-    for (const wrong of ["linkage.loop = 'never';", "plan(12);", "plan(sample, { signal: 5 });", "configure({ wasm: 5 });", "inline.nothing;", "motion.report.nothing;"]) {
+    for (const wrong of ["linkage.loop = 'never';", "plan(12);", "plan(sample, { signal: 5 });", "configure({ worker: 5 });", "inline.nothing;", "motion.report.nothing;"]) {
       writeFileSync(file, `${code}\n${wrong}`);
       assert.throws(() => execFileSync(tsc, [...options, file], { cwd: project, stdio: 'pipe' }), wrong);
     }
