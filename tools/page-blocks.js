@@ -1,4 +1,4 @@
-// Blocks of the site's pages that are made of the project's own files: cards of samples, fields of documents, types, the element's words.
+// Blocks of the site's pages that are made of the project's own files: examples, cards of samples, fields of documents, types, the element's words.
 import { readFileSync } from 'node:fs';
 import { ATTRIBUTES } from '../www/element/attributes.js';
 import { DESCRIPTIONS, EVENTS, MEMBERS } from '../www/element/descriptions.js';
@@ -8,7 +8,17 @@ import { addressOf } from './social.js';
 const read = (path) => readFileSync(new URL(`../${path}`, import.meta.url), 'utf8');
 
 /** Fenced blocks by name: the words within, a Markdown renderer for a line, an escape for HTML. */
-export const blocks = { samples, fields, declarations, attributes, members, events };
+export const blocks = { example, samples, fields, declarations, attributes, members, events };
+
+/** The text of files of examples/pages: of a notebook its code cells, as they are typed. */
+function example(files, inline, escape) {
+  const typed = (text) => JSON.parse(text).cells.filter(({ cell_type: kind }) => kind === 'code').map(({ source }) => source.join('')).join('\n\n');
+  const one = (file) => {
+    const text = read(`examples/pages/${file}`).trimEnd();
+    return `<p><code>${escape(file)}</code></p>\n<pre><code>${escape(file.endsWith('.ipynb') ? typed(text) : text)}</code></pre>\n`;
+  };
+  return files.map(one).join('');
+}
 
 /** A sample as code for other pages: pages/embed-codes.js writes whole addresses, where the build does not know the site's. */
 function embed({ file, title }, escape) {
