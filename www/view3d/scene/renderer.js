@@ -58,7 +58,7 @@ export function createDrawing(canvas, root, signal) {
     draw(camera) {
       const { width, height } = canvas;
       // It has no size yet, or none any more.
-      if (!width || !height) return;
+      if (!view.width || !view.height) return;
       const ratio = ratioOf(canvas);
       makeRoom(renderer, ratio);
       // The part at the upper left; the renderer counts from below.
