@@ -65,7 +65,7 @@ export function createDrawing(canvas, root, signal) {
     draw(camera) {
       const { width, height } = canvas;
       // It has no size yet, or none any more.
-      if (!width || !height) return;
+      if (!view.width || !view.height) return;
       const ratio = pixelRatio();
       makeRoom(renderer, ratio);
       // The part at the upper left; the renderer counts from below.
