@@ -24,11 +24,13 @@ export function createOpening(element, complain, begun) {
   /** Goes on with a load that was interrupted because the element was taken out. @type {((back: null) => void) | null} */
   let goOn = null;
   let opens = false;
+  let waits = true;
+  begun.then(() => (waits = false));
 
   /** What the attributes or the content ask for. */
   async function load() {
     const now = ++loads;
-    await begun;
+    if (waits) await begun;
     if (now !== loads) return;
     try {
       const found = await findDocument(element, (type) => answer(now, () => ask(() => linkage.planner.assemble(type), 'make a linkage of this type')));
@@ -55,7 +57,7 @@ export function createOpening(element, complain, begun) {
   /** @param {string} text @param {string} title @param {number} now */
   async function open(text, title, now) {
     const { store, whole } = linkage;
-    await begun;
+    if (waits) await begun;
     const read = await answer(now, () => whole(text));
     if (now !== loads) return;
     if (read.is === 'fault') store.setResult({ fault: read.fault, trouble: '' });

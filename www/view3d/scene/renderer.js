@@ -45,8 +45,9 @@ export function createDrawing(canvas, root, signal) {
   return {
     /** Whether pictures are computed without a graphics card. */
     slow,
-    get isLost() {
-      return context.isContextLost();
+    /** Not while the context is lost, nor when it has ended. */
+    get isReady() {
+      return views.has(view) && !context.isContextLost();
     },
     /** The canvas is empty then. @param {number} width @param {number} height in CSS pixels */
     resize(width, height) {
