@@ -9,7 +9,7 @@
 import markup from './canvas-area.html?raw';
 import look from '../style/linkage.css?inline';
 import { pieces } from './pieces.js';
-import { finder } from '../ui/dom.js';
+import { finder, windowOf } from '../ui/dom.js';
 import { loaded, whileSeen } from '../ui/lazy.js';
 import { createNotices } from '../ui/notice.js';
 import { wear } from '../ui/style-sheets.js';
@@ -32,6 +32,7 @@ export function createSeen(element, { root, wishes, complain, begin }) {
   function build() {
     life = new AbortController();
     const { signal } = life;
+    linkage.player.window = windowOf(element);
     wear(root, look);
     root.innerHTML = markup;
     // A field's own event would leave the tree; the element tells of edits in its place.
@@ -73,6 +74,9 @@ export function createSeen(element, { root, wishes, complain, begin }) {
   /** @param {AbortSignal} signal @param {typeof bench} made */
   async function make(signal, { resolve, reject }) {
     try {
+      // After all scripts that came together: one of them may have it.
+      await null;
+      if (signal.aborted) return;
       const { createWorkbench } = await loaded({ say: linkage.say, signal }, 'The view', () => pieces.workbench());
       find('bench').classList.remove('waiting');
       const { keys, interaction, panels } = wishes();

@@ -35,6 +35,8 @@ export class SyntheticaLinkage extends HTMLElement {
   readonly error: LinkageError | null;
   /** The planned motion as a table, degrees and the document's length unit. */
   toCSV(): Promise<string>;
+  /** Loads and plans the motion wherever the element is; fails with what is wrong. */
+  whenReady(): Promise<Motion>;
   /** A picture of the view as it is now, in CSS pixels, `scale` pixels to one of those. */
   toImage(wish?: { type?: 'png' | 'svg'; width?: number; height?: number; scale?: number }): Promise<Blob>;
 
