@@ -31,7 +31,7 @@ for (const engine of ENGINES) {
     const planned = () => page.until(() => (page$('#closure')?.textContent ?? '–') !== '–');
     /** The applet as on a first visit, at rest on its first frame. */
     async function openApplet() {
-      await page.go(`${server.address}watch.js`);
+      await page.go(`${server.address}blank.html`);
       await page.run(() => localStorage.clear());
       await page.go(server.address);
       await planned();
@@ -171,7 +171,7 @@ for (const engine of ENGINES) {
       await page.click('#share');
       await page.boxOf('dialog.share');
       const link = await page.until(() => page$$('dialog textarea').map(({ value }) => value).find((value) => value.includes('#d=1.')));
-      await page.go(`${server.address}watch.js`);
+      await page.go(`${server.address}blank.html`);
       await page.run(() => localStorage.clear());
       await page.go(link);
       await planned();
