@@ -84,7 +84,7 @@ export async function open(engine) {
 
   /** What that function gives in the page. */
   async function run(what, ...args) {
-    const script = `const [args, done] = arguments; Promise.resolve().then(() => (${what})(...args)).then((value) => done({ value }), (error) => done({ error: String(error) + '\\n' + error.stack }));`;
+    const script = `const [args, done] = arguments; const { page$, page$$, pageFocus } = window; Promise.resolve().then(() => (${what})(...args)).then((value) => done({ value }), (error) => done({ error: String(error) + '\\n' + error.stack }));`;
     const { value, error } = await command('run', { script, args: [args] });
     if (error) throw new Error(error);
     return value;
@@ -189,7 +189,7 @@ export async function open(engine) {
     problems: () => run(() => window.problems),
     async end() {
       await end();
-      rmSync(home, { recursive: true, force: true, maxRetries: 10 });
+      rmSync(home, { recursive: true, force: true, maxRetries: 20, retryDelay: 250 });
     },
   };
 }
