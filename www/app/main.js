@@ -1,7 +1,6 @@
 /**
  * Composition of the applet: a linkage element with all its panels, and around it what is done with documents.
  */
-// Before the element is defined, which asks for them.
 import './pieces-at-once.js';
 import '../element/define.js';
 import { byId } from '../ui/dom.js';

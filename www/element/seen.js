@@ -73,6 +73,9 @@ export function createSeen(element, { root, wishes, complain, begin }) {
   /** @param {AbortSignal} signal @param {typeof bench} made */
   async function make(signal, { resolve, reject }) {
     try {
+      // After all scripts that came together: one of them may have it.
+      await null;
+      if (signal.aborted) return;
       const { createWorkbench } = await loaded({ say: linkage.say, signal }, 'The view', () => pieces.workbench());
       find('bench').classList.remove('waiting');
       const { keys, interaction, panels } = wishes();
