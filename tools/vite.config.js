@@ -100,9 +100,15 @@ const bundle = () => ({
   },
 });
 
+/** Files that are loaded together in any case are one; a module belongs to the first that names it. */
 const linkage = importedAtOnce(at('../www/element/define.js'));
 const workbench = importedAtOnce(at('../www/element/workbench.js'));
 const panels = importedAtOnce(at('../www/element/panels.js'));
+/** What the applet has from the start; its entry is a file of its own. */
+const applet = importedAtOnce(at('../www/app/main.js'));
+applet.delete(at('../www/app/main.js'));
+// An element that makes pictures has it too, and not the applet.
+workbench.add(at('../www/export/save.js'));
 
 export default defineConfig({
   root: at('../www'),
@@ -123,7 +129,7 @@ export default defineConfig({
         // Pictures of samples stand at lasting addresses, see tools/pages.js: there once.
         assetFileNames: ({ originalFileNames: [file = ''] }) => (file.startsWith('thumbnails/') ? 'thumbnails/[name][extname]' : 'assets/[name]-[hash][extname]'),
         entryFileNames: ({ name }) => (name in LASTING ? '[name].js' : 'assets/[name]-[hash].js'),
-        codeSplitting: { groups: [{ name: 'linkage', test: (id) => linkage.has(id) }, { name: 'workbench', test: (id) => workbench.has(id) }, { name: 'panels', test: (id) => panels.has(id) }] },
+        codeSplitting: { groups: [{ name: 'linkage', test: (id) => linkage.has(id) }, { name: 'workbench', test: (id) => workbench.has(id) }, { name: 'panels', test: (id) => panels.has(id) }, { name: 'applet', test: (id) => applet.has(id) }] },
       },
     },
   },

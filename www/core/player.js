@@ -48,6 +48,18 @@ export class Player {
     });
   }
 
+  /** The window in which it is seen. */
+  #window = globalThis;
+
+  /** @param {typeof globalThis} window whose pictures are drawn: of one that is hidden or closed none come */
+  set window(window) {
+    if (window === this.#window) return;
+    if (this.#request) this.#window.cancelAnimationFrame(this.#request);
+    this.#request = 0;
+    this.#window = window;
+    this.#schedule();
+  }
+
   /** @param {boolean} seen whether there is anybody to draw for */
   set seen(seen) {
     this.#seen = seen;
@@ -148,7 +160,7 @@ export class Player {
 
   #schedule() {
     const busy = this.#dirty || this.#plays;
-    if (busy && !this.#request && this.#seen) this.#request = requestAnimationFrame((now) => this.#step(now));
+    if (busy && !this.#request && this.#seen) this.#request = this.#window.requestAnimationFrame((now) => this.#step(now));
     if (!busy) this.#last = 0;
   }
 

@@ -9,7 +9,7 @@
 import markup from './canvas-area.html?raw';
 import look from '../style/linkage.css?inline';
 import { pieces } from './pieces.js';
-import { finder } from '../ui/dom.js';
+import { finder, windowOf } from '../ui/dom.js';
 import { loaded, whileSeen } from '../ui/lazy.js';
 import { createNotices } from '../ui/notice.js';
 import { wear } from '../ui/style-sheets.js';
@@ -32,6 +32,7 @@ export function createSeen(element, { root, wishes, complain, begin }) {
   function build() {
     life = new AbortController();
     const { signal } = life;
+    linkage.player.window = windowOf(element);
     wear(root, look);
     root.innerHTML = markup;
     // A field's own event would leave the tree; the element tells of edits in its place.

@@ -3,6 +3,7 @@
  *
  * @typedef {ReturnType<typeof import('../ui/tabs.js').createTabs>} Tabs
  */
+import { windowOf } from '../ui/dom.js';
 
 /** Where the browser remembers the dock. */
 const KEY = 'synthetica.dock';
@@ -85,6 +86,7 @@ export function createDock({ find, narrow, tabs, signal }, dockTabs) {
   }
   // It is told once more when the element has been taken out, where nothing is found any more.
   const [frame, stage] = [find('frame'), find('stage')];
+  const { ResizeObserver } = windowOf(stage);
   new ResizeObserver(() => frame.style.setProperty('--stage-height', `${stage.offsetHeight}px`)).observe(stage);
   new ResizeObserver(arrange).observe(find('bench'));
   arrange();
