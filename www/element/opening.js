@@ -31,6 +31,8 @@ export function createOpening(element, { begun, complain, emptied, settle }) {
   /** Goes on with a load that was interrupted because the element was taken out. @type {((back: null) => void) | null} */
   let goOn = null;
   let opens = false;
+  let waits = true;
+  begun.then(() => (waits = false));
   /** Until a document is there, what comes to stand inside is seen. A server that renders pages has none. */
   const content = globalThis.MutationObserver && new MutationObserver(() => lookAgain());
 
@@ -51,7 +53,7 @@ export function createOpening(element, { begun, complain, emptied, settle }) {
     // The page's parser may be about to add what is asked for before anything else.
     if (document.readyState === 'loading') document.addEventListener('DOMContentLoaded', lookAgain, { once: true });
     if (!seen) return isEmpty(store) ? nothingYet(now) : clear();
-    await begun;
+    if (waits) await begun;
     if (now !== loads) return;
     const known = isByType(element) ? linkage.planner.holdDefaults() : () => {};
     /** @param {string} type */
@@ -122,7 +124,7 @@ export function createOpening(element, { begun, complain, emptied, settle }) {
 
   /** @param {string} text @param {string} title @param {number} now */
   async function open(text, title, now) {
-    await begun;
+    if (waits) await begun;
     const read = await answer(now, () => linkage.whole(text));
     if (now !== loads) return;
     if (read.is === 'fault') {

@@ -36,6 +36,8 @@ export class SyntheticaLinkage extends HTMLElement {
   /** The planned motion as a table, degrees and the document's length unit. */
   toCSV(): Promise<string>;
   /** A picture of the view as it is now, in CSS pixels, `scale` pixels to one of those. */
+  /** Loads and plans the motion wherever the element is; fails with what is wrong. */
+  whenReady(): Promise<Motion>;
   toImage(wish?: { type?: 'png' | 'svg'; width?: number; height?: number; scale?: number }): Promise<Blob>;
 
   addEventListener<K extends keyof LinkageEventMap>(type: K, listener: (this: SyntheticaLinkage, event: LinkageEventMap[K]) => unknown, options?: boolean | AddEventListenerOptions): void;

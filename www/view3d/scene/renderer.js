@@ -48,8 +48,9 @@ export function createDrawing(canvas, root, signal) {
   return {
     /** Whether pictures are computed without a graphics card. */
     slow,
-    get isLost() {
-      return context.isContextLost();
+    /** Not while the context is lost, nor when it has ended. */
+    get isReady() {
+      return views.has(view) && !context.isContextLost();
     },
     /** How many times as sharp as a screen needs; from the next change of size on. @param {number} next */
     setSharpness(next) {

@@ -76,7 +76,8 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
     if (last) draw(last);
     changed();
   }
-  new window.ResizeObserver(resize).observe(canvas);
+  const sizes = new window.ResizeObserver(resize);
+  sizes.observe(canvas);
   resize();
 
   const names = () => [...paths.labels, ...linkage.bases.map((at, index) => ({ at, text: String(index + 1), place: `chains[${index}].base` }))];
@@ -106,7 +107,7 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
 
   /** @param {import('../../core/poses.js').Shown} what the columns and the frame in them that are drawn */
   function draw(what) {
-    if (!drawing || drawing.isLost) return;
+    if (!drawing?.isReady) return;
     last = what;
     view.step();
     pose(what);
@@ -119,7 +120,10 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
   }
 
   // It listens to the document too.
-  signal?.addEventListener('abort', () => view.controls.dispose());
+  signal?.addEventListener('abort', () => {
+    view.controls.dispose();
+    sizes.disconnect();
+  });
 
   /** @type {Set<(event: PointerEvent) => boolean>} */
   const claimants = new Set();
