@@ -34,7 +34,7 @@ async function course(body, { before: prepare = async () => {}, ...options } = {
   const html = `<!doctype html><html lang="en"><head><meta charset="utf-8"><title>A course</title><link rel="icon" href="data:,">
     <script type="module" src="./element.js"></script></head><body><main><h1>A course</h1>${body}</main></body></html>`;
   await page.route(`${browser.address}course.html`, (route) => route.fulfill({ contentType: 'text/html', body: html }));
-  await page.route(`${browser.address}other.html`, (route) => route.fulfill({ contentType: 'text/html', body: '<!doctype html><title>Other</title><body></body>' }));
+  await page.context().route(`${browser.address}other.html`, (route) => route.fulfill({ contentType: 'text/html', body: '<!doctype html><title>Other</title><body></body>' }));
   await page.route(`${browser.address}bennett.json`, (route) => route.fulfill({ contentType: 'application/json', body: sample('bennett') }));
   await page.route(`${browser.address}poster.svg`, (route) => route.fulfill({ contentType: 'image/svg+xml', body: POSTER }));
   await page.route(`${browser.address}no-such.svg`, (route) => route.fulfill({ status: 404, body: '' }));

@@ -35,9 +35,9 @@ export class SyntheticaLinkage extends HTMLElement {
   readonly error: LinkageError | null;
   /** The planned motion as a table, degrees and the document's length unit. */
   toCSV(): Promise<string>;
-  /** A picture of the view as it is now, in CSS pixels, `scale` pixels to one of those. */
   /** Loads and plans the motion wherever the element is; fails with what is wrong. */
   whenReady(): Promise<Motion>;
+  /** A picture of the view as it is now, in CSS pixels, `scale` pixels to one of those. */
   toImage(wish?: { type?: 'png' | 'svg'; width?: number; height?: number; scale?: number }): Promise<Blob>;
 
   addEventListener<K extends keyof LinkageEventMap>(type: K, listener: (this: SyntheticaLinkage, event: LinkageEventMap[K]) => unknown, options?: boolean | AddEventListenerOptions): void;
