@@ -78,7 +78,7 @@ pub(crate) fn drives(mechanism: &Mechanism, t: &Trajectory, frames: &[usize]) ->
 
 fn ranks(mechanism: &Mechanism, t: &Trajectory) -> Vec<Rank> {
     let joints = mechanism.chains().iter().flat_map(|chain| chain.joints());
-    let mut ranks: Vec<Rank> = joints
+    let ranks: Vec<Rank> = joints
         .flat_map(|joint| {
             let own = match joint.kind() {
                 JointKind::P => Rank::Slider,
