@@ -4,7 +4,7 @@ import type { SyntheticaLinkage as Declared } from './element.js';
 
 type Words = Omit<Declared, keyof HTMLElement>;
 /** What is for the applet, which is built around the element, and for the browser. */
-type Inner = 'parts' | 'workbench' | 'connectedCallback' | 'disconnectedCallback' | 'attributeChangedCallback';
+type Inner = 'parts' | 'workbench' | 'connectedCallback' | 'adoptedCallback' | 'disconnectedCallback' | 'attributeChangedCallback';
 type Undeclared = Exclude<keyof Real, keyof Declared | Inner>;
 
 declare const real: Real;
