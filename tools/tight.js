@@ -94,6 +94,14 @@ function branches(lines, at) {
 }
 
 /**
+ * A module of the 3D library without what writes its things as JSON and reads them, and without the names of colours: the page
+ * does neither, and gives its colours by numbers. No bundler leaves out methods.
+ * @param {string} code
+ */
+export const withoutWriting = (code) =>
+  code.replace(/\n\t(?:static )?(?:toJSON|fromJSON)\([^)]*\) \{\n(?:(?!\n\t\}\n)[^])*\n\t\}\n/g, '\n').replace(/(const _colorKeywords = \{)[^}]*\}/, '$1}');
+
+/**
  * The 3D library from its single modules, of which a bundler leaves out what nobody imports (of its one big file it keeps
  * much), with the modules of tools/three in place of what the page never uses.
  */
@@ -107,7 +115,8 @@ const leanThree = () => ({
     return importer?.startsWith(THREE) && STAND_INS.includes(name) ? at(`three/${name}.js`) : null;
   },
   transform(code, id) {
-    if (!id.startsWith(join(THREE, 'renderers/shaders/Shader'))) return null;
+    if (!id.startsWith(THREE)) return null;
+    if (!id.startsWith(join(THREE, 'renderers/shaders/Shader'))) return withoutWriting(code);
     // A shader is a text, which no minifier shortens.
     return code.replace(/(\/\* glsl \*\/\s*`)([^`]*)`/g, (_, start, text) => `${start}${withoutUnused(text.replace(/^[ \t]+/gm, '').replace(/^\/\/.*$/gm, '')).replace(/\n{2,}/g, '\n')}\``);
   },

@@ -1,9 +1,10 @@
-// The build leaves out the parts of shaders whose conditions never hold, and nothing else.
+// The build leaves out of the 3D library what the page never uses, and nothing else: parts of shaders whose conditions never
+// hold, what writes and reads JSON, names of colours.
 import assert from 'node:assert/strict';
 import { readFileSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { withoutUnused } from '../../tools/tight.js';
+import { withoutUnused, withoutWriting } from '../../tools/tight.js';
 
 /** @param {string} text @param {string} expected */
 const becomes = (text, expected) => assert.equal(withoutUnused(text), expected);
@@ -41,4 +42,20 @@ test('the page has none of the lights, textures, effects and cameras whose code 
     const imported = readFileSync(join(www, name), 'utf8').replace(/^ *(\/\/|\*|\/\*\*).*$/gm, '');
     assert.doesNotMatch(imported, used, name);
   }
+});
+
+test('what writes the 3D library’s things as JSON goes, and each of its modules is still one that can be loaded', async () => {
+  const three = (path) => readFileSync(new URL(`../../tools/node_modules/three/src/${path}.js`, import.meta.url), 'utf8');
+  for (const path of ['materials/Material', 'core/Object3D', 'core/BufferGeometry', 'core/BufferAttribute', 'textures/Texture', 'math/Sphere', 'materials/ShaderMaterial']) {
+    const [before, after] = [three(path), withoutWriting(three(path))];
+    assert.match(before, /^\t(toJSON|fromJSON)\(/m, path);
+    assert.doesNotMatch(after, /^\t(static )?(toJSON|fromJSON)\(/m, path);
+    // Only these methods went: all others are there, in their order.
+    const methods = (code) => [...code.matchAll(/^\t(?:static |get |set )?(\w+)\(.*\) \{$/gm)].map(([, name]) => name).filter((name) => !/^(to|from)JSON$/.test(name));
+    assert.deepEqual(methods(after), methods(before), path);
+    assert.ok(methods(after).length > 1, path);
+    // As a module it would load its neighbours; as a function's body its braces are held against each other.
+    assert.doesNotThrow(() => new Function(after.replace(/^import [^;]*;/gm, '').replace(/^export [^;{]*(\{[^}]*\})?;/gm, '').replace(/^export /gm, '')), path);
+  }
+  assert.match(withoutWriting(three('math/Color')), /const _colorKeywords = \{\};/);
 });
