@@ -100,6 +100,14 @@ export async function open(engine) {
     throw new Error(`never: ${what} with ${JSON.stringify(args)}; the page says ${JSON.stringify(await run(() => window.problems))}`);
   }
 
+  /** Opens that page; what comes next finds it there, and not the one before. */
+  async function go(url) {
+    const mark = `left-${Math.random()}`;
+    await command('run', { script: 'const [mark, done] = arguments; window[mark] = true; done();', args: [mark] });
+    await command('go', { url });
+    await until((left) => !window[left] && document.readyState === 'complete' && typeof window.page$ === 'function', mark);
+  }
+
   /** Keys one after the other; `Control+z` holds the first. */
   async function press(...keys) {
     const actions = keys.flatMap((text) => {
@@ -184,7 +192,7 @@ export async function open(engine) {
     click,
     look,
     saved,
-    go: (url) => command('go', { url }),
+    go,
     text: (selector) => run((wanted) => page$(wanted).textContent, selector),
     problems: () => run(() => window.problems),
     async end() {

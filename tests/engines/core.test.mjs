@@ -213,9 +213,9 @@ for (const engine of ENGINES) {
     });
 
     test('the element in a page of another’s: planned, drawn, played, told, a picture', async () => {
-      server.pages.set('course.html', aPage('<synthetica-linkage src="mine.json" controls style="height: 400px"></synthetica-linkage>', '<script type="module" src="./element.js"></script>'));
+      server.pages.set('of-another.html', aPage('<synthetica-linkage src="mine.json" controls style="height: 400px"></synthetica-linkage>', '<script type="module" src="./element.js"></script>'));
       server.pages.set('mine.json', sample('2tpr'));
-      await page.go(`${server.address}course.html`);
+      await page.go(`${server.address}of-another.html`);
       await page.until(() => document.querySelector('synthetica-linkage').trajectory?.frames === 129);
       const drawn = await page.look('#canvas');
       assert.ok(drawn.colours > 300, `${drawn.colours} colours`);
