@@ -1,6 +1,7 @@
 /**
  * The one renderer that draws every view of the page: a browser has few graphics contexts. It draws into a canvas as large as
- * the largest view, from which each view's own canvas has its part copied, and keeps it.
+ * the largest view, from which each view's own canvas has its part copied, and keeps it. The only view of a page shows that
+ * canvas itself, over its own: a copy waits until the picture is made, which without a graphics card takes long.
  */
 import { WebGLRenderer } from 'three';
 import { windowOf } from '../../ui/dom.js';
@@ -8,13 +9,17 @@ import { windowOf } from '../../ui/dom.js';
 /** @type {{renderer: WebGLRenderer, context: WebGL2RenderingContext, slow: boolean} | null} */
 let shared = null;
 
-/** Views in the page, with their sizes in CSS pixels. @type {Set<{canvas: HTMLCanvasElement, width: number, height: number}>} */
+/**
+ * Views in the page, with their sizes in CSS pixels; `again` draws what was drawn last.
+ * @type {Set<{canvas: HTMLCanvasElement, width: number, height: number, again: () => void}>}
+ */
 const views = new Set();
 
 /** @returns {typeof shared} null where the browser has no WebGL 2 */
 function theRenderer() {
   if (shared) return shared;
   const canvas = document.createElement('canvas');
+  canvas.className = 'drawn';
   const context = canvas.getContext('webgl2', { antialias: true, alpha: true });
   if (!context) return null;
   const renderer = new WebGLRenderer({ canvas, context });
@@ -36,13 +41,19 @@ export function createDrawing(canvas, root, signal) {
   const pen = canvas.getContext('2d');
   if (!all || !pen) return null;
   const { renderer, context, slow } = all;
-  const view = { canvas, width: 0, height: 0 };
+  const drawn = renderer.domElement;
+  const view = { canvas, width: 0, height: 0, again: () => {} };
   let sharpness = 1;
   /** Pixels to a CSS pixel. */
   const pixelRatio = () => Math.min(2, windowOf(canvas).devicePixelRatio) * sharpness;
   views.add(view);
+  // One that was alone has its picture copied from now on.
+  if (drawn.isConnected) for (const { again } of views) again();
+  /** For paper it is copied too: what the graphics card shows need not be printed. */
+  const isAlone = () => views.size === 1 && sharpness === 1 && canvas.ownerDocument === drawn.ownerDocument;
   signal?.addEventListener('abort', () => {
     views.delete(view);
+    if (drawn.parentNode === canvas.parentNode) drawn.remove();
     root.traverse(free);
   });
   return {
@@ -70,13 +81,21 @@ export function createDrawing(canvas, root, signal) {
       const ratio = pixelRatio();
       makeRoom(renderer, ratio);
       // The part at the upper left; the renderer counts from below.
-      const part = /** @type {const} */ ([0, (renderer.domElement.height - height) / ratio, width / ratio, height / ratio]);
+      const part = /** @type {const} */ ([0, (drawn.height - height) / ratio, width / ratio, height / ratio]);
       renderer.setViewport(...part);
       renderer.setScissor(...part);
       renderer.render(root, camera);
-      // In place of what was there.
-      pen.globalCompositeOperation = 'copy';
-      pen.drawImage(renderer.domElement, 0, 0, width, height, 0, 0, width, height);
+      view.again = () => this.draw(camera);
+      if (isAlone()) {
+        if (drawn.previousSibling === canvas) return;
+        pen.clearRect(0, 0, width, height);
+        canvas.after(drawn);
+      } else {
+        // In place of what was there.
+        pen.globalCompositeOperation = 'copy';
+        pen.drawImage(drawn, 0, 0, width, height, 0, 0, width, height);
+        if (drawn.previousSibling === canvas) drawn.remove();
+      }
     },
   };
 }
