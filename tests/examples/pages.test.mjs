@@ -16,6 +16,7 @@ const python = process.env.EXAMPLES_PYTHON;
 
 let browser;
 let site;
+let next;
 before(async () => {
   assert.ok(python, 'EXAMPLES_PYTHON is not set: scripts/dev.sh test sets it to a Python that has tests/examples/requirements.txt');
   // A copy, as an installed package is: the link that npm makes leads out of the project, where bundlers do not follow.
@@ -24,12 +25,15 @@ before(async () => {
   cpSync(fileURLToPath(dist), installed, { recursive: true });
   rmSync(built, { recursive: true, force: true });
   mkdirSync(built, { recursive: true });
-  site = await serve({ '/built/': pathToFileURL(`${built}/`), '/next/': pathToFileURL(join(pages, 'next/out/')), '/': pathToFileURL(`${pages}/`) });
+  site = await serve({ '/built/': pathToFileURL(`${built}/`), '/': pathToFileURL(`${pages}/`) });
+  // Its pages ask for their files from the root of the server.
+  next = await serve({ '/': pathToFileURL(join(pages, 'next/out/')) });
   browser = await openBrowser();
 });
 after(async () => {
   await browser?.close();
   site?.close();
+  next?.close();
 });
 
 /** Runs a tool in a folder of the examples; where it fails, what it said is the error. @param {string} folder @param {string} program @param {string[]} words */
@@ -44,8 +48,8 @@ function run(folder, program, ...words) {
 const vite = (folder) => run(folder, 'node', join(modules, 'vite/bin/vite.js'), 'build', '--base', './', '--outDir', join(built, folder), '--logLevel', 'error');
 
 /** Opens a page and waits until its linkage is planned and drawn. @param {string} path */
-async function lives(path) {
-  const opened = await open(browser, `${site.address}/${path}`);
+async function lives(path, server = site) {
+  const opened = await open(browser, `${server.address}/${path}`);
   const linkage = opened.page.locator('synthetica-linkage');
   await linkage.scrollIntoViewIfNeeded();
   await opened.page.waitForFunction(() => document.querySelector('synthetica-linkage').trajectory?.frames === 129);
@@ -102,7 +106,7 @@ test('the React page’s types are right, and a wrong one is refused', () => {
 test('Next plans in a server component, and the element lives in a client component', async () => {
   const said = run('next', 'node', join(modules, 'next/dist/bin/next'), 'build', '--webpack');
   assert.doesNotMatch(said, /synthetica|Critical dependency/);
-  const { page, problems } = await lives('next/index.html');
+  const { page, problems } = await lives('index.html', next);
   assert.match(readFileSync(join(pages, 'next/out/index.html'), 'utf8'), /3 freedoms, 129 frames/, 'planned before it was sent');
   assert.equal(await page.getByText('3 freedoms, 129 frames', { exact: true }).count(), 1);
   assert.deepEqual(problems, []);

@@ -1,5 +1,6 @@
 // What a TSX page may write.
 import 'synthetica/element';
+import type {} from 'synthetica/react';
 
 export const right = (
   <synthetica-linkage type="3RPS" controls loop bounce speed={0.5} frame={3} view="top" interaction="none" loading="eager" poster="3rps.png" onready={({ currentTarget }) => currentTarget.play()} style={{ height: 300 }} className="wide" />

@@ -1,6 +1,7 @@
 import { useState } from 'react';
 import { createRoot } from 'react-dom/client';
 import 'synthetica/element';
+import type {} from 'synthetica/react';
 import linkage from 'synthetica/samples/3rps.json';
 
 function Page() {
