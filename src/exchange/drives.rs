@@ -81,7 +81,7 @@ pub(crate) fn drives(mechanism: &Mechanism, t: &Trajectory, frames: &[usize]) ->
 
 fn ranks(mechanism: &Mechanism, t: &Trajectory) -> Vec<Rank> {
     let joints = mechanism.chains().iter().flat_map(|chain| chain.joints());
-    let ranks: Vec<Rank> = joints
+    let mut ranks: Vec<Rank> = joints
         .flat_map(|joint| {
             let own = match joint.kind() {
                 JointKind::P => Rank::Slider,
@@ -97,13 +97,20 @@ fn ranks(mechanism: &Mechanism, t: &Trajectory) -> Vec<Rank> {
             })
         })
         .collect();
-    #[cfg(feature = "study")]
-    for &k in &t.drivers {
+    for &k in drivers(t) {
         ranks[k] = ranks[k].min(Rank::Driven);
     }
-    #[cfg(not(feature = "study"))]
-    let _ = t;
     ranks
+}
+
+#[cfg(feature = "study")]
+fn drivers(t: &Trajectory) -> &[usize] {
+    &t.drivers
+}
+
+#[cfg(not(feature = "study"))]
+const fn drivers(_: &Trajectory) -> &[usize] {
+    &[]
 }
 
 /// Of each variable its place in its chain, from the base on.
