@@ -178,6 +178,10 @@ fn drives_are_where_they_command_the_motion() {
     let crank = include_str!("../www/mechanisms/slider-crank.json");
     assert_eq!(sample(crank), ["chain1_theta1"]);
     assert_eq!(sample(SCARA).len(), 4);
+    // Its sliders, locked, leave the workpiece loose between the frames 123 and 124.
+    let legs = sample(THREE_RPS);
+    assert_ne!(legs, ["chain1_d2", "chain2_d2", "chain3_d2"]);
+    assert_eq!(legs.len(), 3);
 
     let (xml, motion) = exported(&read(THREE_RPS), Format::Mjcf);
     let joints = attributes(&xml, "joint", "name");
@@ -195,6 +199,25 @@ fn drives_are_where_they_command_the_motion() {
     let at = Some(45.0);
     held.chains[1].joints[0].limits = Some(vec![Some(LimitsEntry { min: at, max: at })]);
     assert!(!drives(&held).contains(&"chain2_theta1".to_owned()));
+}
+
+/// The slider of an engine turns back twice a turn, also where no frame is at that point.
+#[test]
+fn a_drive_passes_no_dead_point_between_two_frames() {
+    let crank = include_str!("../www/mechanisms/slider-crank.json");
+    let mut document = Session::open(crank).expect("a sample").document().clone();
+    for frames in [8, 20, 121] {
+        document.motion.frames = frames;
+        let problem = Problem::new(&document).expect("a problem");
+        let mut motion = problem.plan();
+        // As if nobody had said what drives it.
+        motion.drivers.clear();
+        let options = Options::default();
+        let (mechanism, format) = (&problem.mechanism, Format::Mjcf);
+        let xml = write(format, options, &document, mechanism, &motion).expect("a model");
+        let own = attributes(&xml, "position", "joint");
+        assert!(own.len() == 1 && own[0].contains("theta"), "{frames} frames: {own:?}");
+    }
 }
 
 #[test]

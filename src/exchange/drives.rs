@@ -3,7 +3,8 @@
 //!
 //! With lengths as shares of the size, the columns of N are an orthonormal basis of the joint rates that keep all loops
 //! closed at a frame. Drives on the variables S command the motion as well as the smallest singular value of the rows S
-//! of N says: it is 1 where nothing else moves, and 0 at a dead point.
+//! of N says: it is 1 where nothing else moves, and 0 at a dead point. Between two frames there is one where the determinant
+//! of these rows changes its sign.
 
 use crate::math::linalg::{PivotedQr, Svd};
 use crate::model::chain::ChainState;
@@ -44,9 +45,10 @@ pub(crate) fn drives(mechanism: &Mechanism, t: &Trajectory, frames: &[usize]) ->
     }
     let every = frames.len().div_ceil(FRAMES);
     let chosen = frames.iter().step_by(every).chain(frames.last());
-    let rates: Vec<Vec<f64>> = chosen
+    let mut rates: Vec<Vec<f64>> = chosen
         .filter_map(|&frame| closed_rates(mechanism, t.joints_at(frame), freedoms))
         .collect();
+    turn_alike(&mut rates, freedoms);
     let mut order: Vec<usize> = (0..ranks.len()).collect();
     let places = places(mechanism);
     order.sort_by_key(|&k| (ranks[k], places[k]));
@@ -61,7 +63,8 @@ pub(crate) fn drives(mechanism: &Mechanism, t: &Trajectory, frames: &[usize]) ->
                 least
             };
             set.push(k);
-            if !commands(&rates, freedoms, &set, least) {
+            let passes = set.len() == freedoms && !given && has_dead_point(&rates, freedoms, &set);
+            if passes || !commands(&rates, freedoms, &set, least) {
                 set.pop();
             }
             if set.len() == freedoms {
@@ -78,7 +81,7 @@ pub(crate) fn drives(mechanism: &Mechanism, t: &Trajectory, frames: &[usize]) ->
 
 fn ranks(mechanism: &Mechanism, t: &Trajectory) -> Vec<Rank> {
     let joints = mechanism.chains().iter().flat_map(|chain| chain.joints());
-    let ranks: Vec<Rank> = joints
+    let mut ranks: Vec<Rank> = joints
         .flat_map(|joint| {
             let own = match joint.kind() {
                 JointKind::P => Rank::Slider,
@@ -94,13 +97,20 @@ fn ranks(mechanism: &Mechanism, t: &Trajectory) -> Vec<Rank> {
             })
         })
         .collect();
-    #[cfg(feature = "study")]
-    for &k in &t.drivers {
+    for &k in drivers(t) {
         ranks[k] = ranks[k].min(Rank::Driven);
     }
-    #[cfg(not(feature = "study"))]
-    let _ = t;
     ranks
+}
+
+#[cfg(feature = "study")]
+fn drivers(t: &Trajectory) -> &[usize] {
+    &t.drivers
+}
+
+#[cfg(not(feature = "study"))]
+const fn drivers(_: &Trajectory) -> &[usize] {
+    &[]
 }
 
 /// Of each variable its place in its chain, from the base on.
@@ -169,4 +179,59 @@ fn commands(rates: &[Vec<f64>], freedoms: usize, set: &[usize], least: f64) -> b
             .last()
             .is_some_and(|smallest| *smallest >= least)
     })
+}
+
+/// Turns each basis so that its determinant and that of the one before have the same sign for rows without a dead point
+/// between them.
+fn turn_alike(rates: &mut [Vec<f64>], freedoms: usize) {
+    for i in 1..rates.len() {
+        let (before, from) = rates.split_at_mut(i);
+        let (before, own) = (&before[i - 1], &mut from[0]);
+        let entry = |at: usize| {
+            let pairs = before.chunks(freedoms).zip(own.chunks(freedoms));
+            pairs.map(|(a, b)| a[at / freedoms] * b[at % freedoms]).sum()
+        };
+        let product = (0..freedoms * freedoms).map(entry).collect();
+        if !is_positive(product, freedoms) {
+            own.iter_mut()
+                .step_by(freedoms)
+                .for_each(|rate| *rate = -*rate);
+        }
+    }
+}
+
+/// Whether drives on this set, as many as there are freedoms, pass a dead point between two frames.
+fn has_dead_point(rates: &[Vec<f64>], freedoms: usize, set: &[usize]) -> bool {
+    let sign = |rates: &Vec<f64>| {
+        let rows = set
+            .iter()
+            .flat_map(|&k| &rates[k * freedoms..(k + 1) * freedoms]);
+        is_positive(rows.copied().collect(), freedoms)
+    };
+    rates.windows(2).any(|two| sign(&two[0]) != sign(&two[1]))
+}
+
+/// Whether the determinant of a square matrix of so many rows is positive.
+fn is_positive(mut matrix: Vec<f64>, rows: usize) -> bool {
+    let mut positive = true;
+    for k in 0..rows {
+        let size = |row: &usize| matrix[row * rows + k].abs();
+        let pivot = (k..rows).max_by(|a, b| size(a).total_cmp(&size(b)));
+        let pivot = pivot.unwrap_or(k);
+        for column in 0..rows {
+            matrix.swap(k * rows + column, pivot * rows + column);
+        }
+        let head = matrix[k * rows + k];
+        positive ^= (pivot != k) ^ (head < 0.0);
+        if head == 0.0 {
+            return false;
+        }
+        for row in k + 1..rows {
+            let share = matrix[row * rows + k] / head;
+            for column in k..rows {
+                matrix[row * rows + column] -= share * matrix[k * rows + column];
+            }
+        }
+    }
+    positive
 }

@@ -155,6 +155,14 @@ test('gives the motion as a table and the view as a picture', async () => {
   });
   assert.deepEqual(made, { lines: 130, type: 'image/png', size: [320, 200], svg: '<svg' });
   assert.ok((await page.evaluate(() => window.colours)) > 200, 'a linkage is in it');
+  const heads = await page.evaluate(async () => {
+    const element = document.querySelector('synthetica-linkage');
+    const head = async (options) => (await element.toCSV(options)).split('\n').slice(0, 2).map((line) => line.split(',').slice(2, 4).join());
+    return [await head(), await head({}), await head({ headings: 'plain' }), await head({ headings: 'two-rows' }), await element.toCSV({ headings: 'none' }).catch(({ message }) => message), await element.toCSV({ gravity: true }).catch(({ message }) => message)];
+  });
+  assert.deepEqual(heads.slice(0, 4).map(([first, second]) => [first, second.split(',')[1] === 'm' ? second : '']), [['status,x[m]', ''], ['status,x[m]', ''], ['status,x', ''], ['status,x', ',m']]);
+  assert.match(heads[4], /none.*Accepted: .*units, plain, two-rows/);
+  assert.match(heads[5], /Accepted: gravity with the format mjcf/);
 });
 
 test('ten on a page share one worker and one planner, and all move', async () => {
@@ -358,7 +366,7 @@ test('what is wrong is said in the element and told: address, type, document, at
   await planned(page, '#good');
   await page.waitForFunction(() => ['gone', 'type', 'fault', 'speed', 'nothing', 'address', 'panels', 'frame'].every((id) => document.getElementById(id).error));
   const errors = await page.evaluate(() => Object.fromEntries(['gone', 'type', 'fault', 'nothing', 'address', 'panels', 'frame', 'good'].map((id) => [id, document.getElementById(id).error])));
-  assert.match(errors.gone.message, /“no-such\.json” could not be loaded.*Accepted/);
+  assert.match(errors.gone.message, /no-such\.json could not be loaded \(404.*Accepted/);
   assert.match(errors.type.message, /“9XYZ” is no type of linkage.*RPS \+ 2TS/);
   assert.match(errors.address.message, /“http:\/\/” is no address/);
   assert.equal(errors.fault.where, 'chains');

@@ -1,6 +1,9 @@
 // Frames and pasted code on a site whose server sends no special headers, in pages of another origin; and what a page around
 // a frame learns of the files of that server.
 import assert from 'node:assert/strict';
+import { mkdtempSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { serve } from '../package/site.mjs';
 import { openBrowser, ready } from './browser.mjs';
@@ -114,6 +117,17 @@ test('src of a frame: nothing of the server beside the site is loaded', async ()
   assert.doesNotMatch(JSON.stringify(await page.evaluate(() => window.heard)), /hunter2|salary/);
 });
 
+test('src of a frame: what its own server sends on to another place is not loaded', async () => {
+  const { page } = await openCourse('');
+  await page.route(`${site.address}/tools/moved.json`, (route) => route.fulfill({ status: 302, headers: { location: `${site.address}/secret.json` } }));
+  coursesFiles['/page.html'] = coursesFiles['/page.html'].replace('</body>', '') + frameOf('?src=moved.json');
+  const asked = [];
+  page.on('request', (request) => asked.push(new URL(request.url()).pathname));
+  await page.reload();
+  assert.match((await hears(page, 'error')).error.message, /moved\.json could not be loaded/);
+  assert.ok(asked.includes('/tools/moved.json') && !asked.includes('/secret.json'), asked.join());
+});
+
 test('src of a frame: a page of another origin hears where and which fault, and no word of the file; one of the site hears all', async () => {
   for (const [file, code, all] of [['unreadable.json', 'unknown-field', /salary/], ['cut.json', 'syntax', /Line 1, column 38/]]) {
     const { page } = await openCourse(frameOf(`?src=${file}`));
@@ -134,8 +148,27 @@ test('src of a frame: a page of another origin hears where and which fault, and 
 test('src of a frame in a sandbox without an origin: says why it cannot be loaded', async () => {
   const { page } = await openCourse(frameOf('?src=mechanisms/2tpr.json', 'sandbox="allow-scripts"'));
   const { error } = await hears(page, 'error');
-  assert.match(error.message, /2tpr\.json could not be loaded.*Access-Control-Allow-Origin: this frame is in a sandbox without an origin.*the document in the address itself/);
+  assert.match(error.message, /2tpr\.json could not be loaded.*Access-Control-Allow-Origin: this page is in a sandbox without an origin.*in the address of the frame/);
   await page.frameLocator('iframe').locator('#trouble', { hasText: 'sandbox without an origin' }).waitFor();
+});
+
+test('src of an element: with the cookies of its own site, as a picture; in a sandbox, and from a disk, it says why it cannot be loaded', async () => {
+  const element = (src) => `<script src="${site.address}/tools/inline.js"></script><synthetica-linkage loading="eager" src="${src}"></synthetica-linkage>`;
+  const { page } = await openCourse(element('tools/mechanisms/2tpr.json'), site.address);
+  await page.context().addCookies([{ name: 'session', value: 'of-the-reader', url: `${site.address}/` }]);
+  const asking = page.waitForRequest(/2tpr\.json$/);
+  await page.reload();
+  assert.equal((await (await asking).allHeaders()).cookie, 'session=of-the-reader');
+  await page.waitForFunction(() => document.querySelector('synthetica-linkage').document?.name === '2TPR');
+
+  const { page: boxed } = await openCourse(`<iframe sandbox="allow-scripts" width="700" height="420" srcdoc="${element(`${site.address}/tools/mechanisms/2tpr.json`).replaceAll('"', '&quot;')}"></iframe>`);
+  await boxed.frameLocator('iframe').locator('#trouble', { hasText: /2tpr\.json could not be loaded.*is in a sandbox without an origin.*in the element/ }).waitFor();
+
+  const file = join(mkdtempSync(join(tmpdir(), 'disk-')), 'page.html');
+  writeFileSync(file, `<!doctype html><meta charset="utf-8">${element('2tpr.json')}`);
+  const { page: disk } = await browser.blankPage();
+  await disk.goto(`file://${file}`);
+  await disk.locator('#trouble', { hasText: /2tpr\.json could not be loaded.*was opened from a disk, and is without an origin/ }).waitFor();
 });
 
 test('a sample that there is not: the frame says which was meant, and shows no other', async () => {

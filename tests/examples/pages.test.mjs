@@ -140,6 +140,12 @@ test('a site of MkDocs', async () => {
   assert.deepEqual(ours(problems), []);
 });
 
+test('nothing that is built lies among them', () => {
+  const files = execFileSync('git', ['ls-files', '.'], { cwd: pages, encoding: 'utf8' }).trim().split('\n');
+  assert.ok(files.length > 10 && files.length < 40, `${files.length} files`);
+  assert.deepEqual(files.filter((file) => /(^|\/)(\.next|dist|out|site|node_modules)\//.test(file)), []);
+});
+
 test('every folder is tested and named in the examples’ README', () => {
   const readme = readFileSync(join(pages, 'README.md'), 'utf8');
   const tests = readFileSync(fileURLToPath(import.meta.url), 'utf8');

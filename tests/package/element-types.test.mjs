@@ -53,6 +53,7 @@ const GOOD = {
     linkage.loop = linkage.bounce = true;
     linkage.play().then(() => linkage.ended, ({ name }: DOMException) => name);
     const state: 0 | 1 | 4 = linkage.readyState;
+    linkage.toCSV({ headings: 'plain' }).then((text) => text.trim());
     linkage.addEventListener('error', ({ detail }) => detail.where.length + state);
     type Names<Map> = Record<keyof Map, 0>;
     export const events: Names<LinkageEventMap> = ${JSON.stringify(Object.fromEntries(Object.keys(EVENTS).map((name) => [name, 0])))};

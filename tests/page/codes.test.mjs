@@ -34,6 +34,7 @@ test('one file: the script is inside, and its strings do not end it', () => {
 test('a frame has controls and the reader’s colours unless its address says otherwise', () => {
   assert.deepEqual(attributesOf(''), [['controls', ''], ['theme', 'auto']]);
   assert.deepEqual(attributesOf('?embed&controls=0&theme=dark&autoplay=no&speed=0.5&panels='), [['speed', '0.5'], ['theme', 'dark']].sort((a, b) => (a[0] < b[0] ? -1 : 1)));
+  assert.deepEqual(attributesOf('?interaction=full&theme=dark'), [['theme', 'dark'], ['interaction', 'full'], ['controls', '']]);
   assert.deepEqual(attributesOf('?loop=bounce&onclick=alert(1)&src=x'), [['bounce', ''], ['controls', ''], ['theme', 'auto']]);
 });
 

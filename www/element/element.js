@@ -175,10 +175,14 @@ export class SyntheticaLinkage extends LinkageWords {
     return super.play();
   }
 
-  /** The planned motion as a table, degrees and the document's length unit. @returns {Promise<string>} */
-  async toCSV() {
+  /**
+   * The planned motion as a table, degrees and the document's length unit.
+   * @param {Pick<import('../core/types.js').ExportOptions, 'headings'>} [options]
+   * @returns {Promise<string>}
+   */
+  async toCSV(options) {
     await this.whenReady();
-    return this.parts.planner.exportMotion(textOf(this.#planned()), 'csv');
+    return this.parts.planner.exportMotion(textOf(this.#planned()), 'csv', options);
   }
 
   /**

@@ -45,12 +45,8 @@ export async function findDocument(element, assemble) {
 
 /** @param {string} src @param {string} base @returns {Promise<string>} */
 async function fetched(src, base) {
-  const accepted = 'Accepted: the address of a document, which is JSON text.';
-  const refuse = (/** @type {Error} */ { message }) => {
-    throw new Refusal(`“${src}” could not be loaded (${message}). ${accepted}`);
-  };
-  if (!URL.canParse(src, base)) throw new Refusal(`“${src}” is no address. ${accepted}`);
-  const answer = await fetch(new URL(src, base)).catch(refuse);
-  if (!answer.ok) throw new Refusal(`“${src}” could not be loaded (${answer.status} ${answer.statusText}). ${accepted}`);
-  return answer.text().catch(refuse);
+  if (!URL.canParse(src, base)) throw new Refusal(`“${src}” is no address. Accepted: the address of a document, which is JSON text.`);
+  const { fetchText } = await import('../core/fetch-text.js');
+  // With the cookies of its own server, as pictures and videos: who wrote the page may read what is there.
+  return fetchText(new URL(src, base), { credentials: 'same-origin' });
 }

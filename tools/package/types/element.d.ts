@@ -2,7 +2,7 @@
  * The element <synthetica-linkage>.
  */
 import type { LinkageAttributes, LinkageError, LinkageEventMap } from './attributes.js';
-import type { MechanismDocument, Motion } from './types.js';
+import type { ExportOptions, MechanismDocument, Motion } from './types.js';
 
 export type { LinkageAttributes, LinkageError, LinkageEventMap } from './attributes.js';
 
@@ -33,8 +33,8 @@ export class SyntheticaLinkage extends HTMLElement {
   /** The planned motion; null until that of the document is there. */
   readonly trajectory: Motion | null;
   readonly error: LinkageError | null;
-  /** The planned motion as a table, degrees and the document's length unit. */
-  toCSV(): Promise<string>;
+  /** The planned motion as a table, degrees and the document's length unit; `headings` says where the units stand. */
+  toCSV(options?: Pick<ExportOptions, 'headings'>): Promise<string>;
   /** Loads and plans the motion wherever the element is; fails with what is wrong. */
   whenReady(): Promise<Motion>;
   /** A picture of the view as it is now, in CSS pixels, `scale` pixels to one of those. */
