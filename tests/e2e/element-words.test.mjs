@@ -154,6 +154,22 @@ test('another document resets playhead and selection, and its motion is not the 
   assert.deepEqual(await page.evaluate(() => [one.frame, one.getAttribute('frame'), one.document.name]), [100, '100', '2TPR']);
 });
 
+test('a document with fewer key frames takes the place of one whose playhead has gone on', async () => {
+  await course('<synthetica-linkage src="bennett.json" frame="40" controls></synthetica-linkage>');
+  await planned();
+  const ticks = (count) => page.waitForFunction((all) => one.shadowRoot.querySelectorAll('.tick').length === all, count);
+  await ticks(5);
+  const found = await page.evaluate(async (text) => {
+    const events = told.length;
+    one.document = text;
+    await until(() => one.readyState === 4);
+    return [one.frame, told.slice(events).filter(([name]) => name === 'ready' || name === 'error'), one.document.name];
+  }, texts['2tpr']);
+  assert.deepEqual(found, [0, [['ready', null]], '2TPR']);
+  await ticks(3);
+  assert.deepEqual(problems, []);
+});
+
 test('null empties it; attributes taken away give their defaults', async () => {
   await course('<synthetica-linkage src="2tpr.json" speed="3" loop view="top" frame="9" controls><p id="content">Two chains</p></synthetica-linkage>');
   await planned();
