@@ -113,6 +113,36 @@ test('with controls it can be used from 120 px on: what does not fit is left out
   assert.ok((await offered(120)) < (await offered(200)) && (await offered(200)) < (await offered(300)) && (await offered(300)) < (await offered(400)));
 });
 
+test('with controls it can be used in little height too, down to 120 px', async () => {
+  const sizes = [120, 300, 560, 900].flatMap((width) => [120, 150, 180, 200].map((height) => [width, height]));
+  const id = ([width, height]) => `s${width}x${height}`;
+  const body = sizes.map((size) => LINKAGE.replace(' src', ` id="${id(size)}" style="width: ${size[0]}px; height: ${size[1]}px; float: left" src`)).join('');
+  const { page, problems } = await guestPage(body, { viewport: { width: 1200, height: 1700 } });
+  await planned(page);
+  await page.waitForFunction(() => [...document.querySelectorAll('synthetica-linkage')].every(({ offsetHeight, shadowRoot }) => shadowRoot.querySelector('.low') !== null === offsetHeight < 180));
+  for (const size of sizes) {
+    const { controls, scroll, scene } = await page.evaluate((one) => {
+      const element = document.getElementById(one);
+      const own = element.getBoundingClientRect();
+      const bench = element.shadowRoot.querySelector('.bench');
+      return {
+        controls: [...element.shadowRoot.querySelectorAll('.transport button:not(.tick), .transport select, #track, .view-bar > button')]
+          .filter((control) => control.checkVisibility())
+          .map((control) => {
+            const { top, bottom, left, right } = control.getBoundingClientRect();
+            return { id: control.id, fits: top >= own.top && bottom <= own.bottom && left >= own.left && right <= own.right, large: right - left >= 24 && bottom - top >= 24 };
+          }),
+        scroll: bench.scrollHeight - bench.clientHeight,
+        scene: element.shadowRoot.querySelector('.scene').offsetHeight,
+      };
+    }, id(size));
+    for (const wanted of ['play', 'track']) assert.ok(controls.some((control) => control.id === wanted), `${size}: ${wanted} is there`);
+    assert.deepEqual(controls.filter(({ fits, large }) => !fits || !large), [], `${size}: all that is there can be hit`);
+    assert.ok(scroll <= 4 && scene >= 60, `${size}: ${scroll} px stick out, the view is ${scene} px high`);
+  }
+  assert.deepEqual(problems, []);
+});
+
 /** How the first linkage is looked at: from where, and how far away. */
 const look = (page) =>
   page.evaluate(async () => {

@@ -154,6 +154,42 @@ test('another document resets playhead and selection, and its motion is not the 
   assert.deepEqual(await page.evaluate(() => [one.frame, one.getAttribute('frame'), one.document.name]), [100, '100', '2TPR']);
 });
 
+test('the same address given once more is asked for again where a document was given or taken away since', async () => {
+  await course('<synthetica-linkage src="2tpr.json"></synthetica-linkage>');
+  await planned();
+  const found = await page.evaluate(async (text) => {
+    const names = [];
+    for (const next of [text, null]) {
+      one.document = next;
+      await until(() => (next ? one.readyState === 4 : one.readyState === 0));
+      names.push(one.document?.name ?? null);
+      one.src = '2tpr.json';
+      await until(() => one.readyState === 4);
+      names.push(one.document.name);
+    }
+    const same = one.trajectory;
+    one.src = '2tpr.json';
+    return [names, one.readyState, one.trajectory.time === same.time];
+  }, texts.bennett);
+  assert.deepEqual(found, [["Bennett's linkage", '2TPR', null, '2TPR'], 4, true]);
+});
+
+test('a document with fewer key frames takes the place of one whose playhead has gone on', async () => {
+  await course('<synthetica-linkage src="bennett.json" frame="40" controls></synthetica-linkage>');
+  await planned();
+  const ticks = (count) => page.waitForFunction((all) => one.shadowRoot.querySelectorAll('.tick').length === all, count);
+  await ticks(5);
+  const found = await page.evaluate(async (text) => {
+    const events = told.length;
+    one.document = text;
+    await until(() => one.readyState === 4);
+    return [one.frame, told.slice(events).filter(([name]) => name === 'ready' || name === 'error'), one.document.name];
+  }, texts['2tpr']);
+  assert.deepEqual(found, [0, [['ready', null]], '2TPR']);
+  await ticks(3);
+  assert.deepEqual(problems, []);
+});
+
 test('null empties it; attributes taken away give their defaults', async () => {
   await course('<synthetica-linkage src="2tpr.json" speed="3" loop view="top" frame="9" controls><p id="content">Two chains</p></synthetica-linkage>');
   await planned();

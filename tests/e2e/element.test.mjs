@@ -165,6 +165,17 @@ test('gives the motion as a table and the view as a picture', async () => {
   assert.match(heads[5], /Accepted: gravity with the format mjcf/);
 });
 
+test('a picture of no size is refused in words', async () => {
+  const { page } = await course('<synthetica-linkage src="2tpr.json"></synthetica-linkage>');
+  await planned(page);
+  const told = await page.evaluate(() => {
+    const element = document.querySelector('synthetica-linkage');
+    const wishes = [{ width: 0 }, { height: -5 }, { scale: NaN }, { width: 'wide', type: 'svg' }, { height: Infinity, type: 'svg' }];
+    return Promise.all(wishes.map((wish) => element.toImage(wish).then(({ type }) => type, ({ message }) => message)));
+  });
+  assert.deepEqual(told, [['width', '0'], ['height', '-5'], ['scale', 'NaN'], ['width', 'wide'], ['height', 'Infinity']].map(([name, value]) => `The ${name} of a picture is “${value}”. Accepted: a number above zero.`));
+});
+
 test('ten on a page share one worker and one planner, and all move', async () => {
   /** What was asked for before the page was there is counted too. @type {string[]} */
   const wasm = [];

@@ -31,7 +31,9 @@ export function createTrack({ find, store }, goTo) {
   const scrub = find('scrub');
   /** @type {SVGSVGElement} */
   const strip = find('strip');
-  /** Of each key frame. @type {number[]} */
+  /** The motion that stands in it. @type {import('../core/types.js').Motion | null} */
+  let taken = null;
+  /** Of each key frame of that. @type {number[]} */
   let keys = [];
 
   /** The last frame of the goal motion: so far goes the track. */
@@ -123,6 +125,8 @@ export function createTrack({ find, store }, goTo) {
   function show() {
     const { motion } = store.result;
     if (!motion) return;
+    // The playhead of another motion may be set before its result is told here.
+    if (motion !== taken) return take();
     const { frame, posture } = store.view;
     scrub.value = String(frame);
     scrub.setAttribute('aria-valuetext', frameSentence(store));
@@ -135,6 +139,7 @@ export function createTrack({ find, store }, goTo) {
   function take() {
     const { motion, plain } = store.result;
     if (!motion || !plain) return;
+    taken = motion;
     keys = keyFrameFrames(plain, allTimes(motion));
     if (scrub.max !== String(motion.frames - 1)) scrub.max = String(motion.frames - 1);
     drawStrip(strip, motion);

@@ -59,8 +59,8 @@ export const MEMBERS = {
   linkage: { type: 'MechanismDocument | string | null', what: 'The same as `document`, which in the text of an inline handler is the page’s own.' },
   trajectory: { type: 'Motion | null', readonly: true, what: 'The planned motion, a [`Motion`](#javascript); `null` until that of the document is there.' },
   error: { type: 'LinkageError | null', readonly: true, what: 'What is wrong, `{message, where, code}`; else `null`.' },
+  whenReady: { type: 'Promise<Motion>', given: '', what: 'Loads what the motion needs wherever the element is, and waits for it; fails with what is wrong where there will be none.' },
   toCSV: { type: 'Promise<string>', given: "options?: { headings?: 'units' | 'plain' | 'two-rows' }", what: 'The motion as a table; its units stand where `headings` says, see [Files for other programs](#files-for-other-programs).' },
-  whenReady: { type: 'Promise<Motion>', given: '', what: 'The motion, which is loaded and planned for it wherever the element is; fails with what is wrong.' },
   toImage: { type: 'Promise<Blob>', given: "wish?: { type?: 'png' | 'svg'; width?: number; height?: number; scale?: number }", what: 'A picture of the view as it is now, in CSS pixels, `scale` pixels to one of those.' },
   focus: { type: 'void', given: 'options?: FocusOptions', what: 'The view takes the focus, made or not.' },
 };

@@ -88,7 +88,11 @@ export class SyntheticaLinkage extends LinkageWords {
 
   /** @param {import('./attributes.js').Name} name @param {string | null} old @param {string | null} text */
   attributeChangedCallback(name, old, text) {
-    if (old === text) return;
+    if (old === text) {
+      // The same address once more is the newest wish, where a document was given since.
+      if (name === 'src' || name === 'type') this.#opening.turn(false);
+      return;
+    }
     const { player, store } = this.parts;
     try {
       const value = ATTRIBUTES[name].read(text);

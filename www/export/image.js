@@ -22,6 +22,9 @@ const SIZE = { width: 640, height: 480 };
  * @returns {Promise<Blob>}
  */
 export async function imageOf({ scene, store }, { type = 'png', width, height, scale = 2 }) {
+  for (const [name, value] of Object.entries({ width, height, scale })) {
+    if (value !== undefined && !(Number(value) > 0 && Number(value) < Infinity)) throw new Refusal(`The ${name} of a picture is “${value}”. Accepted: a number above zero.`);
+  }
   if (!scene) throw new Refusal('This browser shows no 3D graphics (WebGL 2), so there is no picture.');
   const { clientWidth, clientHeight } = scene.canvas;
   const size = { width: width ?? (clientWidth || SIZE.width), height: height ?? (clientHeight || SIZE.height) };
