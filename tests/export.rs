@@ -216,7 +216,10 @@ fn a_drive_passes_no_dead_point_between_two_frames() {
         let (mechanism, format) = (&problem.mechanism, Format::Mjcf);
         let xml = write(format, options, &document, mechanism, &motion).expect("a model");
         let own = attributes(&xml, "position", "joint");
-        assert!(own.len() == 1 && own[0].contains("theta"), "{frames} frames: {own:?}");
+        assert!(
+            own.len() == 1 && own[0].contains("theta"),
+            "{frames} frames: {own:?}"
+        );
     }
 }
 

@@ -189,7 +189,9 @@ fn turn_alike(rates: &mut [Vec<f64>], freedoms: usize) {
         let (before, own) = (&before[i - 1], &mut from[0]);
         let entry = |at: usize| {
             let pairs = before.chunks(freedoms).zip(own.chunks(freedoms));
-            pairs.map(|(a, b)| a[at / freedoms] * b[at % freedoms]).sum()
+            pairs
+                .map(|(a, b)| a[at / freedoms] * b[at % freedoms])
+                .sum()
         };
         let product = (0..freedoms * freedoms).map(entry).collect();
         if !is_positive(product, freedoms) {
