@@ -142,7 +142,12 @@ export async function open(engine) {
     );
 
   const middle = ({ x, y, width, height }) => ({ x: x + width / 2, y: y + height / 2 });
-  const click = async (selector, text) => drag(middle(await boxOf(selector, text)));
+  /** As a person does: points first, and clicks where the thing then rests. (The name of a thing that is pointed at may be moved.) */
+  async function click(selector, text) {
+    const { x, y } = middle(await boxOf(selector, text));
+    await command('act', { actions: [{ type: 'pointer', id: 'mouse', parameters: { pointerType: 'mouse' }, actions: [{ type: 'pointerMove', duration: 20, origin: 'viewport', x: Math.round(x), y: Math.round(y) }] }] });
+    await drag(middle(await boxOf(selector, text)));
+  }
 
   /** How many colours the window has in that box once it rests, and a number that another picture would hardly have. */
   async function look(selector) {

@@ -22,10 +22,11 @@ export function createByHand(app) {
   }
   canvas.addEventListener('pointerenter', load);
   canvas.addEventListener('focus', load);
-  // A key frame is chosen by its name from the first click on, which may come before what moves it.
+  // A key frame is chosen by its name from the first click on, which may come before what moves it. That then sees to it
+  // alone: the names change places when one is chosen, and the second to hear of a click would read another's.
   app.find('labels').addEventListener('click', ({ target }) => {
     const place = target instanceof HTMLElement ? target.dataset.place : '';
-    if (place?.startsWith('motion.key_frames')) app.store.setView({ selected: place });
+    if (!made && place?.startsWith('motion.key_frames')) app.store.setView({ selected: place });
   });
   app.store.select(({ view }) => view.selected, (selected) => selected && load());
 }
