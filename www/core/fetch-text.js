@@ -1,6 +1,6 @@
 /**
- * The text at an address, or why there is none. Asked for without cookies or passwords: what a reader of the page may see on
- * that server is nothing to put into a page for whoever wrote its address.
+ * The text at an address, or why there is none. Asked for without cookies or passwords unless told: what a reader of the page
+ * may see on that server is nothing to put into a page for whoever wrote its address.
  */
 import { Refusal } from './refusal.js';
 
@@ -9,7 +9,7 @@ const MAX_BYTES = 32_000_000;
 
 /**
  * @param {URL} url
- * @param {{redirect?: RequestRedirect}} [how]
+ * @param {Pick<RequestInit, 'credentials' | 'redirect'>} [how]
  * @returns {Promise<string>}
  */
 export async function fetchText(url, how = {}) {
@@ -17,7 +17,7 @@ export async function fetchText(url, how = {}) {
     throw new Refusal(`${url.href} could not be loaded (${why}). Accepted: the address of a document, which is JSON text, on ${serverFor(url)}.`);
   };
   const refused = (/** @type {Error} */ { message }) => refuse(message);
-  const answer = await fetch(url, { ...how, credentials: 'omit' }).catch(refused);
+  const answer = await fetch(url, { credentials: 'omit', ...how }).catch(refused);
   if (!answer.ok) return refuse(`${answer.status} ${answer.statusText}`.trim());
   const bytes = await answer.blob().catch(refused);
   if (bytes.size > MAX_BYTES) return refuse(`it has ${(bytes.size / 1e6).toFixed(1)} MB, and at most ${MAX_BYTES / 1e6} MB are taken`);

@@ -1,6 +1,7 @@
 /**
  * Finds the document that an element's attributes or its content ask for.
  */
+import { fetchText } from '../core/fetch-text.js';
 import { Refusal } from '../core/refusal.js';
 import { findSample, sampleText } from '../core/samples.js';
 
@@ -32,7 +33,7 @@ export const isByType = (element) => askedFor(element).startsWith('type ');
  */
 export async function findDocument(element, assemble) {
   const { src, type } = element;
-  if (src) return { text: await fetched(src, element.baseURI), title: src.replace(/^.*\//, '') };
+  if (src) return { text: await textAt(src, element.baseURI), title: src.replace(/^.*\//, '') };
   const inside = textInside(element);
   if (inside) return { text: inside, title: '' };
   if (!type) return null;
@@ -43,14 +44,8 @@ export async function findDocument(element, assemble) {
   return made.is === 'answer' ? { text: made.value, title: '' } : null;
 }
 
-/** @param {string} src @param {string} base @returns {Promise<string>} */
-async function fetched(src, base) {
-  const accepted = 'Accepted: the address of a document, which is JSON text.';
-  const refuse = (/** @type {Error} */ { message }) => {
-    throw new Refusal(`“${src}” could not be loaded (${message}). ${accepted}`);
-  };
-  if (!URL.canParse(src, base)) throw new Refusal(`“${src}” is no address. ${accepted}`);
-  const answer = await fetch(new URL(src, base)).catch(refuse);
-  if (!answer.ok) throw new Refusal(`“${src}” could not be loaded (${answer.status} ${answer.statusText}). ${accepted}`);
-  return answer.text().catch(refuse);
+/** What the page's author wrote into it is asked for as all else in the page. @param {string} src @param {string} base */
+function textAt(src, base) {
+  if (!URL.canParse(src, base)) throw new Refusal(`“${src}” is no address. Accepted: the address of a document, which is JSON text.`);
+  return fetchText(new URL(src, base), { credentials: 'same-origin' });
 }

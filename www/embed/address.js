@@ -4,7 +4,7 @@
 import { Refusal } from '../core/refusal.js';
 
 /** What stands in the address under the same name as in the element. */
-const NAMES = ['controls', 'autoplay', 'loop', 'bounce', 'speed', 'frame', 'view', 'theme', 'readonly', 'panels', 'interaction', 'interaction'];
+const NAMES = ['controls', 'autoplay', 'loop', 'bounce', 'speed', 'frame', 'view', 'theme', 'readonly', 'panels', 'interaction'];
 
 /** What is on by standing there. */
 const SWITCHES = ['controls', 'autoplay', 'readonly', 'loop', 'bounce'];
