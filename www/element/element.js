@@ -236,7 +236,7 @@ export class SyntheticaLinkage extends LinkageWords {
   #begin() {
     this.#opening.isFresh = false;
     // Of another document that has been asked for meanwhile it is wanted.
-    if (!this.parts.player.first.waits) this.#settle();
+    if (!this.parts.player.first.isAwaited) this.#settle();
     if (this.autoplay && !matchMedia('(prefers-reduced-motion: reduce)').matches) this.play();
   }
 

@@ -40,7 +40,7 @@ export function createOpening(element, { begun, complain, emptied, settle }) {
 
   /** @param {boolean} another whether another document is asked for */
   function begin(another) {
-    if (another) player.first.asks();
+    if (another) player.first.requested();
     if (!isEmpty(store)) playhead.forget();
     return ++loads;
   }
@@ -72,7 +72,7 @@ export function createOpening(element, { begun, complain, emptied, settle }) {
 
   /** @param {number} now */
   async function nothingYet(now) {
-    player.first.stays();
+    player.first.requestedNothing();
     forgive();
     await begun;
     if (document.readyState === 'loading') await new Promise((ready) => document.addEventListener('DOMContentLoaded', ready, { once: true }));
@@ -88,7 +88,7 @@ export function createOpening(element, { begun, complain, emptied, settle }) {
   /** The document before stays, and what was wanted meanwhile is wanted of that. @param {string} why */
   function failed(why) {
     player.first.failed(why);
-    if (!player.first.waits) settle();
+    if (!player.first.isAwaited) settle();
   }
 
   /** What was wrong with another document is over. */
