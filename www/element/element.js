@@ -30,10 +30,10 @@ export class SyntheticaLinkage extends LinkageWords {
     complain: (error) => this.#complain(error),
     begin: () => this.#start(),
   });
-  /** Ends the wait of all that is loaded late. */
+  /** Lets the document be loaded. */
   #start = () => {};
   #opening = createOpening(this, {
-    begun: new Promise((resolve) => (this.#start = () => resolve(null))),
+    started: new Promise((resolve) => (this.#start = () => resolve(null))),
     complain: (error) => this.#complain(error),
     emptied: () => this.#seen.rebuild(),
     settle: () => this.#settle(),
@@ -46,7 +46,7 @@ export class SyntheticaLinkage extends LinkageWords {
   constructor() {
     super();
     announce(this, {
-      isEdit: () => !this.#opening.opens,
+      isEdit: () => !this.#opening.isOpening,
       isFirst: () => this.#opening.isFresh,
       begin: () => this.#begin(),
       fail: (error) => {
@@ -67,9 +67,9 @@ export class SyntheticaLinkage extends LinkageWords {
     if (!this.#seen.isThere) {
       this.#seen.build();
       this.parts.comeBack();
-      this.#opening.comeBack();
+      this.#opening.resume();
     }
-    this.#opening.arrive();
+    this.#opening.loadWhatIsAsked();
   }
 
   /** Another document has other style sheets, and another window draws. */
@@ -105,7 +105,7 @@ export class SyntheticaLinkage extends LinkageWords {
     } catch (error) {
       return this.#refuse(name, error);
     }
-    if (name === 'src' || name === 'type') this.#opening.turn(text === null);
+    if (name === 'src' || name === 'type') this.#opening.attributeChanged(text === null);
     if (['panels', 'readonly', 'keys', 'interaction'].includes(name)) this.#seen.rebuild();
   }
 
@@ -123,7 +123,7 @@ export class SyntheticaLinkage extends LinkageWords {
 
   /** @param {MechanismDocument | string | null} next */
   set document(next) {
-    this.#opening.give(next);
+    this.#opening.setDocument(next);
   }
 
   /** The same as `document`, which in the text of an inline handler is the page's own. */
@@ -152,7 +152,7 @@ export class SyntheticaLinkage extends LinkageWords {
    */
   async whenReady() {
     this.#start();
-    this.#opening.arrive();
+    this.#opening.loadWhatIsAsked();
     const { store } = this.parts;
     return new Promise((resolve, reject) => {
       /** @type {(() => void) | undefined} */
@@ -171,7 +171,7 @@ export class SyntheticaLinkage extends LinkageWords {
 
   play() {
     this.#start();
-    this.#opening.arrive();
+    this.#opening.loadWhatIsAsked();
     return super.play();
   }
 
