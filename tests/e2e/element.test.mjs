@@ -358,7 +358,7 @@ test('what is wrong is said in the element and told: address, type, document, at
   await planned(page, '#good');
   await page.waitForFunction(() => ['gone', 'type', 'fault', 'speed', 'nothing', 'address', 'panels', 'frame'].every((id) => document.getElementById(id).error));
   const errors = await page.evaluate(() => Object.fromEntries(['gone', 'type', 'fault', 'nothing', 'address', 'panels', 'frame', 'good'].map((id) => [id, document.getElementById(id).error])));
-  assert.match(errors.gone.message, /no-such\.json could not be loaded.*Accepted/);
+  assert.match(errors.gone.message, /no-such\.json could not be loaded \(404.*Accepted/);
   assert.match(errors.type.message, /“9XYZ” is no type of linkage.*RPS \+ 2TS/);
   assert.match(errors.address.message, /“http:\/\/” is no address/);
   assert.equal(errors.fault.where, 'chains');

@@ -135,7 +135,7 @@ test('src of a frame: a page of another origin hears where and which fault, and 
 test('src of a frame in a sandbox without an origin: says why it cannot be loaded', async () => {
   const { page } = await openCourse(frameOf('?src=mechanisms/2tpr.json', 'sandbox="allow-scripts"'));
   const { error } = await hears(page, 'error');
-  assert.match(error.message, /2tpr\.json could not be loaded.*Access-Control-Allow-Origin: this frame is in a sandbox without an origin.*the document in the address itself/);
+  assert.match(error.message, /2tpr\.json could not be loaded.*Access-Control-Allow-Origin: this page is in a sandbox without an origin.*in the address of the frame/);
   await page.frameLocator('iframe').locator('#trouble', { hasText: 'sandbox without an origin' }).waitFor();
 });
 

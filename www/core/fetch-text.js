@@ -1,6 +1,6 @@
 /**
- * The text at an address, or why there is none. Asked for without cookies or passwords unless told: what a reader of the page
- * may see on that server is nothing to put into a page for whoever wrote its address.
+ * The text at an address, or why there is none. Asked for without cookies or passwords unless it is said otherwise: what a
+ * reader of the page may see on that server is nothing to put into a page for whoever wrote its address.
  */
 import { Refusal } from './refusal.js';
 
@@ -9,7 +9,7 @@ const MAX_BYTES = 32_000_000;
 
 /**
  * @param {URL} url
- * @param {Pick<RequestInit, 'credentials' | 'redirect'>} [how]
+ * @param {{redirect?: RequestRedirect, credentials?: RequestCredentials}} [how]
  * @returns {Promise<string>}
  */
 export async function fetchText(url, how = {}) {
@@ -26,8 +26,9 @@ export async function fetchText(url, how = {}) {
 
 /** What the server must do. @param {URL} url */
 function serverFor(url) {
-  if (url.origin === self.origin) return 'this server';
   const grant = 'with the header Access-Control-Allow-Origin';
-  if (self.origin !== 'null') return `a server that lets other pages read it (${grant})`;
-  return `a server that answers ${grant}: this frame is in a sandbox without an origin of its own, so that every server is another one’s; or the document in the address itself, as the dialog “Share” writes it`;
+  // Those without an origin are not each other’s: “null” says that there is none.
+  if (self.origin !== 'null') return url.origin === self.origin ? 'this server' : `a server that lets other pages read it (${grant})`;
+  const place = location.protocol === 'file:' ? 'was opened from a disk, and is' : 'is in a sandbox';
+  return `a server that answers ${grant}: this page ${place} without an origin of its own, so that every server is another one’s; or the document itself, in the element or in the address of the frame, as the dialog “Share” writes it`;
 }

@@ -66,7 +66,7 @@ export class SyntheticaLinkage extends LinkageWords {
     // Taken out and put in again at once, as by a move: it goes on as it is.
     if (!this.#tree.isInPage) {
       this.#tree.build();
-      this.parts.comeBack();
+      this.parts.resume();
       this.#opening.resume();
     }
     this.#opening.loadWhatIsAsked();

@@ -1,7 +1,6 @@
 /**
  * Finds the document that an element's attributes or its content ask for.
  */
-import { fetchText } from '../core/fetch-text.js';
 import { Refusal } from '../core/refusal.js';
 import { findSample, sampleText } from '../core/samples.js';
 
@@ -33,7 +32,7 @@ export const isByType = (element) => askedFor(element).startsWith('type ');
  */
 export async function findDocument(element, assemble) {
   const { src, type } = element;
-  if (src) return { text: await textAt(src, element.baseURI), title: src.replace(/^.*\//, '') };
+  if (src) return { text: await fetched(src, element.baseURI), title: src.replace(/^.*\//, '') };
   const inside = textInside(element);
   if (inside) return { text: inside, title: '' };
   if (!type) return null;
@@ -44,8 +43,10 @@ export async function findDocument(element, assemble) {
   return made.is === 'answer' ? { text: made.value, title: '' } : null;
 }
 
-/** What the page's author wrote into it is asked for as all else in the page. @param {string} src @param {string} base */
-function textAt(src, base) {
+/** @param {string} src @param {string} base @returns {Promise<string>} */
+async function fetched(src, base) {
   if (!URL.canParse(src, base)) throw new Refusal(`“${src}” is no address. Accepted: the address of a document, which is JSON text.`);
+  const { fetchText } = await import('../core/fetch-text.js');
+  // With the cookies of its own server, as pictures and videos: who wrote the page may read what is there.
   return fetchText(new URL(src, base), { credentials: 'same-origin' });
 }
