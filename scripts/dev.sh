@@ -19,7 +19,8 @@ environment: CHROMIUM, CHROMEDRIVER  the browser and its driver, where they are 
              FIREFOX                 Firefox, where it is not on the PATH
              WEBKIT_DRIVER, WEBKIT_BROWSER  WebKitGTK's WebKitWebDriver and its MiniBrowser
              XVFB                    the X server without a screen that these two are shown on
-             SYNTHETICA_CACHE        where the wasm tools and MuJoCo are kept (default ~/.cache/synthetica)
+             SITE_URL                the address that the site will have, for links to its pages that other sites show
+             SYNTHETICA_CACHE        where wasm tools and Python environments are kept (default ~/.cache/synthetica)
 TXT
 }
 

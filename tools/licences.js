@@ -48,8 +48,8 @@ export function licenceTexts(folder, { name, version, licence }) {
 /** @param {string} name of an npm package @returns {Part} */
 function npmPart(name) {
   const folder = at(`node_modules/${name}`);
-  const { version, license: licence } = JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8'));
-  return { name, version, licence, from: `https://www.npmjs.com/package/${name}`, texts: licenceTexts(folder, { name, version, licence }) };
+  const { version, license: licence, repository } = JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8'));
+  return { name, version, licence, from: (repository.url ?? repository).replace(/^git\+|\.git$/g, ''), texts: licenceTexts(folder, { name, version, licence }) };
 }
 
 /** Cargo, asked about the crate for the web; it needs no network once the crate has been built. @param {string[]} question */
@@ -73,7 +73,7 @@ function standardLibrary() {
 
 let crates;
 /** The crates whose code is in the wasm, the standard library among them. @returns {Part[]} */
-export function cratesInWasm() {
+function cratesInWasm() {
   if (crates) return crates;
   // The tree knows which optional dependencies are on, the metadata where their sources are.
   const tree = cargo(['tree', '--edges', 'normal,no-proc-macro', '--target', WASM, '--prefix', 'none', '--format', '{p}']);

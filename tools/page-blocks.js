@@ -1,5 +1,6 @@
 // Blocks of the site's pages that are made of the project's own files: examples, cards of samples, fields of documents, types, the element's words.
 import { readFileSync } from 'node:fs';
+import { frameTag, scriptTag } from '../www/app/files/codes.js';
 import { ATTRIBUTES } from '../www/element/attributes.js';
 import { DESCRIPTIONS, EVENTS, MEMBERS } from '../www/element/descriptions.js';
 import { inGroups } from '../www/core/mechanism-groups.js';
@@ -22,8 +23,9 @@ function example(files, inline, escape) {
 
 /** A sample as code for other pages: pages/embed-codes.js writes whole addresses, where the build does not know the site's. */
 function embed({ file, title }, escape) {
-  const frame = `<iframe src="${addressOf(`embed.html?sample=${file}`)}" title="${title}" width="100%" height="420" loading="lazy" style="border: 0"></iframe>`;
-  const element = `<script src="${addressOf('inline.js')}"></script>\n<synthetica-linkage type="${file.replace('.json', '')}" poster="${addressOf(`thumbnails/${file.replace('.json', '.webp')}`)}" controls style="height: 420px"></synthetica-linkage>`;
+  const name = file.replace('.json', '');
+  const frame = frameTag(addressOf(`embed.html?sample=${file}`), title, 420);
+  const element = `<synthetica-linkage type="${name}" poster="${addressOf(`thumbnails/${name}.webp`)}" controls style="height: 420px"></synthetica-linkage>\n${scriptTag(addressOf('inline.js'))}`;
   const code = (what, text) => `<p>${what}</p>\n<pre aria-label="${what} of ${escape(title)}"><code>${escape(text)}</code></pre>`;
   return `<details class="embed"><summary>Embed<span class="sr"> ${escape(title)}</span></summary>\n${code('Frame', frame)}\n${code('Element', element)}\n</details>`;
 }

@@ -78,13 +78,15 @@ test('an address given while it is out of the page is loaded when it is put in',
   const names = await page.evaluate(async () => {
     one.remove();
     one.src = 'bennett.json';
-    await until(() => true);
+    // By then it would have come, had it been asked for.
+    await (await fetch('2tpr.json?later')).text();
     const meanwhile = one.document.name;
+    const loaded = performance.getEntriesByType('resource').filter(({ name }) => name.endsWith('bennett.json')).length;
     document.body.append(one);
     await until(() => one.document?.name !== meanwhile && one.readyState === 4);
-    return [meanwhile, one.document.name];
+    return [meanwhile, loaded, one.document.name];
   });
-  assert.deepEqual(names, ['2TPR', JSON.parse(texts.bennett).name]);
+  assert.deepEqual(names, ['2TPR', 0, JSON.parse(texts.bennett).name]);
 });
 
 test('a document that comes to stand inside later is seen', async () => {
@@ -255,15 +257,19 @@ test('a frame that the motion has not is told, stays in its attribute, and is re
 });
 
 test('change is told of edits only', async () => {
-  await course('<synthetica-linkage src="2tpr.json"></synthetica-linkage>');
+  await course('<synthetica-linkage src="2tpr.json"></synthetica-linkage><synthetica-linkage id="other" src="2tpr.json"></synthetica-linkage>');
   await planned();
   const told = await page.evaluate(async (text) => {
+    const other = document.getElementById('other');
+    await until(() => other.readyState === 4);
     one.parts.store.edit((doc) => ({ ...doc, name: 'Edited' }));
     one.document = text;
     await until(() => one.readyState === 4 && one.document.name !== 'Edited');
     const opened = window.told.length;
-    // Later than a change of the former document's edit would be told.
-    await new Promise((next) => setTimeout(next, 400));
+    // Later than a change of the former document's edit would be told: that of an edit that came after it.
+    const changed = new Promise((tell) => other.addEventListener('change', tell));
+    other.parts.store.edit((doc) => ({ ...doc, name: 'Later' }));
+    await changed;
     const late = window.told.slice(opened);
     one.parts.store.edit((doc) => ({ ...doc, name: 'Edited again' }));
     await until(() => window.told.slice(opened).some(([name]) => name === 'change'));
@@ -272,7 +278,7 @@ test('change is told of edits only', async () => {
   assert.deepEqual(told, [[], ['input', 'change']]);
 });
 
-test('play() is kept when it plays, and refused by pause, removal, another document and a fault', async () => {
+test('play() resolves when it plays, and rejects at pause, removal, another document and a fault', async () => {
   await course('<synthetica-linkage></synthetica-linkage>');
   const found = await page.evaluate(async ([text, other]) => {
     const fresh = () => document.body.appendChild(document.createElement('synthetica-linkage'));
@@ -306,7 +312,7 @@ test('play() is kept when it plays, and refused by pause, removal, another docum
     paused: 'AbortError', removed: 'AbortError', another: 'AbortError', rests: true, fault: 'NotSupportedError', again: 'NotSupportedError', faultyPaused: true,
     mended: 'kept', kept: ['kept', false, 4], atOnce: 'kept',
   });
-  assert.deepEqual(problems, [], 'a refusal that nobody awaits is no unhandled rejection');
+  assert.deepEqual(problems, [], 'a rejection that nobody awaits is none for the page');
 });
 
 test('at its end it tells so, as the media elements do; speeds go by both names', async () => {

@@ -1,10 +1,10 @@
 // The page for frames in somebody else's page: from another origin, in a sandbox, and what both say to each other.
 import assert from 'node:assert/strict';
 import { mkdtempSync } from 'node:fs';
-import { createServer } from 'node:http';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
+import { serve } from '../package/site.mjs';
 import { violations } from './axe.mjs';
 import { openBrowser } from './browser.mjs';
 
@@ -13,12 +13,11 @@ let server;
 /** The origin of the page around the frame. */
 let around;
 /** What it serves. */
-let html = '';
+const files = {};
 before(async () => {
   browser = await openBrowser();
-  server = createServer((_, response) => response.setHeader('content-type', 'text/html').end(html));
-  await new Promise((listening) => server.listen(0, '127.0.0.1', listening));
-  around = `http://127.0.0.1:${server.address().port}`;
+  server = await serve(files);
+  around = server.address;
 });
 after(async () => {
   server.close();
@@ -27,12 +26,12 @@ after(async () => {
 
 /** A page with a frame in it, whose messages are kept in `heard`. */
 async function pageAround(query, { attributes = '', referrer = '' } = {}) {
-  html = `<!doctype html><html lang="en"><title>Around</title>${referrer}<body><script>
+  files['/page.html'] = `<!doctype html><html lang="en"><title>Around</title>${referrer}<body><script>
       window.heard = [];
       addEventListener('message', ({ data, source }) => heard.push({ ...data, fromFrame: source === document.querySelector('iframe').contentWindow }));
     </script><iframe src="${browser.address}${query}" width="700" height="420" ${attributes}></iframe></body></html>`;
   const { page, problems } = await browser.blankPage();
-  await page.goto(around);
+  await page.goto(`${around}/page.html`);
   return { page, problems, frame: page.frameLocator('iframe') };
 }
 
@@ -231,7 +230,12 @@ test('fits a phone with panels under the view: all of it, and it rests there', a
   }, browser.address);
   await page.frameLocator('iframe').locator('#closure').filter({ hasText: /\d/ }).waitFor();
   await page.waitForFunction(() => window.heights.length > 0 && document.querySelector('iframe').offsetHeight > 500);
-  await page.evaluate(() => new Promise((rest) => setTimeout(rest, 800)));
+  // For twenty pictures no other height is told.
+  await page.waitForFunction(async () => {
+    const { length } = window.heights;
+    for (let picture = 0; picture < 20; picture++) await new Promise(requestAnimationFrame);
+    return window.heights.length === length;
+  });
   const inside = await page.frames()[1].evaluate(() => [document.documentElement.scrollHeight, innerHeight]);
   assert.ok(Math.abs(inside[0] - inside[1]) <= 1, `${inside}`);
   const { length } = await page.evaluate(() => window.heights);
@@ -255,9 +259,9 @@ test('the code of the share dialog works where it is pasted', async () => {
   await dialog.getByLabel('Read only').check();
   const code = await dialog.getByLabel('Frame', { exact: true }).inputValue();
   const tag = await dialog.getByLabel('Element', { exact: true }).inputValue();
-  html = `<!doctype html><html lang="en"><title>Pasted</title><body>${code}${tag}</body></html>`;
+  files['/page.html'] = `<!doctype html><html lang="en"><title>Pasted</title><body>${code}${tag}</body></html>`;
   const { page } = await browser.blankPage();
-  await page.goto(around);
+  await page.goto(`${around}/page.html`);
   const frame = page.frameLocator('iframe');
   await atFrame(frame, '1 / 129');
   assert.equal(await frame.locator('synthetica-linkage').getAttribute('panels'), 'info');

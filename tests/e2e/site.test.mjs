@@ -1,16 +1,14 @@
 // The pages beside the applet, from a plain server, below a folder of its own.
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
-import { createServer } from 'node:http';
-import { extname } from 'node:path';
+import { readFileSync, readdirSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 import { chromium } from 'playwright-core';
 import { createServer as createDevServer } from 'vite';
+import { serve } from '../package/site.mjs';
 import { violations } from './axe.mjs';
 import { LAUNCH } from './browser.mjs';
 
 const PREFIX = '/some/prefix/';
-const TYPES = { '.txt': 'text/plain; charset=utf-8', '.jpg': 'image/jpeg', '.html': 'text/html', '.css': 'text/css', '.js': 'text/javascript', '.json': 'application/json', '.svg': 'image/svg+xml', '.wasm': 'application/wasm', '.webp': 'image/webp' };
 const dist = new URL('../../www/dist/', import.meta.url);
 const read = (path) => readFileSync(new URL(`../../${path}`, import.meta.url), 'utf8');
 const schema = JSON.parse(read('src/document/schema.json'));
@@ -18,22 +16,8 @@ const samples = JSON.parse(read('www/mechanisms/index.json')).map(({ file }) => 
 
 let server, browser, address, pages, parts;
 before(async () => {
-  // No header but the type, no answer for what is not there.
-  server = createServer((request, response) => {
-    const { pathname } = new URL(request.url, 'http://site');
-    try {
-      const file = pathname.endsWith('/') ? `${pathname}index.html` : pathname;
-      assert.ok(file.startsWith(PREFIX));
-      const body = readFileSync(new URL(file.slice(PREFIX.length), dist));
-      response.setHeader('content-type', TYPES[extname(file)]);
-      response.end(body);
-    } catch {
-      response.statusCode = 404;
-      response.end();
-    }
-  });
-  await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
-  address = `http://127.0.0.1:${server.address().port}${PREFIX}`;
+  server = await serve({ [PREFIX]: dist });
+  address = `${server.address}${PREFIX}`;
   browser = await chromium.launch(LAUNCH);
   // Every page is in the navigation of every other.
   const { page } = await open('reference-document.html');
@@ -41,7 +25,7 @@ before(async () => {
   parts = await linked('nav[aria-label="Parts of the reference"] a');
   pages = [...(await linked('header nav a')), ...parts];
   assert.ok(['gallery', 'course', 'method', 'reference', 'get'].every((name) => pages.includes(`./${name}.html`)), pages.join());
-  assert.equal(parts.length, 6);
+  assert.equal(parts.length, readdirSync(new URL('../../www/pages/reference/', import.meta.url)).length);
 });
 after(async () => {
   await browser.close();
@@ -289,14 +273,13 @@ test('the codes of the gallery work in pages of another origin', async () => {
     assert.ok(codes[what].includes(`"${address}`), codes[what]);
   }
   assert.deepEqual(await violations(page), []);
-  const around = createServer(({ url }, response) => response.setHeader('content-type', 'text/html').end(`<!doctype html><title>Other</title>${url === '/frame' ? codes.Frame : codes.Element}`));
-  await new Promise((resolve) => around.listen(0, '127.0.0.1', resolve));
+  const pageWith = (code) => `<!doctype html><title>Other</title>${code}`;
+  const around = await serve({ '/frame.html': pageWith(codes.Frame), '/element.html': pageWith(codes.Element) });
   after(() => around.close());
-  const elsewhere = `http://127.0.0.1:${around.address().port}`;
   const other = await browser.newPage();
-  await other.goto(`${elsewhere}/element`);
+  await other.goto(`${around.address}/element.html`);
   await other.waitForFunction(() => document.querySelector('synthetica-linkage').trajectory?.frames > 1);
-  await other.goto(`${elsewhere}/frame`);
+  await other.goto(`${around.address}/frame.html`);
   const frame = await (await other.locator('iframe').elementHandle()).contentFrame();
   await frame.waitForFunction(() => document.querySelector('synthetica-linkage')?.trajectory?.frames > 1);
   assert.match(await frame.evaluate(() => document.querySelector('synthetica-linkage').document.name), /agile eye/i);

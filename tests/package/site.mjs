@@ -1,4 +1,4 @@
-// Somebody else's site for the tests beside this file: a plain server, a browser, pages that are written in the test.
+// Somebody else's site for tests: a plain server that sends no header but the type, a browser, pages that are written in the test.
 import { readFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { extname } from 'node:path';
@@ -8,7 +8,7 @@ import { LAUNCH } from '../e2e/browser.mjs';
 /** What is published. */
 export const dist = new URL('../../dist/', import.meta.url);
 
-const TYPES = { '.html': 'text/html', '.js': 'text/javascript', '.json': 'application/json', '.wasm': 'application/wasm', '.css': 'text/css' };
+const TYPES = { '.html': 'text/html', '.js': 'text/javascript', '.json': 'application/json', '.wasm': 'application/wasm', '.css': 'text/css', '.svg': 'image/svg+xml', '.jpg': 'image/jpeg', '.webp': 'image/webp', '.txt': 'text/plain; charset=utf-8' };
 
 /**
  * @param {Record<string, string | URL>} files texts by path, or a folder whose files lie below a path that ends with a slash
@@ -16,7 +16,7 @@ const TYPES = { '.html': 'text/html', '.js': 'text/javascript', '.json': 'applic
  */
 export async function serve(files, headers = {}) {
   const server = createServer((request, response) => {
-    const { pathname } = new URL(request.url, 'http://site');
+    const pathname = new URL(request.url, 'http://site').pathname.replace(/\/$/, '/index.html');
     const folder = Object.keys(files).find((path) => path.endsWith('/') && pathname.startsWith(path));
     try {
       // Browsers ask for it by themselves.

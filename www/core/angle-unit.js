@@ -9,9 +9,6 @@ import { JOINT_TYPES } from './joint-types.js';
 /** What depends on the unit of angles within an expression. */
 const DEPENDS = /\b(a?sin|a?cos|a?tan|atan2|deg|rad)\b/i;
 
-/** @param {Pick<MechanismDocument, 'angles'>} doc @returns {AngleUnit} */
-export const angleUnitOf = ({ angles }) => (angles === 'radians' ? 'radians' : 'degrees');
-
 /** Only the name changes: the same numbers are other angles. @param {MechanismDocument} doc @param {AngleUnit} unit @returns {MechanismDocument} */
 export function reread(doc, unit) {
   const { angles: _, ...rest } = doc;

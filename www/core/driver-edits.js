@@ -94,7 +94,7 @@ export function withDrivers(doc, drivers) {
 }
 
 /** @param {MechanismDocument} doc @param {import('./types.js').KeyFrame[]} keys @returns {MechanismDocument} */
-export function withKeyFrames(doc, keys) {
+function withKeyFrames(doc, keys) {
   const { drivers: _, ...rest } = doc.motion;
   return { ...doc, motion: { ...rest, key_frames: keys } };
 }

@@ -1,85 +1,85 @@
 /**
  * The wait for the first motion of a document, from when the document is asked for: how far it is, and the promises that
- * `play()` gave meanwhile, which are kept or refused together.
+ * `play()` gave meanwhile, which are resolved or rejected together.
  */
 export class FirstMotion {
-  #halt;
+  #stop;
   /** Another document has been asked for, and is not read yet. */
-  #asked = false;
+  #isRequested = false;
   /** A document has been read. */
-  #known = false;
+  #isRead = false;
   /** The document has no motion yet. */
-  #fresh = true;
+  #isUnplanned = true;
   /** Why what was asked for has none. */
   #failure = '';
   /** @type {{resolve: () => void, reject: (reason: DOMException) => void}[]} */
   #plays = [];
 
-  /** @param {() => void} halt ends what is played */
-  constructor(halt) {
-    this.#halt = halt;
+  /** @param {() => void} stop ends what is played */
+  constructor(stop) {
+    this.#stop = stop;
   }
 
   /** Whether a document is asked for that is not read yet. */
-  get asked() {
-    return this.#asked;
+  get isRequested() {
+    return this.#isRequested;
   }
 
   /** Whether the motion of a document that has been read is still to come. */
-  get fresh() {
-    return this.#fresh;
+  get isUnplanned() {
+    return this.#isUnplanned;
   }
 
   /** Whether the motion of what is asked for is still to come. */
-  get waits() {
-    return this.#asked || this.#fresh;
+  get isAwaited() {
+    return this.#isRequested || this.#isUnplanned;
   }
 
   /** Why it will not come; empty while it may. */
   get failure() {
-    return this.waits ? this.#failure : '';
+    return this.isAwaited ? this.#failure : '';
   }
 
   /** Another document is asked for. */
-  asks() {
-    if (this.#asked || this.#known) this.#end('AbortError', 'Another document took the place of the one to be played.');
-    this.#asked = true;
+  requested() {
+    if (this.#isRequested || this.#isRead) this.#end('AbortError', 'Another document took the place of the one to be played.');
+    this.#isRequested = true;
     this.#failure = '';
   }
 
   /** It has been read, and its motion is to come. */
   opened() {
-    this.#asked = false;
-    this.#known = this.#fresh = true;
+    this.#isRequested = false;
+    this.#isRead = this.#isUnplanned = true;
     this.#failure = '';
   }
 
   /** It has been taken away. */
   emptied() {
     this.opened();
-    this.#known = false;
+    this.#isRead = false;
   }
 
-  /** There is no other: the one before stays. */
-  stays() {
-    this.#asked = false;
+  /** There is nothing to be opened in its place: the one before stays. */
+  requestedNothing() {
+    this.#isRequested = false;
   }
 
   /** What was asked for, or its motion, cannot be had. @param {string} why */
   failed(why) {
-    this.#asked = false;
+    this.#isRequested = false;
     this.#failure = why;
     this.#end('NotSupportedError', why);
   }
 
   /** The first motion is there. */
-  begins() {
-    this.#known = true;
-    this.#fresh = false;
-    if (!this.#asked) this.keep();
+  planned() {
+    this.#isRead = true;
+    this.#isUnplanned = false;
+    if (!this.#isRequested) this.resolve();
   }
 
-  /** @returns {Promise<void>} kept when it plays */
+  /** @returns {Promise<void>} resolves when it plays */
   play() {
     const given = new Promise((resolve, reject) => this.#plays.push({ resolve: () => resolve(undefined), reject }));
     // Avoids an unhandled rejection where nobody awaits it.
@@ -88,18 +88,18 @@ export class FirstMotion {
   }
 
   /** It plays. */
-  keep() {
+  resolve() {
     for (const { resolve } of this.#plays.splice(0)) resolve();
   }
 
   /** @param {'AbortError' | 'NotSupportedError'} name as the media elements name it @param {string} why */
-  refuse(name, why) {
+  reject(name, why) {
     for (const { reject } of this.#plays.splice(0)) reject(new DOMException(why, name));
   }
 
   /** @param {'AbortError' | 'NotSupportedError'} name @param {string} why */
   #end(name, why) {
-    this.refuse(name, why);
-    this.#halt();
+    this.reject(name, why);
+    this.#stop();
   }
 }

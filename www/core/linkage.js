@@ -6,7 +6,7 @@
  * @property {Planner} planner
  * @property {Player} player
  * @property {import('../ui/notice.js').Say} say speaks to the person
- * @property {import('../ui/notice.js').Say} tell what `say` uses; who can show notices puts himself there
+ * @property {import('../ui/notice.js').Say} tell what `say` uses; the view sets it to show notices
  *
  * @typedef {ReturnType<typeof createLinkage>} Linkage
  */
@@ -37,7 +37,7 @@ export function createLinkage() {
       interrupted = planner.leave();
     },
     /** Plans what was interrupted, unless that is of another document by now and planned. */
-    comeBack() {
+    resume() {
       const { motion, doc } = store.result;
       if (interrupted && (doc !== store.doc || motion?.partial)) linkage.replan();
       interrupted = false;

@@ -14,7 +14,7 @@ import { plain } from './shown-frame.js';
 const RADIANS = Math.PI / 180;
 
 /** By how much a quaternion's length, or a product of a matrix's columns, may be off: what is left of three decimals. */
-export const ROUNDED = 1e-3;
+const ROUNDED = 1e-3;
 
 /** @param {Matrix4} matrix @returns {Turn} */
 const rowsOf = ({ elements: e }) => [e[0], e[4], e[8], e[1], e[5], e[9], e[2], e[6], e[10]];

@@ -87,7 +87,7 @@ function namedBy(where, changes) {
 const changesIn = (sets) => sets.flatMap((set) => set.replace(/[;,]\s*$/, '').split(BETWEEN)).map((text) => text.trim()).filter(Boolean);
 
 /** @param {string} text @returns {Override} */
-export function parseOverride(text) {
+function parseOverride(text) {
   const colon = text.search(/[:=]/);
   const place = text.slice(0, colon).trim();
   if (colon < 0 || !/^[A-Za-z_]\w*(\.\w+|\[\d+\])*$/.test(place)) {

@@ -39,7 +39,7 @@ function walk(doc, visit) {
 }
 
 /** All expressions of a document, those of its parameters first. @param {MechanismDocument} doc */
-export function expressionsOf(doc) {
+function expressionsOf(doc) {
   /** @type {Expression[]} */
   const found = [];
   walk({ ...doc, parameters: undefined }, (path, text) => typeof text === 'string' && found.push({ path, text }));

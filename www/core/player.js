@@ -19,7 +19,7 @@ export class Player {
   #store;
   /** What a picture is made by. */
   draw = () => {};
-  /** Before the first motion of a document it only takes note. */
+  /** Before the first motion of a document `play()` waits for that. */
   first = new FirstMotion(() => this.#store.setView({ playing: false }));
   /** Who hears what the store's state does not say. */
   tell = (/** @type {Told} */ _name) => {};
@@ -42,8 +42,8 @@ export class Player {
     this.#store = store;
     store.subscribe('result', () => {
       const { motion, doc, fault } = store.result;
-      if (this.first.fresh && doc === store.doc && motion) this.#begin();
-      else if (this.first.fresh && !this.first.asked && fault) this.first.failed(fault.message);
+      if (this.first.isUnplanned && doc === store.doc && motion) this.#begin();
+      else if (this.first.isUnplanned && !this.first.isRequested && fault) this.first.failed(fault.message);
       this.#keepPlace();
     });
   }
@@ -72,7 +72,7 @@ export class Player {
 
   /** Whether it is at its end, where it stays. */
   get ended() {
-    return !this.first.waits && this.loop === 'once' && this.#time >= this.#range()[1];
+    return !this.first.isAwaited && this.loop === 'once' && this.#time >= this.#range()[1];
   }
 
   get seeking() {
@@ -123,23 +123,23 @@ export class Player {
     this.#seek(motion.time[Math.min(motion.frames - 1, Math.max(0, Math.round(frame)))]);
   }
 
-  /** @returns {Promise<void>} kept when it plays, after the first motion if need be; else refused with what prevents it */
+  /** @returns {Promise<void>} resolves when it plays, after the first motion if need be; else rejects with what prevents it */
   play() {
     const { first } = this;
     const given = first.play();
-    if (first.failure) first.refuse('NotSupportedError', first.failure);
+    if (first.failure) first.reject('NotSupportedError', first.failure);
     else {
       // Played to its end it begins anew.
       if (this.ended) this.#time = this.#range()[0];
       this.#store.setView({ playing: true, posture: null });
-      if (!first.waits) first.keep();
+      if (!first.isAwaited) first.resolve();
       this.#schedule();
     }
     return given;
   }
 
   pause() {
-    this.first.refuse('AbortError', 'It was paused before it played.');
+    this.first.reject('AbortError', 'It was paused before it played.');
     this.#store.setView({ playing: false });
   }
 
@@ -155,7 +155,7 @@ export class Player {
   }
 
   get #plays() {
-    return !this.paused && !this.first.waits;
+    return !this.paused && !this.first.isAwaited;
   }
 
   #schedule() {
@@ -218,7 +218,7 @@ export class Player {
     this.#span = this.#range();
     this.#time = this.#span[0];
     this.#forwards = true;
-    this.first.begins();
+    this.first.planned();
   }
 
   /** A new motion: the same moment of it. */

@@ -31,7 +31,7 @@ export function sampleOf(name) {
 }
 
 /** The one whose file or title is few letters away from a name; none where all are too far for a slip. @param {string} name */
-export function nearestSample(name) {
+function nearestSample(name) {
   const wanted = name.trim().toLowerCase().replace(/\.json$/, '');
   const far = (/** @type {Sample} */ { file, title }) => Math.min(...[file.replace('.json', ''), title.toLowerCase()].map((known) => lettersApart(wanted, known)));
   const [near] = [...samples].sort((a, b) => far(a) - far(b));

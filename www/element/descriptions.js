@@ -46,7 +46,7 @@ export const EVENTS = {
  * @type {Record<string, {type: string, what: string, given?: string, readonly?: true}>} `given`: the parameters of a method
  */
 export const MEMBERS = {
-  play: { type: 'Promise<void>', given: '', what: 'The animation begins, after the first motion if need be. The promise is kept when it does; it is refused with an `AbortError` by `pause()`, by another document or when the element is taken out before that, and with a `NotSupportedError` where the document is at fault.' },
+  play: { type: 'Promise<void>', given: '', what: 'The animation begins, after the first motion if need be. The promise resolves when it does; it rejects with an `AbortError` by `pause()`, by another document or when the element is taken out before that, and with a `NotSupportedError` where the document is at fault.' },
   pause: { type: 'void', given: '', what: 'The animation rests.' },
   paused: { type: 'boolean', readonly: true, what: 'Whether it rests, and is not about to play.' },
   ended: { type: 'boolean', readonly: true, what: 'Whether it is at its end, without `loop` and `bounce`.' },

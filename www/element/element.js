@@ -1,6 +1,6 @@
 /**
- * The element <synthetica-linkage>: a linkage with its motion, in the words of the media elements. What is seen of it is in
- * seen.js.
+ * The element <synthetica-linkage>: a linkage with its motion, in the words of the media elements. What stands in its
+ * shadow root is in shadow-tree.js.
  *
  * @typedef {import('../core/types.js').MechanismDocument} MechanismDocument
  * @typedef {import('../core/types.js').Motion} Motion
@@ -15,7 +15,7 @@ import { Refusal } from '../core/refusal.js';
 import { announce } from './events.js';
 import { ATTRIBUTES, modeOf } from './attributes.js';
 import { createOpening } from './opening.js';
-import { createSeen } from './seen.js';
+import { createShadowTree } from './shadow-tree.js';
 import { LinkageWords } from './media-properties.js';
 
 /** What a page may have set before the element was defined. */
@@ -24,18 +24,18 @@ const PROPERTIES = [...Object.keys(ATTRIBUTES), 'document', 'linkage', 'currentT
 export class SyntheticaLinkage extends LinkageWords {
   static observedAttributes = Object.keys(ATTRIBUTES);
 
-  #seen = createSeen(this, {
+  #tree = createShadowTree(this, {
     root: this.attachShadow({ mode: 'open' }),
     wishes: () => ({ keys: this.#meant('keys'), interaction: this.#meant('interaction'), panels: this.#meant('panels'), loading: this.#meant('loading') }),
     complain: (error) => this.#complain(error),
-    begin: () => this.#start(),
+    start: () => this.#start(),
   });
-  /** Ends the wait of all that is loaded late. */
+  /** Lets the document be loaded. */
   #start = () => {};
   #opening = createOpening(this, {
-    begun: new Promise((resolve) => (this.#start = () => resolve(null))),
+    started: new Promise((resolve) => (this.#start = () => resolve(null))),
     complain: (error) => this.#complain(error),
-    emptied: () => this.#seen.rebuild(),
+    emptied: () => this.#tree.rebuild(),
     settle: () => this.#settle(),
   });
   /** @type {LinkageError | null} */
@@ -46,7 +46,7 @@ export class SyntheticaLinkage extends LinkageWords {
   constructor() {
     super();
     announce(this, {
-      isEdit: () => !this.#opening.opens,
+      isEdit: () => !this.#opening.isOpening,
       isFirst: () => this.#opening.isFresh,
       begin: () => this.#begin(),
       fail: (error) => {
@@ -57,31 +57,31 @@ export class SyntheticaLinkage extends LinkageWords {
 
   /** What is seen of it, once it is. @returns {Promise<AppWithPanels>} */
   get workbench() {
-    return this.#seen.workbench;
+    return this.#tree.workbench;
   }
 
   connectedCallback() {
     // In the order in which they were set.
     for (const name of Object.keys(this)) if (PROPERTIES.includes(name)) this.#takeOver(name);
     // Taken out and put in again at once, as by a move: it goes on as it is.
-    if (!this.#seen.isThere) {
-      this.#seen.build();
-      this.parts.comeBack();
-      this.#opening.comeBack();
+    if (!this.#tree.isInPage) {
+      this.#tree.build();
+      this.parts.resume();
+      this.#opening.resume();
     }
-    this.#opening.arrive();
+    this.#opening.loadWhatIsAsked();
   }
 
   /** Another document has other style sheets, and another window draws. */
   adoptedCallback() {
-    this.#seen.rebuild();
+    this.#tree.rebuild();
   }
 
   disconnectedCallback() {
     queueMicrotask(() => {
       if (this.isConnected) return;
       this.pause();
-      this.#seen.dismantle();
+      this.#tree.dismantle();
       this.parts.leave();
     });
   }
@@ -101,16 +101,16 @@ export class SyntheticaLinkage extends LinkageWords {
       if (name === 'frame') this.parts.playhead.frame = /** @type {number} */ (value);
       if (name === 'view') store.setView({ side: ATTRIBUTES.view.read(text) });
       if (name === 'theme') dispatchEvent(new Event('synthetica-theme'));
-      if (name === 'loading' && value === 'eager') this.#seen.show();
-      if (name === 'poster') this.#seen.setPoster();
+      if (name === 'loading' && value === 'eager') this.#tree.show();
+      if (name === 'poster') this.#tree.setPoster();
       if (name === 'readonly') store.readonly = this.readonly;
       this.#refused.delete(name);
       this.#refused.delete(`property ${name}`);
     } catch (error) {
       return this.#refuse(name, error);
     }
-    if (name === 'src' || name === 'type') this.#opening.turn(text === null);
-    if (['panels', 'readonly', 'keys', 'interaction'].includes(name)) this.#seen.rebuild();
+    if (name === 'src' || name === 'type') this.#opening.attributeChanged(text === null);
+    if (['panels', 'readonly', 'keys', 'interaction'].includes(name)) this.#tree.rebuild();
   }
 
   // --- what it shows ---
@@ -127,7 +127,7 @@ export class SyntheticaLinkage extends LinkageWords {
 
   /** @param {MechanismDocument | string | null} next */
   set document(next) {
-    this.#opening.give(next);
+    this.#opening.setDocument(next);
   }
 
   /** The same as `document`, which in the text of an inline handler is the page's own. */
@@ -156,7 +156,7 @@ export class SyntheticaLinkage extends LinkageWords {
    */
   async whenReady() {
     this.#start();
-    this.#opening.arrive();
+    this.#opening.loadWhatIsAsked();
     const { store } = this.parts;
     return new Promise((resolve, reject) => {
       /** @type {(() => void) | undefined} */
@@ -175,7 +175,7 @@ export class SyntheticaLinkage extends LinkageWords {
 
   play() {
     this.#start();
-    this.#opening.arrive();
+    this.#opening.loadWhatIsAsked();
     return super.play();
   }
 
@@ -198,8 +198,8 @@ export class SyntheticaLinkage extends LinkageWords {
   async toImage(wish = {}) {
     await this.whenReady();
     const { imageOf, imageApart } = await import('../export/image.js');
-    if (!this.#seen.isThere) return imageApart(this, wish);
-    this.#seen.show();
+    if (!this.#tree.isInPage) return imageApart(this, wish);
+    this.#tree.show();
     return imageOf(await this.workbench, wish);
   }
 
@@ -212,7 +212,7 @@ export class SyntheticaLinkage extends LinkageWords {
 
   /** The view takes the focus, made or not. @param {FocusOptions} [options] */
   focus(options) {
-    this.#seen.show();
+    this.#tree.show();
     const take = () => this.shadowRoot?.querySelector('canvas')?.focus(options);
     take();
     const { activeElement: former } = this.ownerDocument;
@@ -244,7 +244,7 @@ export class SyntheticaLinkage extends LinkageWords {
   #begin() {
     this.#opening.isFresh = false;
     // Of another document that has been asked for meanwhile it is wanted.
-    if (!this.parts.player.first.waits) this.#settle();
+    if (!this.parts.player.first.isAwaited) this.#settle();
     if (this.autoplay && !matchMedia('(prefers-reduced-motion: reduce)').matches) this.play();
   }
 

@@ -22,7 +22,7 @@ export class LinkageWords extends Base {
 
   // --- the media element's words ---
 
-  /** @returns {Promise<void>} kept when it plays, after the first motion if need be; else refused with what prevents it */
+  /** @returns {Promise<void>} resolves when it plays, after the first motion if need be; else rejects with what prevents it */
   play() {
     return this.parts.player.play();
   }
@@ -61,7 +61,7 @@ export class LinkageWords extends Base {
   /** How far it is: 0 without a document, 1 when that is read, 4 when its motion is there. */
   get readyState() {
     const { store, player } = this.parts;
-    return player.first.asked || isEmpty(store) ? 0 : player.first.waits ? 1 : 4;
+    return player.first.isRequested || isEmpty(store) ? 0 : player.first.isAwaited ? 1 : 4;
   }
 
   /** The same as `speed`, by the name that the media elements have for it. */

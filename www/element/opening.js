@@ -16,44 +16,44 @@ const NOTHING_GIVEN = 'No linkage is given. Accepted: a document by src, by a sc
 /**
  * @param {HTMLElement & {src: string, type: string, parts: import('./media-properties.js').LinkageWords['parts']}} element
  * @param {object} inside
- * @param {Promise<unknown>} inside.begun before that nothing is loaded
+ * @param {Promise<unknown>} inside.started before that nothing is loaded
  * @param {(error: unknown) => void} inside.complain
  * @param {() => void} inside.emptied it has no document any more
  * @param {() => void} inside.settle the playhead goes where it was set meanwhile
  */
-export function createOpening(element, { begun, complain, emptied, settle }) {
+export function createOpening(element, { started, complain, emptied, settle }) {
   const { parts: linkage } = element;
   const { store, player, playhead } = linkage;
   /** Counts requests: an answer to an older one is late. */
   let loads = 0;
   /** What the attributes and the content asked for when that was last looked at; null where a document was given since. @type {string | null} */
-  let seen = null;
+  let lastAsked = null;
   /** Goes on with a load that was interrupted because the element was taken out. @type {((back: null) => void) | null} */
-  let goOn = null;
-  let opens = false;
-  let waits = true;
-  begun.then(() => (waits = false));
+  let resume = null;
+  let isOpening = false;
+  let isStarted = false;
+  started.then(() => (isStarted = true));
   /** Until a document is there, what comes to stand inside is seen. A server that renders pages has none. */
   const content = globalThis.MutationObserver && new MutationObserver(() => lookAgain());
 
-  const lookAgain = () => seen !== null && askedFor(element) !== seen && element.isConnected && load();
+  const lookAgain = () => lastAsked !== null && askedFor(element) !== lastAsked && element.isConnected && load();
 
   /** @param {boolean} another whether another document is asked for */
   function begin(another) {
-    if (another) player.first.asks();
+    if (another) player.first.requested();
     if (!isEmpty(store)) playhead.forget();
     return ++loads;
   }
 
   /** What the attributes or the content ask for. */
   async function load() {
-    seen = askedFor(element);
-    const now = begin(seen !== '' || !isEmpty(store));
+    lastAsked = askedFor(element);
+    const now = begin(lastAsked !== '' || !isEmpty(store));
     content.observe(element, { childList: true, characterData: true, subtree: true });
     // The page's parser may be about to add what is asked for before anything else.
     if (document.readyState === 'loading') document.addEventListener('DOMContentLoaded', lookAgain, { once: true });
-    if (!seen) return isEmpty(store) ? nothingYet(now) : clear();
-    if (waits) await begun;
+    if (!lastAsked) return isEmpty(store) ? nothingYet(now) : clear();
+    if (!isStarted) await started;
     if (now !== loads) return;
     const known = isByType(element) ? linkage.planner.holdDefaults() : () => {};
     /** @param {string} type */
@@ -72,9 +72,9 @@ export function createOpening(element, { begun, complain, emptied, settle }) {
 
   /** @param {number} now */
   async function nothingYet(now) {
-    player.first.stays();
+    player.first.requestedNothing();
     forgive();
-    await begun;
+    await started;
     if (document.readyState === 'loading') await new Promise((ready) => document.addEventListener('DOMContentLoaded', ready, { once: true }));
     setTimeout(() => now === loads && isEmpty(store) && fail(new Refusal(NOTHING_GIVEN)), PATIENCE);
   }
@@ -88,7 +88,7 @@ export function createOpening(element, { begun, complain, emptied, settle }) {
   /** The document before stays, and what was wanted meanwhile is wanted of that. @param {string} why */
   function failed(why) {
     player.first.failed(why);
-    if (!player.first.waits) settle();
+    if (!player.first.isAwaited) settle();
   }
 
   /** What was wrong with another document is over. */
@@ -102,11 +102,11 @@ export function createOpening(element, { begun, complain, emptied, settle }) {
     player.first.emptied();
     forgive();
     if (isEmpty(store)) return;
-    opening.isFresh = opens = true;
+    opening.isFresh = isOpening = true;
     playhead.forget();
     empty(store);
     element.removeAttribute('frame');
-    opens = false;
+    isOpening = false;
     emptied();
   }
 
@@ -118,13 +118,13 @@ export function createOpening(element, { begun, complain, emptied, settle }) {
     for (;;) {
       const outcome = await untilAnswered(store, async () => (now === loads ? question() : LATE));
       if (outcome.is !== 'late' || now !== loads) return outcome;
-      if (!element.isConnected) await new Promise((resolve) => (goOn = resolve));
+      if (!element.isConnected) await new Promise((resolve) => (resume = resolve));
     }
   }
 
   /** @param {string} text @param {string} title @param {number} now */
   async function open(text, title, now) {
-    if (waits) await begun;
+    if (!isStarted) await started;
     const read = await answer(now, () => linkage.whole(text));
     if (now !== loads) return;
     if (read.is === 'fault') {
@@ -133,14 +133,14 @@ export function createOpening(element, { begun, complain, emptied, settle }) {
     }
     if (read.is !== 'answer') return;
     const doc = read.value;
-    opening.isFresh = opens = true;
+    opening.isFresh = isOpening = true;
     // Where the former document's playhead rested says nothing of this one.
     if (!isEmpty(store) && !playhead.isWanted) element.removeAttribute('frame');
     player.first.opened();
     store.setView({ selected: '', hovered: '' });
     store.restore({ doc, past: [], future: [] }, { title, handle: null, saved: doc });
     forgive();
-    opens = false;
+    isOpening = false;
     content.disconnect();
   }
 
@@ -148,26 +148,26 @@ export function createOpening(element, { begun, complain, emptied, settle }) {
     /** The next motion is the first of its document. */
     isFresh: true,
     /** A document is being opened that is no edit. */
-    get opens() {
-      return opens;
+    get isOpening() {
+      return isOpening;
     },
-    /** The attributes ask for something else. @param {boolean} less one was taken away */
-    turn(less) {
+    /** The attributes may ask for something else. @param {boolean} isRemoved one was taken away */
+    attributeChanged(isRemoved) {
       // A document that was given stays when an attribute goes that had no part in it.
-      if (less && seen === null) return;
-      if (element.isConnected && askedFor(element) !== seen) load();
-      else if (!element.isConnected) seen ??= '';
+      if (isRemoved && lastAsked === null) return;
+      if (element.isConnected && askedFor(element) !== lastAsked) load();
+      else if (!element.isConnected) lastAsked ??= '';
     },
     /** The element is in a page: loads what was asked for meanwhile, and at first what there is. */
-    arrive() {
-      if (loads === 0 ? isEmpty(store) : seen !== null && askedFor(element) !== seen) load();
+    loadWhatIsAsked() {
+      if (loads === 0 ? isEmpty(store) : lastAsked !== null && askedFor(element) !== lastAsked) load();
     },
     /** The element has been put back. */
-    comeBack: () => goOn?.(null),
+    resume: () => resume?.(null),
     /** A document as an object or its text; null waits for one, whatever the attributes ask for. @param {unknown} next */
-    give(next) {
+    setDocument(next) {
       const now = begin(true);
-      seen = null;
+      lastAsked = null;
       content.disconnect();
       if (next == null) {
         clear();

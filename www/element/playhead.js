@@ -18,22 +18,22 @@ export function createPlayhead({ store, player }) {
 
   return {
     get frame() {
-      return player.first.waits ? (wanted?.frame ?? 0) : player.frame;
+      return player.first.isAwaited ? (wanted?.frame ?? 0) : player.frame;
     },
     set frame(frame) {
-      if (player.first.waits) wanted = { frame };
+      if (player.first.isAwaited) wanted = { frame };
       else goTo(frame);
     },
     /** From the first frame. */
     get time() {
-      return player.first.waits ? (wanted?.time ?? 0) : player.currentTime;
+      return player.first.isAwaited ? (wanted?.time ?? 0) : player.currentTime;
     },
     set time(time) {
-      if (player.first.waits) wanted = { time };
+      if (player.first.isAwaited) wanted = { time };
       else player.currentTime = time;
     },
     get duration() {
-      return player.first.waits ? 0 : player.duration;
+      return player.first.isAwaited ? 0 : player.duration;
     },
     /** Whether it has been set, and has yet to go there. */
     get isWanted() {

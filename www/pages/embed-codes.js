@@ -1,4 +1,6 @@
 /** The gallery's codes for other pages: with this site's whole address, and buttons that copy them. */
+import { copyText, NOT_COPIED } from '../ui/copy.js';
+
 const home = new URL('.', location.href).href;
 
 for (const code of document.querySelectorAll('.embed code')) {
@@ -8,9 +10,9 @@ for (const code of document.querySelectorAll('.embed code')) {
   const said = document.createElement('span');
   said.setAttribute('role', 'status');
   button.addEventListener('click', async () => {
-    const copied = await navigator.clipboard?.writeText(code.textContent ?? '').then(() => true, () => false);
+    const copied = await copyText(code.textContent ?? '');
     if (!copied) getSelection()?.selectAllChildren(code);
-    said.textContent = copied ? 'Copied.' : 'This browser does not let pages copy: it is chosen, copy it with Ctrl+C.';
+    said.textContent = copied ? 'Copied.' : NOT_COPIED;
   });
   button.setAttribute('aria-label', `Copy ${block?.getAttribute('aria-label') ?? ''}`);
   const line = document.createElement('p');

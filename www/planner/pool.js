@@ -16,7 +16,7 @@ import { atMost } from './start-worker.js';
 
 export class Pool {
   #patience;
-  #size;
+  #size = atMost();
   /** @type {Member[]} */
   #members = [];
   /** Of each session. @type {WeakMap<object, Member>} */
@@ -24,10 +24,9 @@ export class Pool {
   /** @type {Waiting[]} */
   #waiting = [];
 
-  /** @param {number} patience of each queue @param {number} [size] */
-  constructor(patience, size = atMost()) {
+  /** @param {number} patience of each queue */
+  constructor(patience) {
     this.#patience = patience;
-    this.#size = size;
   }
 
   /** Asked by the pool itself, it is a function's question. @param {Request} request @returns {Promise<any>} */

@@ -1,5 +1,6 @@
 /**
- * A linkage as code for other people's pages: a frame, an element, a whole file. No DOM.
+ * A linkage as code for other people's pages: a frame, an element, a whole file. For the dialog Share, and at build for the
+ * gallery. No DOM.
  *
  * @typedef {{controls: boolean, autoplay: boolean, readonly: boolean, panels: string[], height: number}} Wish `height` in CSS pixels
  */
@@ -12,6 +13,17 @@ const quoted = (text) => text.replaceAll('&', '&amp;').replaceAll('"', '&quot;')
 /** JSON inside a script element: nothing in it may look like the element's end. @param {string} text */
 const inScript = (text) => text.replaceAll('<', '\\u003c');
 
+/** @param {string} address of a frame's page @param {string} name of the linkage @param {number} height in CSS pixels */
+export const frameTag = (address, name, height) =>
+  `<iframe src="${quoted(address)}" title="${quoted(name)}" width="100%" height="${height}" loading="lazy" style="border: 0"></iframe>`;
+
+/**
+ * The element's script: a classic one, which a page may load from another server whatever that answers, where a module would
+ * need a header of it.
+ * @param {string} address of inline.js
+ */
+export const scriptTag = (address) => `<script src="${quoted(address)}" async></script>`;
+
 /** @param {string} name @param {string} home the applet's own address @param {string} payload the document, packed @param {Wish} wish */
 export function frameCode(name, home, payload, { controls, autoplay, readonly, panels, height }) {
   const query = [
@@ -21,7 +33,7 @@ export function frameCode(name, home, payload, { controls, autoplay, readonly, p
     ...(panels.length ? [`panels=${panels.join('+')}`] : []),
   ].join('&');
   const address = `${new URL('embed.html', home).href}${query && `?${query}`}#d=${payload}`;
-  return `<iframe src="${quoted(address)}" title="${quoted(name)}" width="100%" height="${height}" loading="lazy" style="border: 0"></iframe>`;
+  return frameTag(address, name, height);
 }
 
 /** @param {string} text a document @param {Wish} wish */
@@ -38,13 +50,8 @@ function element(text, { controls, autoplay, readonly, panels, height }) {
 </synthetica-linkage>`;
 }
 
-/**
- * The tag and its script: a classic one, which a page may load from another server whatever that answers, where a module
- * would need a header of it.
- * @param {string} text a document @param {string} home the applet's own address @param {Wish} wish
- */
-export const elementCode = (text, home, wish) => `${element(text, wish)}
-<script src="${quoted(new URL('inline.js', home).href)}" async></script>`;
+/** The tag and its script. @param {string} text a document @param {string} home the applet's own address @param {Wish} wish */
+export const elementCode = (text, home, wish) => `${element(text, wish)}\n${scriptTag(new URL('inline.js', home).href)}`;
 
 /**
  * One file with everything in it.

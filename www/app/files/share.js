@@ -4,6 +4,7 @@
  * @typedef {import('./codes.js').Wish} Wish
  */
 import '../../style/share.css';
+import { copyText, NOT_COPIED } from '../../ui/copy.js';
 import { element } from '../../ui/dom.js';
 import { openDialog } from '../../ui/dialog.js';
 import { shareAddress } from '../../core/address.js';
@@ -48,9 +49,9 @@ export function openShare({ store, say }, text, payload) {
     const field = element('textarea', { class: 'cell text code', readonly: true, rows, 'aria-label': label, spellcheck: 'false', focus: () => field.select() });
     field.value = value;
     const copy = async () => {
-      const copied = await navigator.clipboard?.writeText(field.value).then(() => true, () => false);
+      const copied = await copyText(field.value);
       if (!copied) field.focus();
-      said.textContent = copied ? `${label} copied.` : 'This browser does not let pages copy: it is chosen, copy it with Ctrl+C.';
+      said.textContent = copied ? `${label} copied.` : NOT_COPIED;
     };
     return { field, parts: [field, element('p', {}, element('button', { click: copy, 'aria-label': `Copy ${label.toLowerCase()}` }, 'Copy'))] };
   };

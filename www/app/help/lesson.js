@@ -4,6 +4,7 @@
  * @typedef {import('../../element/workbench.js').AppWithPanels} App
  * @typedef {{id: string, title: string, text: string, doc: string}} Lesson
  */
+import { copyText } from '../../ui/copy.js';
 import { wear } from '../../ui/style-sheets.js';
 import look from '../../style/lesson.css?inline';
 import { withPart } from '../../ui/lazy.js';
@@ -46,7 +47,7 @@ export function showLesson(app, lesson) {
   address.hash = '';
 
   async function copyLink() {
-    const copied = await navigator.clipboard?.writeText(address.href).then(() => true, () => false);
+    const copied = await copyText(address.href);
     say(copied ? 'A link to this lesson is copied.' : address.href);
   }
 

@@ -14,7 +14,7 @@ import { METRICS } from '../../core/status-words.js';
 const REST = 500;
 
 /** @param {MetricGaps} gaps @param {string | undefined} unit */
-export const gapsInWords = ({ translation_gap, rotation_gap }, unit) => `${length(translation_gap, unit)}, ${angle(rotation_gap, 1)}`;
+const gapsInWords = ({ translation_gap, rotation_gap }, unit) => `${length(translation_gap, unit)}, ${angle(rotation_gap, 1)}`;
 
 /**
  * @param {import('../../core/store.js').Store} store

@@ -2,6 +2,7 @@
  * The rows, base and gripper that a chain by its axes stands for, to be looked at and copied.
  */
 import { short } from '../../core/format.js';
+import { copyText } from '../../ui/copy.js';
 import { element, setText } from '../../ui/dom.js';
 import { blockText } from './block-text.js';
 import { rowsTable } from './convention-form.js';
@@ -38,7 +39,7 @@ export function openRowsForm(root, store, index) {
     element('button', {
       type: 'button',
       async click() {
-        const copied = await navigator.clipboard?.writeText(blockText(rows())).then(() => true, () => false);
+        const copied = await copyText(blockText(rows()));
         setText(told, copied ? `Copied: ${what}, in whole numbers.` : 'The browser does not let this page copy.');
       },
     }, `Copy ${what}`),

@@ -16,7 +16,7 @@ import { floating } from './floating.js';
 const DRAWN = { longitude: 60, latitude: 42, roll: 60 };
 
 /** The text alternative: all that the drawing says. */
-export const IN_WORDS =
+const IN_WORDS =
   'The frame’s z axis points like a place on a globe whose poles are on the fixed y axis: longitude turns it about y, from z towards x; latitude lifts it from there towards y. Roll turns the frame about its own z axis. As a product: Y(longitude) · X(−latitude) · Z(roll).';
 
 /** @typedef {readonly [number, number, number]} Point */

@@ -9,6 +9,7 @@ import { anglesOf, readTurn, writeTurn } from '../../core/orientation.js';
 import { valueAt } from '../../core/path.js';
 import { ORDERS, ROTATION_FORMS, frameWith, rotationForm, turnOfFrame } from '../../core/rotation-forms.js';
 import { withNumbers } from '../../core/typed-number.js';
+import { copyText } from '../../ui/copy.js';
 import { element, setText } from '../../ui/dom.js';
 import { formField, openFormDialog } from './form-dialog.js';
 
@@ -48,7 +49,7 @@ export function openTurnForm(root, store, path, name) {
     const control = form === 'matrix' ? element('textarea', { rows: 3, wrap: 'off' }) : element('input', { type: 'text' });
     for (const [key, value] of Object.entries({ class: 'cell text', autocomplete: 'off', spellcheck: 'false', 'data-form': form })) control.setAttribute(key, value);
     control.readOnly = store.readonly;
-    const copy = element('button', { type: 'button', 'aria-label': `Copy ${label}`, click: () => copyText(control, label) }, 'Copy');
+    const copy = element('button', { type: 'button', 'aria-label': `Copy ${label}`, click: () => copyValue(control, label) }, 'Copy');
     const field = formField(label, control, { note, beside: copy });
     control.addEventListener('input', () => {
       const answer = readTurn(form, control.value);
@@ -73,8 +74,8 @@ export function openTurnForm(root, store, path, name) {
   }
 
   /** @param {HTMLInputElement | HTMLTextAreaElement} control @param {string} label */
-  async function copyText(control, label) {
-    const copied = await navigator.clipboard?.writeText(control.value).then(() => true, () => false);
+  async function copyValue(control, label) {
+    const copied = await copyText(control.value);
     if (!copied) control.select();
     setText(told, copied ? `${label}: copied.` : `${label} is selected: copy it with Ctrl+C.`);
   }

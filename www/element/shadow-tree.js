@@ -1,5 +1,5 @@
 /**
- * What is seen of an element: the tree in its shadow root, with a poster or the element's own content, until the workbench
+ * What stands in the shadow root of an element: a tree with a poster or the element's own content, until the workbench
  * is loaded, when the element first comes near the view. It lives while the element is in a page.
  *
  * @typedef {import('./workbench.js').AppWithPanels} AppWithPanels
@@ -16,14 +16,14 @@ import { wear } from '../ui/style-sheets.js';
 
 /**
  * @param {HTMLElement & {poster: string, parts: import('../core/linkage.js').Linkage}} element
- * @param {{root: ShadowRoot, wishes: () => Wishes, complain: (error: unknown) => void, begin: () => void}} inside `begin` loads the document
+ * @param {{root: ShadowRoot, wishes: () => Wishes, complain: (error: unknown) => void, start: () => void}} inside `start` lets the document be loaded
  */
-export function createSeen(element, { root, wishes, complain, begin }) {
+export function createShadowTree(element, { root, wishes, complain, start }) {
   const { parts: linkage } = element;
-  /** Ends what is seen. @type {AbortController | null} */
+  /** Ends the tree; null while the element is in no page. @type {AbortController | null} */
   let life = null;
-  let bench = withResolvers();
-  let begun = false;
+  let workbench = withResolvers();
+  let isShown = false;
   /** Whether the workbench has been made, or cannot be. */
   let isMade = false;
   const find = finder(root);
@@ -65,13 +65,13 @@ export function createSeen(element, { root, wishes, complain, begin }) {
   }
 
   function show() {
-    if (begun || !life) return;
-    begun = true;
-    begin();
-    make(life.signal, bench);
+    if (isShown || !life) return;
+    isShown = true;
+    start();
+    make(life.signal, workbench);
   }
 
-  /** @param {AbortSignal} signal @param {typeof bench} made */
+  /** @param {AbortSignal} signal @param {typeof workbench} made */
   async function make(signal, { resolve, reject }) {
     try {
       // After all scripts that came together: one of them may have it.
@@ -100,18 +100,18 @@ export function createSeen(element, { root, wishes, complain, begin }) {
     linkage.player.seen = false;
     linkage.player.draw = () => {};
     root.replaceChildren();
-    if (isMade) bench = withResolvers();
-    begun = isMade = false;
+    if (isMade) workbench = withResolvers();
+    isShown = isMade = false;
   }
 
   return {
     /** Whether the element is in a page. */
-    get isThere() {
+    get isInPage() {
       return life !== null;
     },
     /** The workbench, once it is made. @returns {Promise<AppWithPanels>} */
     get workbench() {
-      return bench.promise;
+      return workbench.promise;
     },
     build,
     setPoster,
@@ -120,10 +120,10 @@ export function createSeen(element, { root, wishes, complain, begin }) {
     /** Makes it anew, by what the attributes ask for now. */
     rebuild() {
       if (!life) return;
-      const goesOn = begun;
+      const wasShown = isShown;
       dismantle();
       build();
-      if (goesOn) show();
+      if (wasShown) show();
     },
   };
 }
