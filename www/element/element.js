@@ -90,7 +90,7 @@ export class SyntheticaLinkage extends LinkageWords {
   attributeChangedCallback(name, old, text) {
     if (old === text) {
       // The same address once more is the newest wish, where a document was given since.
-      if (name === 'src' || name === 'type') this.#opening.turn(false);
+      if (name === 'src' || name === 'type') this.#opening.attributeChanged(false);
       return;
     }
     const { player, store } = this.parts;
