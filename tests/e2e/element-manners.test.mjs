@@ -176,6 +176,8 @@ test('a plain wheel scrolls the page and says how to zoom; Ctrl or Meta and the 
   const note = page.locator('.take-note');
   assert.match(await note.textContent(), /^(Ctrl|⌘) and wheel zooms$/);
   assert.equal(await note.getAttribute('aria-hidden'), 'true');
+  const layers = await page.evaluate(() => ['.take-note', '#tip', '#labels'].map((one) => Number(getComputedStyle(page$(one)).zIndex) || 0));
+  assert.ok(layers[0] > layers[2] && layers[1] > layers[2], 'what is said lies over the names in the view');
   assert.equal(await note.evaluate((one) => getComputedStyle(one).transitionDuration), '0s', 'with less motion it does not fade');
   await page.waitForFunction(() => getComputedStyle(page$('.take-note')).visibility === 'hidden');
   for (const key of ['Control', 'Meta']) {

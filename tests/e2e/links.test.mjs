@@ -152,6 +152,8 @@ test('a sample that there is not: says which was meant, shows no other, and lead
   const note = page.locator('#linkage > [role=alert]');
   await note.filter({ hasText: /no sample “2tqr”\. Did you mean “2tpr”\? Accepted: .*bennett\.json/ }).waitFor();
   assert.ok(await note.isVisible());
+  const [words, buttons] = await Promise.all([note.boundingBox(), page.locator('#view-bar > button').first().boundingBox()]);
+  assert.ok(words.y >= buttons.y + buttons.height, 'its words do not lie under the buttons of the view');
   assert.equal(await page.evaluate(() => document.querySelector('synthetica-linkage').document), null);
   assert.deepEqual(await violations(page), []);
   await note.getByRole('button', { name: 'See all examples' }).click();

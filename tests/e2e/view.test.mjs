@@ -21,11 +21,14 @@ async function placeOf(page, thing) {
   const name = page.locator(`#labels [data-place="${thing}"].pointed`);
   for (let i = 0; i < 60 && !(await name.count()); i++) await page.keyboard.press(']');
   await drawn(page);
-  const [x, y] = await name.evaluate((tag) => tag.style.transform.match(/[\d.]+(?=px)/g).map(Number));
+  const [[x, y]] = await name.evaluateAll(standing);
   const { x: left, y: top } = await page.locator('#canvas').boundingBox();
   await page.keyboard.press('Escape');
   return [left + x, top + y];
 }
+
+/** Of name tags, where they stand in the view, in pixels from its left and its top. */
+const standing = (tags) => tags.map((tag) => { const { e, f } = new DOMMatrix(getComputedStyle(tag).transform); return [e, f]; });
 
 const chosen = (page, place) => page.locator(`#canvas[data-selected="${place}"]`).waitFor();
 
@@ -115,7 +118,7 @@ test('without reduced motion a standard view is reached too', async () => {
   await page.waitForFunction((old) => page$('#labels [data-place="chains[1].base"]').style.transform !== old, before);
   let last = '';
   while (last !== (last = await across())) await page.waitForTimeout(300);
-  const heights = await page.locator('#labels [data-place$=".base"]').evaluateAll((tags) => tags.map((tag) => Number(tag.style.transform.match(/[\d.]+(?=px\))/)[0])));
+  const heights = (await page.locator('#labels [data-place$=".base"]').evaluateAll(standing)).map(([, y]) => y);
   assert.ok(Math.max(...heights) - Math.min(...heights) < 0.5, `bases on one ground are level from the front: ${heights}`);
 });
 
@@ -128,7 +131,7 @@ test('orthographic keeps parallel lines parallel, zooms, and goes back', async (
   await page.locator('#canvas[data-projection="orthographic"]').waitFor();
   await drawn(page);
   // From the front, three bases on the ground lie at one height, however far away.
-  const places = () => page.locator('#labels [data-place$=".base"]').evaluateAll((tags) => tags.map((tag) => tag.style.transform.match(/[\d.]+(?=px)/g).map(Number)));
+  const places = () => page.locator('#labels [data-place$=".base"]').evaluateAll(standing);
   const flat = await places();
   for (const [, y] of flat) assert.ok(Math.abs(y - flat[0][1]) < 0.2, String(flat));
   await page.keyboard.press('+');
@@ -208,7 +211,7 @@ test('what is pointed at elsewhere is named in the view, and the other way round
 
 /** Where a name's point is on the canvas, in pixels. */
 const pointsOf = (page, places) =>
-  page.locator(places).evaluateAll((tags) => tags.map((tag) => tag.style.transform.match(/-?[\d.]+(?=px)/g).map(Number)));
+  page.locator(places).evaluateAll(standing);
 
 test('in another unit of length the picture is the same, unless a pointer is down; Fit view shows all of a narrow view', async () => {
   const { page, problems } = await browser.openPage({ viewport: { width: 390, height: 844 } });
