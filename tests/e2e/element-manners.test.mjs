@@ -143,6 +143,15 @@ test('with controls it can be used in little height too, down to 120 px', async 
   assert.deepEqual(problems, []);
 });
 
+test('a legend does not hide a low view, and is there again where there is room', async () => {
+  const { page } = await guestPage(LINKAGE.replace(' src', ' style="width: 358px; height: 320px" src'), { viewport: { width: 390, height: 700 } });
+  await planned(page);
+  const legend = page.locator('#legend');
+  await legend.waitFor({ state: 'hidden' });
+  await page.locator('synthetica-linkage').evaluate((element) => (element.style.height = '440px'));
+  await legend.waitFor({ state: 'visible' });
+});
+
 /** How the first linkage is looked at: from where, and how far away. */
 const look = (page) =>
   page.evaluate(async () => {

@@ -9,14 +9,20 @@ import look from '../style/guest.css?inline';
 
 /** Below this height the animation bar is one row, in pixels. With two rows the least view makes a little more. */
 const LOW = 180;
+/** Below this height of the view its legend would hide what it explains, in pixels. */
+const LOW_VIEW = 200;
 
 /** @param {import('./workbench.js').App} app */
 export function createGuest(app) {
   const { root, keys, signal, find } = app;
   wear(root, look);
   const bench = find('bench');
-  const heights = new (windowOf(bench).ResizeObserver)(() => bench.classList.toggle('low', bench.clientHeight < LOW));
-  heights.observe(bench);
+  const canvas = find('canvas');
+  const heights = new (windowOf(bench).ResizeObserver)(() => {
+    bench.classList.toggle('low', bench.clientHeight < LOW);
+    bench.classList.toggle('low-view', canvas.clientHeight < LOW_VIEW);
+  });
+  for (const one of [bench, canvas]) heights.observe(one);
   signal.addEventListener('abort', () => heights.disconnect());
   createInteraction(app);
   if (keys === root) guardKeys(root, signal);
