@@ -144,16 +144,16 @@ impl Session {
         to_js(&comparison.finish()).map(JsCast::unchecked_into)
     }
 
-    /// The planned motion as text for other programs: `csv`, `json` or `mjcf`, asked for by `ExportOptions` as JSON. A
-    /// plan in portions that is complete is not made again.
+    /// The planned motion as text for other programs: `csv`, `json` or `mjcf`, asked for by `ExportOptions` as JSON, or
+    /// an empty text. A plan in portions that is complete is not made again.
     ///
     /// # Errors
     /// A `Fault` where there is no such format, or an option does not go with it.
-    pub fn export_motion(&self, format: &str, options: Option<String>) -> Result<String, JsValue> {
+    pub fn export_motion(&self, format: &str, options: &str) -> Result<String, JsValue> {
         let (document, mechanism) = (self.open.document(), &self.open.problem().mechanism);
         let written = || {
             let format = Format::named(format)?;
-            let options = Options::read(options.as_deref().unwrap_or_default())?;
+            let options = Options::read(options)?;
             options.check(format)?;
             match self.planned() {
                 Some(motion) => export::write(format, options, document, mechanism, motion),

@@ -7,7 +7,7 @@
 //! of these rows changes its sign.
 
 use crate::math::linalg::{PivotedQr, Svd};
-use crate::model::chain::ChainState;
+use crate::model::chain::{Chain, ChainState};
 use crate::model::joint::JointKind;
 use crate::model::mechanism::Mechanism;
 use crate::motion::trajectory::Trajectory;
@@ -80,7 +80,7 @@ pub(crate) fn drives(mechanism: &Mechanism, t: &Trajectory, frames: &[usize]) ->
 }
 
 fn ranks(mechanism: &Mechanism, t: &Trajectory) -> Vec<Rank> {
-    let joints = mechanism.chains().iter().flat_map(|chain| chain.joints());
+    let joints = mechanism.chains().iter().flat_map(Chain::joints);
     let mut ranks: Vec<Rank> = joints
         .flat_map(|joint| {
             let own = match joint.kind() {

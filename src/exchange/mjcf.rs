@@ -134,9 +134,11 @@ pub fn mjcf(
         }
         let controls = |joints: &[f64]| {
             let own = numbers(drives.iter().map(|&k| joints[k]));
-            (!own.is_empty())
-                .then(|| format!(" ctrl=\"{own}\""))
-                .unwrap_or_default()
+            if own.is_empty() {
+                own
+            } else {
+                format!(" ctrl=\"{own}\"")
+            }
         };
         let key = |&i: &usize| {
             let joints = t.joints_at(i);
@@ -172,7 +174,8 @@ fn units_a_metre(unit: &str) -> Result<f64, Fault> {
 fn head(xml: &mut Xml, document: &Document, mechanism: &Mechanism, t: &Trajectory, gravity: f64) {
     xml.line("<!-- Angles in radians, lengths in the unit named below. Masses only make the model move. -->");
     // MuJoCo refuses bodies lighter than 1e-15, and the parts of a small linkage would be.
-    let light = (1e-9 * mechanism.size_or(1.0).powi(2)).clamp(1e-14, 1e-9);
+    let size = mechanism.size_or(1.0);
+    let light = (1e-9 * size * size).clamp(1e-14, 1e-9);
     xml.line(&format!(
         "<compiler angle=\"radian\" boundmass=\"1e-6\" boundinertia=\"{}\"/>",
         number(light)
