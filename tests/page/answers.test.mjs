@@ -59,7 +59,7 @@ test('a document is opened with its text and then asked by its number', async ()
   assert.equal(JSON.parse((await ask('text', [], { doc: 1 })).value).planner.method, 'newton');
   // Of the whole package.
   assert.equal((await ask('trace', [-1, joints], { doc: 1 })).fault.where, 'motion.frames');
-  assert.match((await ask('export_motion', ['csv'], { doc: 1 })).value, /^frame,/);
+  assert.match((await ask('export_motion', ['csv', ''], { doc: 1 })).value, /^frame,/);
   assert.equal((await ask('chain_by_index', [1.5, 0])).value, undefined);
   assert.equal((await ask('plan', [], { doc: 2, text: '{' })).fault.line, 1);
   receive({ kind: 'close', doc: 1 });
