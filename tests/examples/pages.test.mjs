@@ -99,8 +99,10 @@ test('the React page’s types are right, and a wrong one is refused', () => {
   const tsc = join(root, 'node_modules/.bin/tsc');
   const options = ['--noEmit', '--strict', '--target', 'es2022', '--module', 'esnext', '--moduleResolution', 'bundler', '--resolveJsonModule', '--jsx', 'react-jsx', '--lib', 'es2022,dom,dom.iterable'];
   run('react', tsc, ...options, 'main.tsx');
-  run('react', tsc, ...options, '../../../tests/examples/right.tsx');
-  assert.throws(() => run('react', tsc, ...options, '../../../tests/examples/wrong.tsx'), /interaction/);
+  // Copied to where the installed packages are found.
+  for (const name of ['right.tsx', 'wrong.tsx']) cpSync(join(root, 'tests/examples', name), join(built, name));
+  run('react', tsc, ...options, join(built, 'right.tsx'));
+  assert.throws(() => run('react', tsc, ...options, join(built, 'wrong.tsx')), /interaction/);
 });
 
 test('Next plans in a server component, and the element lives in a client component', async () => {
