@@ -144,7 +144,7 @@ test('with controls it can be used in little height too, down to 120 px', async 
 });
 
 test('a legend does not hide a low view, and is there again where there is room', async () => {
-  const { page } = await guestPage(LINKAGE.replace(' src', ' style="width: 358px; height: 320px" src'), { viewport: { width: 390, height: 700 } });
+  const { page } = await guestPage(LINKAGE.replace(' src', ' style="width: 358px; height: 270px" src'), { viewport: { width: 390, height: 700 } });
   await planned(page);
   const legend = page.locator('#legend');
   await legend.waitFor({ state: 'hidden' });
