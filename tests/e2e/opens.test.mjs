@@ -119,7 +119,7 @@ test('turns, zooms and fits the view from the keyboard', async () => {
 
 test('a lost graphics context is told, and the view comes back with it', async () => {
   const { page } = await browser.openPage();
-  const loss = await page.evaluateHandle(() => page$('#canvas').getContext('webgl2').getExtension('WEBGL_lose_context'));
+  const loss = await page.evaluateHandle(() => page$('.drawn').getContext('webgl2').getExtension('WEBGL_lose_context'));
   await loss.evaluate((extension) => extension.loseContext());
   await page.locator('#view-note').filter({ hasText: 'interrupted' }).waitFor();
   await loss.evaluate((extension) => extension.restoreContext());
