@@ -247,7 +247,8 @@ test_page() {
   say "example pages"
   node --test --test-reporter=spec tests/examples/*.test.mjs
   say "page, end to end in Chromium"
-  node --test --test-reporter=spec tests/e2e/*.test.mjs
+  # Two at a time also on two cores: a browser waits much.
+  node --test --test-concurrency=2 --test-reporter=spec tests/e2e/*.test.mjs
   say "page, end to end in Firefox and in WebKit"
   node --test --test-reporter=spec tests/engines/*.test.mjs
 }

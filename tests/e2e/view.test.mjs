@@ -299,7 +299,7 @@ test('forced colours leave the lines of the scene and of the legend apart', asyn
   const colours = await page.locator('#canvas').evaluate((canvas) => {
     const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext('2d');
     document.querySelector('synthetica-linkage').parts.player.draw();
-    copy.drawImage(canvas, 0, 0);
+    copy.drawImage(page$('.drawn'), 0, 0);
     const { data } = copy.getImageData(0, 0, canvas.width, canvas.height);
     let coloured = 0;
     for (let at = 0; at < data.length; at += 4) if (Math.max(...data.slice(at, at + 3)) - Math.min(...data.slice(at, at + 3)) > 60) coloured++;
