@@ -143,18 +143,25 @@ test('a view that cannot be loaded says so in the element, and comes when it is 
   await drawn(page);
 });
 
+/** How many colours each view's own canvas has. */
+const coloursOfViews = (page) =>
+  page.evaluate(() =>
+    [...document.querySelectorAll('synthetica-linkage')].map(({ shadowRoot }) => {
+      const canvas = shadowRoot.querySelector('#canvas');
+      const pen = new OffscreenCanvas(canvas.width, canvas.height).getContext('2d', { willReadFrequently: true });
+      pen.drawImage(canvas, 0, 0);
+      return new Set(new Uint32Array(pen.getImageData(0, 0, canvas.width, canvas.height).data.buffer)).size;
+    }),
+  );
+
 test('the only view of a page is drawn without a copy; beside another each has its picture, and alone again it is as before', async () => {
   const { page, problems } = await course('<synthetica-linkage src="bennett.json" loading="eager" style="height: 200px"></synthetica-linkage>');
   await drawn(page);
-  const views = () =>
-    page.evaluate(() =>
-      [...document.querySelectorAll('synthetica-linkage')].map(({ shadowRoot }) => {
-        const canvas = shadowRoot.querySelector('#canvas');
-        const pen = new OffscreenCanvas(canvas.width, canvas.height).getContext('2d', { willReadFrequently: true });
-        pen.drawImage(canvas, 0, 0);
-        return { itself: shadowRoot.querySelector('.drawn') !== null, copied: new Set(new Uint32Array(pen.getImageData(0, 0, canvas.width, canvas.height).data.buffer)).size > 20 };
-      }),
-    );
+  const views = async () => {
+    const itself = await page.evaluate(() => [...document.querySelectorAll('synthetica-linkage')].map(({ shadowRoot }) => shadowRoot.querySelector('.drawn') !== null));
+    const colours = await coloursOfViews(page);
+    return itself.map((one, index) => ({ itself: one, copied: colours[index] > 20 }));
+  };
   assert.deepEqual(await views(), [{ itself: true, copied: false }]);
   await page.evaluate(() => document.querySelector('synthetica-linkage').after(document.querySelector('synthetica-linkage').cloneNode()));
   await page.waitForFunction(() => [...document.querySelectorAll('synthetica-linkage')].every(({ shadowRoot }) => shadowRoot.querySelector('#canvas')?.dataset.draws > 0));
@@ -171,15 +178,7 @@ test('the only view of a page is drawn without a copy; beside another each has i
 test('twenty in view are all drawn, with few graphics contexts; a lost one is told by all, and all come back', async () => {
   const { page, problems } = await course('<synthetica-linkage src="bennett.json" style="display: block; width: 150px; height: 110px; float: left"></synthetica-linkage>'.repeat(20), { viewport: { width: 800, height: 700 } });
   await page.waitForFunction(() => [...document.querySelectorAll('synthetica-linkage')].every(({ shadowRoot }) => shadowRoot.querySelector('#canvas')?.dataset.draws > 0));
-  const colours = () =>
-    page.evaluate(() =>
-      [...document.querySelectorAll('synthetica-linkage')].map(({ shadowRoot }) => {
-        const canvas = shadowRoot.querySelector('#canvas');
-        const pen = new OffscreenCanvas(canvas.width, canvas.height).getContext('2d', { willReadFrequently: true });
-        pen.drawImage(canvas, 0, 0);
-        return new Set(new Uint32Array(pen.getImageData(0, 0, canvas.width, canvas.height).data.buffer)).size;
-      }),
-    );
+  const colours = () => coloursOfViews(page);
   assert.ok((await colours()).every((count) => count > 20), String(await colours()));
   assert.ok((await page.evaluate(() => contexts.length)) <= 2);
   assert.ok(await page.evaluate(() => contexts.every((context) => !context.isContextLost())));

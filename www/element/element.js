@@ -116,8 +116,8 @@ export class SyntheticaLinkage extends LinkageWords {
   // --- what it shows ---
 
   /**
-   * The document as it is now, with every default; null before there is one. Give it an object or its text, or null: it waits
-   * for one, whatever the attributes ask for.
+   * The document as it is now, with every default; null before there is one. Give it an object or its text; null empties the
+   * element, whatever its attributes ask for.
    * @returns {MechanismDocument | null}
    */
   get document() {

@@ -49,11 +49,12 @@ export function createDrawing(canvas, root, signal) {
   views.add(view);
   // One that was alone has its picture copied from now on.
   if (drawn.isConnected) for (const { again } of views) again();
-  /** For paper it is copied too: what the graphics card shows need not be printed. */
-  const isAlone = () => views.size === 1 && sharpness === 1 && canvas.ownerDocument === drawn.ownerDocument;
+  /** For paper it is copied too: what the graphics card shows need not be printed; and for another window, which may be closed. */
+  const isAlone = () => views.size === 1 && sharpness === 1 && canvas.ownerDocument === document;
   signal?.addEventListener('abort', () => {
     views.delete(view);
-    if (drawn.parentNode === canvas.parentNode) drawn.remove();
+    // Out of the view, and out of the document into which the view may have taken it.
+    if (drawn.previousSibling === canvas) document.adoptNode(drawn);
     root.traverse(free);
   });
   return {
