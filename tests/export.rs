@@ -234,9 +234,12 @@ fn the_model_has_sensors_on_the_workpiece_and_gravity_where_it_is_asked_for() {
     }
     assert_eq!(attributes(&xml, "site", "name"), ["workpiece"]);
     assert_eq!(attributes(&xml, "option", "gravity"), ["0 0 0"]);
-    let options = |gravity| Options {
-        gravity: Some(gravity),
-        ..Options::default()
+    let model = |document: &Document, gravity| {
+        let options = Options {
+            gravity: Some(gravity),
+            ..Options::default()
+        };
+        write(Format::Mjcf, options, document, &problem.mechanism, &motion)
     };
     for (unit, gravity) in [
         ("m", "0 0 -9.81"),
@@ -245,33 +248,15 @@ fn the_model_has_sensors_on_the_workpiece_and_gravity_where_it_is_asked_for() {
         ("\u{3bc}m", "0 0 -9.81e6"),
     ] {
         document.length_unit = unit.into();
-        let write = |on| {
-            write(
-                Format::Mjcf,
-                options(on),
-                &document,
-                &problem.mechanism,
-                &motion,
-            )
-        };
-        let heavy = write(true).expect("a model");
+        let heavy = model(&document, true).expect("a model");
         assert_eq!(attributes(&heavy, "option", "gravity"), [gravity], "{unit}");
-        let light = write(false).expect("a model");
+        let light = model(&document, false).expect("a model");
         assert_eq!(attributes(&light, "option", "gravity"), ["0 0 0"]);
     }
     for unit in ["", "cubit"] {
         document.length_unit = unit.into();
-        let write = |on| {
-            write(
-                Format::Mjcf,
-                options(on),
-                &document,
-                &problem.mechanism,
-                &motion,
-            )
-        };
-        assert!(write(false).is_ok());
-        let fault = write(true).expect_err("no gravity in it");
+        assert!(model(&document, false).is_ok());
+        let fault = model(&document, true).expect_err("no gravity in it");
         assert_eq!(fault.place, "length_unit");
         assert_eq!(fault.accepted, "m, cm, mm, \u{b5}m, in");
     }
