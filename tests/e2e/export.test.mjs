@@ -71,6 +71,12 @@ test('the MuJoCo model has every joint and closes the loops', async () => {
   assert.match(heavy.bytes.toString(), /<option gravity="0 0 -9.81"/);
 });
 
+/** The drawing that its dialog offers. */
+async function drawn(page) {
+  await choose(page, /SVG/);
+  return saved(page, () => page.getByRole('button', { name: 'Save drawing' }).click());
+}
+
 /** Size of a picture, its share of clear pixels, and how many colours it has. */
 const looked = (page, bytes) =>
   page.evaluate(async (base64) => {
@@ -95,12 +101,78 @@ test('the picture has the size that was asked for, the linkage, and no backgroun
 
   await choose(page, /PNG/);
   await page.getByLabel('Size in pixels').selectOption({ label: 'Slide: 1920 × 1080' });
-  await page.getByLabel('Transparent background').check();
+  await page.getByLabel('Background').selectOption('Clear');
   const slide = await saved(page, () => page.getByRole('button', { name: 'Save picture' }).click());
   const second = await looked(page, slide.bytes);
   assert.deepEqual([second.width, second.height], [1920, 1080]);
   assert.ok(second.clear > 0.3 && second.clear < 0.98, `${second.clear} clear`);
   assert.equal(await page.locator('#canvas').evaluate((canvas) => canvas.width), view[2], 'the view stays as it is');
+  assert.deepEqual(problems, []);
+});
+
+/** A picture's pixels that are not its ground: the box around those above the legend, and whether a colour is in the legend's row. */
+const inked = (page, bytes, [red, green, blue] = [-1, -1, -1]) =>
+  page.evaluate(async ([base64, wanted]) => {
+    const bitmap = await createImageBitmap(new Blob([Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))]));
+    const { width, height } = bitmap;
+    const pen = new OffscreenCanvas(width, height).getContext('2d');
+    pen.drawImage(bitmap, 0, 0);
+    const { data } = pen.getImageData(0, 0, width, height);
+    const foot = height - 80;
+    let [left, right, top, bottom, found] = [1, 0, 1, 0, 0];
+    for (let y = 0; y < height; y += 1) {
+      for (let x = 0; x < width; x += 1) {
+        const at = 4 * (y * width + x);
+        const pixel = [data[at], data[at + 1], data[at + 2]];
+        if (y > foot && pixel.every((value, i) => Math.abs(value - wanted[i]) < 12)) found += 1;
+        // A shadow is grey and faint.
+        if (y > foot || Math.max(...pixel) - Math.min(...pixel) < 40) continue;
+        [left, right, top, bottom] = [Math.min(left, x / width), Math.max(right, x / width), Math.min(top, y / height), Math.max(bottom, y / height)];
+      }
+    }
+    return { left, right, top, bottom, found, corner: [...data.slice(0, 4)] };
+  }, [bytes.toString('base64'), [red, green, blue]]);
+
+test('the picture has the whole linkage, on white in the light colours also in the dark scheme, with its legend, as the preview shows it', async () => {
+  const { page, problems } = await browser.openPage({ colorScheme: 'dark' });
+  // So near that the view does not show all of it.
+  await page.locator('#canvas').focus();
+  for (let i = 0; i < 8; i += 1) await page.keyboard.press('+');
+  await choose(page, /PNG/);
+  await page.getByLabel('Size in pixels').selectOption({ label: 'Slide: 1920 × 1080' });
+  await page.getByLabel('Background').selectOption('White');
+  await page.getByLabel('Names of key frames').uncheck();
+  const preview = await page.locator('canvas.preview').evaluate((canvas) => ({ shape: canvas.width / canvas.height, label: canvas.getAttribute('aria-label'), pixel: [...canvas.getContext('2d').getImageData(2, 2, 1, 1).data] }));
+  assert.ok(Math.abs(preview.shape - 1920 / 1080) < 0.02, `${preview.shape}`);
+  assert.match(preview.label, /3 chains/);
+  assert.deepEqual(preview.pixel, [255, 255, 255, 255]);
+  const closest = await page.evaluate(() => {
+    const probe = document.body.appendChild(Object.assign(document.createElement('i'), { style: 'color-scheme: light' }));
+    const view = page$('#canvas').parentElement;
+    view.append(probe);
+    probe.style.color = 'var(--scene-closest)';
+    const colour = getComputedStyle(probe).color.match(/\d+/g).map(Number);
+    probe.remove();
+    return colour;
+  });
+  const { bytes } = await saved(page, () => page.getByRole('button', { name: 'Save picture' }).click());
+  const whole = await inked(page, bytes, closest);
+  // --scene-gap-2 of the light scheme, see style/colours.css.
+  const dashed = await inked(page, bytes, [0xb8, 0x34, 0x1f]);
+  assert.ok(dashed.found > 20, `the legend's line of a large gap: ${dashed.found} pixels`);
+  assert.deepEqual(whole.corner, [255, 255, 255, 255]);
+  assert.ok(whole.found > 100, `the legend's line of the closest motion: ${whole.found} pixels`);
+  assert.ok(whole.left > 0.03 && whole.right < 0.97 && whole.top > 0.03, JSON.stringify(whole));
+  assert.ok(whole.bottom - whole.top > 0.6 || whole.right - whole.left > 0.8, JSON.stringify(whole));
+
+  await choose(page, /PNG/);
+  await page.getByLabel('Background').selectOption('White');
+  await page.getByLabel('The whole linkage with its motions').uncheck();
+  await page.getByRole('checkbox', { name: 'Legend' }).uncheck();
+  const near = await inked(page, (await saved(page, () => page.getByRole('button', { name: 'Save picture' }).click())).bytes, closest);
+  assert.ok(near.left < 0.01 || near.right > 0.99 || near.top < 0.01, `as the view, which is cut: ${JSON.stringify(near)}`);
+  const dark = await page.evaluate(() => getComputedStyle(page$('#canvas').parentElement).colorScheme);
+  assert.ok(!/^light$/.test(dark), 'the view has its own scheme again');
   assert.deepEqual(problems, []);
 });
 
@@ -158,7 +230,7 @@ async function pageOfAwkwardNames() {
 
 test('names stand in the drawing as they are, whatever signs are in them', async () => {
   const { page, problems } = await pageOfAwkwardNames();
-  const { bytes } = await saved(page, () => choose(page, /SVG/));
+  const { bytes } = await drawn(page);
   const found = await page.evaluate((xml) => {
     const drawing = new DOMParser().parseFromString(xml, 'image/svg+xml');
     const texts = (query) => [...drawing.querySelectorAll(query)].map((node) => node.textContent);
@@ -273,6 +345,8 @@ for (const [how, change] of [
 ]) {
   test(`the film has the motion, its length, the view's size and the legend: ${how}`, async () => {
     const { page, problems } = await pageWith(change);
+    // So wide that the legend is one row.
+    await page.setViewportSize({ width: 1500, height: 800 });
     await page.selectOption('#speed', '4');
     await scrubTo(page, 20);
     const { name, bytes } = await saved(page, () => choose(page, /WebM/));
@@ -282,11 +356,15 @@ for (const [how, change] of [
     assert.deepEqual(problems, []);
 
     const view = await page.locator('#canvas').evaluate((canvas) => [canvas.clientWidth, canvas.clientHeight]);
-    // The middle of the line of “closest motion”.
-    const line = await page.locator('#legend .closest').evaluate((item) => {
-      const [box, around] = [item.getBoundingClientRect(), page$('#canvas').getBoundingClientRect()];
-      const [red, green, blue] = getComputedStyle(item, '::before').backgroundColor.match(/\d+/g).map(Number);
-      return { at: [Math.round(box.left - around.left + 10), Math.floor(box.top - around.top + box.height / 2)], colour: [red, green, blue] };
+    // The sample of the line of “closest motion”, the second in the row at the foot.
+    const line = await page.evaluate(() => {
+      const pen = new OffscreenCanvas(1, 1).getContext('2d');
+      const view = page$('.view');
+      pen.font = `11.5px ${getComputedStyle(page$('#canvas').parentElement).fontFamily}`;
+      const probe = view.appendChild(Object.assign(document.createElement('i'), { style: 'color: var(--scene-closest)' }));
+      const colour = getComputedStyle(probe).color.match(/\d+/g).map(Number);
+      probe.remove();
+      return { at: [Math.round(8 + 7 + 20 + 5 + pen.measureText('goal motion').width + 12 + 10), page$('#canvas').clientHeight - 8 - 3 - 9], colour };
     });
     const seen = await watched(bytes, [0.25, 0.5, 0.75, 0.999], line.at);
     // Without times a motion takes five seconds, here at four times its speed.
@@ -407,7 +485,7 @@ test('while the document is at fault, planned, or planned in part, the menu says
 test('the drawing is made of shapes, says what it shows, and looks like the view', async () => {
   const { page, problems } = await browser.openPage();
   await scrubTo(page, 63);
-  const { name, bytes } = await saved(page, () => choose(page, /SVG/));
+  const { name, bytes } = await drawn(page);
   assert.equal(name, '3rps.svg');
   assert.ok(bytes.length > 50_000 && bytes.length < 1_500_000, `${bytes.length} bytes`);
   const found = await page.evaluate((xml) => {

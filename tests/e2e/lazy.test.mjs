@@ -121,7 +121,7 @@ const PARTS = [
   ['What opens and saves documents', /assets\/actions-[^/]*\.js/, (page) => page.getByRole('button', { name: 'Share', exact: true }).click(), (page) => page.getByRole('dialog', { name: 'Share' })],
   ['What makes new linkages', /assets\/new-dialog-[^/]*\.(js|css)/, (page) => page.getByRole('button', { name: 'New', exact: true }).click(), (page) => page.getByRole('option', { name: /^Delta robot/ })],
   ['This part of the help', /assets\/reference-[^/]*\.css/, (page) => page.keyboard.press('?'), (page) => page.getByRole('dialog', { name: 'Keys' })],
-  ['What makes this file', /assets\/png-[^/]*\.js/, async (page) => {
+  ['What makes this file', /assets\/picture-dialog-[^/]*\.(js|css)/, async (page) => {
     await page.getByRole('button', { name: 'Export', exact: true }).click();
     await page.getByRole('menuitem', { name: /PNG/ }).click();
   }, (page) => page.getByRole('dialog')],

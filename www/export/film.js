@@ -14,11 +14,11 @@ import { encodeFilm } from './film-encode.js';
 import { recordFilm } from './film-record.js';
 import { WIDEST } from './film-settings.js';
 import { encodes, recordedType } from './film-type.js';
-import { drawLegend } from './legend.js';
+import { legendLines } from './legend.js';
 import { drawPicture } from './picture.js';
 
 /** @param {App} app */
-export async function exportFilm({ store, scene, player, find, say }) {
+export async function exportFilm({ store, scene, player, say }) {
   // What is filmed stays the same, whatever is planned meanwhile.
   const { result } = store;
   const { motion, doc } = result;
@@ -29,7 +29,7 @@ export async function exportFilm({ store, scene, player, find, say }) {
   const { clientWidth: width, clientHeight: height } = scene.canvas;
   const ratio = Math.min(WIDEST / width, devicePixelRatio, 2);
   // Encoders want even numbers.
-  const wish = { width: even(width * ratio) / ratio, height: even(height * ratio) / ratio, ratio };
+  const wish = { width: even(width * ratio) / ratio, height: even(height * ratio) / ratio, ratio, legend: legendLines({ store, scene }) };
   const canvas = element('canvas', { class: 'film' });
   // Without transparency, which would be half of the work, and of the file.
   canvas.getContext('2d', { alpha: false });
@@ -48,7 +48,6 @@ export async function exportFilm({ store, scene, player, find, say }) {
     const what = shown({ result, view: { ...store.view, posture: null, frame: frameAt(motion.time, from + share * (to - from)) } });
     if (what) scene.pose(what);
     drawPicture(scene, wish, canvas);
-    drawLegend(find('legend'), scene.canvas, canvas, ratio);
     bar.value = share;
     setText(told, `${(share * seconds).toFixed(1)} of ${seconds.toFixed(1)} s`);
   };

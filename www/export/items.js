@@ -25,6 +25,7 @@ export function exportItems(app) {
   /** @param {'csv' | 'json' | 'mjcf'} format @param {import('../core/types.js').ExportOptions} [options] */
   const motion = (format, options = {}) => attempt(() => import('./motion.js'), ({ exportMotion }) => exportMotion(app, format, options));
 
+  const dialog = () => import('./picture-dialog.js');
   const why = notWhole(store);
   const unseen = scene ? '' : 'This browser shows no 3D graphics (WebGL 2)';
   const nothing = store.result.motion ? '' : why;
@@ -37,8 +38,8 @@ export function exportItems(app) {
   // A picture is of what is seen, also where that is not of the document.
   const seen = (/** @type {string} */ hint) => (why ? `${hint}. ${why}` : hint);
   return [
-    item('Picture (PNG) …', seen('The view, in any size'), unseen || nothing, attempt(() => import('./png.js'), ({ exportPng }) => exportPng(app))),
-    item('Drawing (SVG)', seen('The view as shapes, for print and to edit'), unseen || nothing, attempt(() => import('./svg.js'), ({ exportSvg }) => exportSvg(app))),
+    item('Picture (PNG) …', seen('The linkage whole, or the view; with its legend, on white or clear'), unseen || nothing, attempt(dialog, ({ openPicture }) => openPicture(app, 'png'))),
+    item('Drawing (SVG) …', seen('The same as shapes, for print and to edit'), unseen || nothing, attempt(dialog, ({ openPicture }) => openPicture(app, 'svg'))),
     item('Film (WebM)', 'One pass at the speed that is set', unseen || film || why, attempt(() => import('./film.js'), ({ exportFilm }) => exportFilm(app))),
     item('Playing page (HTML)', 'One file that plays this motion, without a network', why, attempt(() => import('./html.js'), ({ exportHtml }) => exportHtml(app))),
     'line',

@@ -2,33 +2,28 @@
  * The view as an SVG drawing: ground, shadow, bodies and names as shapes that can be scaled and edited.
  *
  * @typedef {import('./picture.js').Scene} Scene
+ * @typedef {import('./picture.js').Wish} Wish
  */
 import { DirectionalLight, LineSegments, Vector3 } from 'three';
-import { fileName, saveFile } from './save.js';
-import { describeScene } from '../core/status-words.js';
 import { hull } from './hull.js';
-import { NAME, pictureRenderer, placedNames, viewStyle, withoutTools } from './picture.js';
+import { legendFont, legendShapes } from './legend.js';
+import { NAME, dressed, pictureRenderer, placedNames, viewStyle, withoutTools } from './picture.js';
 import { cornersOf, eachBody, viewTriangles } from './triangles.js';
 import { onlyVisible } from './visible.js';
 
 /** Steps in which the ground's lines fade. */
 const FADES = 8;
 
-/** @param {import('../element/workbench.js').App} app */
-export async function exportSvg({ store, scene, say }) {
-  if (!scene) return;
-  const { name } = store.result.doc ?? {};
-  const file = fileName(store.result.doc, 'svg');
-  saveFile(file, new Blob([drawing(scene, name || 'Linkage', describeScene(store), { width: scene.canvas.clientWidth, height: scene.canvas.clientHeight })], { type: 'image/svg+xml' }));
-  say(`Saved ${file}.`);
-}
+/** @param {Scene} scene @param {string} title @param {string} description @param {Wish} wish */
+export const drawing = (scene, title, description, wish) => dressed(scene, wish.background ?? 'view', () => draw(scene, title, description, wish));
 
-/** @param {Scene} scene @param {string} title @param {string} description @param {{width: number, height: number}} size in CSS pixels */
-export function drawing(scene, title, description, { width, height }) {
-  const style = viewStyle(scene);
+/** @param {Scene} scene @param {string} title @param {string} description @param {Wish} wish */
+function draw(scene, title, description, wish) {
+  const { width, height, background = 'view', names = true, legend = [] } = wish;
+  const style = viewStyle(scene, background);
   /** @type {string[]} */
   const parts = [];
-  withoutTools(scene, width / height, (camera) => {
+  withoutTools(scene, wish, (camera) => {
     const [ground, ...bodies] = scene.pictured.filter((object) => object.type === 'Group');
     parts.push('<g id="ground">', ...groundLines(ground, camera, width, height), shadow(scene, ground, bodies, camera, width, height), '</g>');
     const { triangles, veils } = viewTriangles(scene, bodies, camera, width, height);
@@ -52,7 +47,7 @@ export function drawing(scene, title, description, { width, height }) {
     }
     parts.push('</g>', `<g id="names" font-family="${escaped(style.font.replace(/^\S+ /, ''))}" font-size="11.5">`);
     const paper = fill(style.paper);
-    for (const { text, x, y } of placedNames(scene, camera, width, height)) {
+    for (const { text, x, y } of names ? placedNames(scene, camera, width, height) : []) {
       const [left, top] = [x + NAME.left, y + NAME.top];
       const wide = 6.6 * text.length + 2 * NAME.padding;
       parts.push(
@@ -60,7 +55,7 @@ export function drawing(scene, title, description, { width, height }) {
         `<text x="${short(left + wide / 2)}" y="${short(top + 12.5)}" text-anchor="middle" fill="${style.ink}">${escaped(text)}</text>`,
       );
     }
-    parts.push('</g>');
+    parts.push(...legendShapes(legend, wish, textWidth(legendFont(style.font)), { ink: style.ink, paper }, escaped), '</g>');
   });
   const stops = style.sky.map((colour, index) => `<stop offset="${index / Math.max(1, style.sky.length - 1)}" stop-color="${colour}"/>`);
   return [
@@ -68,7 +63,7 @@ export function drawing(scene, title, description, { width, height }) {
     `<title id="title">${escaped(title)}</title>`,
     `<desc id="description">${escaped(description)}</desc>`,
     `<defs><linearGradient id="sky" x2="0" y2="1">${stops.join('')}</linearGradient></defs>`,
-    `<rect id="background" width="${width}" height="${height}" fill="url(#sky)"/>`,
+    ...(background === 'clear' ? [] : [`<rect id="background" width="${width}" height="${height}" fill="${background === 'white' ? '#fff' : 'url(#sky)'}"/>`]),
     ...parts,
     '</svg>\n',
   ].join('\n');
@@ -77,7 +72,7 @@ export function drawing(scene, title, description, { width, height }) {
 /** @param {import('three').Object3D} ground @param {Scene['camera']} camera @param {number} width @param {number} height */
 function groundLines(ground, camera, width, height) {
   const lines = ground.children.find((child) => child instanceof LineSegments);
-  if (!lines) return [];
+  if (!lines?.visible) return [];
   const position = lines.geometry.getAttribute('position');
   const faded = lines.geometry.getAttribute('color');
   const paths = Array.from({ length: FADES + 1 }, () => '');
@@ -113,6 +108,13 @@ function shadow(scene, ground, bodies, camera, width, height) {
     if (points.length && points.every(([, , z]) => z < 1 && z > -1)) d += path(hull(points));
   });
   return d && `<path id="shadow" opacity=".16" d="${d}"/>`;
+}
+
+/** How wide a text is, in CSS pixels. @param {string} font @returns {(text: string) => number} */
+function textWidth(font) {
+  const pen = new OffscreenCanvas(1, 1).getContext('2d');
+  if (pen) pen.font = font;
+  return (text) => pen?.measureText(text).width ?? 0;
 }
 
 /** A colour of the style sheet as every reader of SVG knows it. @param {string} colour */

@@ -50,6 +50,19 @@ export function cornersOf(geometry) {
   return Array.from({ length: Math.max(0, end - start) }, (_, at) => (index ? index.getX(start + at) : start + at));
 }
 
+/** Where the corners of all bodies that are seen stand, in the fixed frame. @param {import('three').Object3D[]} roots */
+export function pointsOf(roots) {
+  /** @type {Vector3[]} */
+  const points = [];
+  eachBody(roots, (mesh, place) => {
+    const material = Array.isArray(mesh.material) ? mesh.material[0] : mesh.material;
+    if (!material.visible) return;
+    const position = mesh.geometry.getAttribute('position');
+    for (const vertex of new Set(cornersOf(mesh.geometry))) points.push(new Vector3().fromBufferAttribute(position, vertex).applyMatrix4(place));
+  });
+  return points;
+}
+
 /**
  * @param {Scene} scene
  * @param {import('three').Object3D[]} roots

@@ -7,31 +7,36 @@ import { hasNoGoal } from '../core/shown.js';
 import { html, render } from '../ui/render.js';
 import { gapClass, gapFrames } from './scene/gap-lines.js';
 
-/** @param {HTMLElement} list @param {Pick<import('../element/workbench.js').App, 'store' | 'scene'>} app */
-export function createLegend(list, { store, scene }) {
-  function show() {
-    const { motion, doc } = store.result;
-    if (!motion || !scene) return;
-    // A joint that is driven goes to no goal; where the motion drives joints, a hand may still pull.
-    const driven = drivesJoints(motion);
-    const goal = store.view.show.goal && !driven && !hasNoGoal(store);
-    const gaps = store.view.show.gaps && !hasNoGoal(store);
-    const steps = scene.gapSteps;
-    const seen = new Set(gaps ? gapFrames(motion, scene.linkRadius).map((frame) => gapClass(motion.translation_gap[frame], steps)) : []);
-    const size = (/** @type {number} */ step) => length(step, doc?.length_unit);
-    /** @type {[boolean, string, string][]} */
-    const lines = [
-      [goal, 'goal', 'goal motion'],
-      [store.view.show.closest, 'closest', driven ? 'path of the workpiece' : 'closest motion'],
-      [gaps, 'gap', store.view.posture ? 'gap here' : 'gap at this frame'],
-      [seen.has(0), 'gap-0', `gap < ${size(steps[1])}`],
-      [seen.has(1), 'gap-1', `gap ≥ ${size(steps[1])}`],
-      [seen.has(2), 'gap-2', `gap ≥ ${size(steps[2])}`],
-    ];
-    render(lines.filter(([drawn]) => drawn).map(([, line, text]) => html`<li class=${line}>${text}</li>`), list);
-  }
+/**
+ * What the view shows now, as items of a list whose classes the style sheet knows.
+ * @param {Pick<import('../element/workbench.js').App, 'store' | 'scene'>} app
+ */
+export function legendItems({ store, scene }) {
+  const { motion, doc } = store.result;
+  if (!motion || !scene) return [];
+  // A joint that is driven goes to no goal; where the motion drives joints, a hand may still pull.
+  const driven = drivesJoints(motion);
+  const goal = store.view.show.goal && !driven && !hasNoGoal(store);
+  const gaps = store.view.show.gaps && !hasNoGoal(store);
+  const steps = scene.gapSteps;
+  const seen = new Set(gaps ? gapFrames(motion, scene.linkRadius).map((frame) => gapClass(motion.translation_gap[frame], steps)) : []);
+  const size = (/** @type {number} */ step) => length(step, doc?.length_unit);
+  /** @type {[boolean, string, string][]} */
+  const lines = [
+    [goal, 'goal', 'goal motion'],
+    [store.view.show.closest, 'closest', driven ? 'path of the workpiece' : 'closest motion'],
+    [gaps, 'gap', store.view.posture ? 'gap here' : 'gap at this frame'],
+    [seen.has(0), 'gap-0', `gap < ${size(steps[1])}`],
+    [seen.has(1), 'gap-1', `gap ≥ ${size(steps[1])}`],
+    [seen.has(2), 'gap-2', `gap ≥ ${size(steps[2])}`],
+  ];
+  return lines.filter(([drawn]) => drawn).map(([, line, text]) => html`<li class=${line}>${text}</li>`);
+}
 
-  store.subscribe('result', show);
-  store.subscribe('view', show);
+/** @param {HTMLElement} list @param {Pick<import('../element/workbench.js').App, 'store' | 'scene'>} app */
+export function createLegend(list, app) {
+  const show = () => render(legendItems(app), list);
+  app.store.subscribe('result', show);
+  app.store.subscribe('view', show);
   show();
 }

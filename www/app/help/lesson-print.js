@@ -27,7 +27,7 @@ export function preparePrint({ scene, store }, body, address) {
     opened = [...body.querySelectorAll('details')].filter((details) => !details.open);
     for (const details of opened) details.open = true;
     const words = element('figcaption', {}, describeScene(store));
-    figure.replaceChildren(...(scene ? [drawPicture(scene, { ...SIZE, transparent: true, shadows: true })] : []), words);
+    figure.replaceChildren(...(scene ? [drawPicture(scene, { ...SIZE, background: 'clear', shadows: true })] : []), words);
   }
   function restore() {
     for (const details of opened) details.open = false;

@@ -8,6 +8,7 @@ const SQUARES = 14;
 
 export function createGround() {
   const group = new Group();
+  group.name = 'ground';
   const material = new LineBasicMaterial({ transparent: true, depthWrite: false, vertexColors: true });
   const lines = new LineSegments(squares(), material);
   const floor = new Mesh(new PlaneGeometry(4 * SQUARES, 4 * SQUARES), new ShadowMaterial({ opacity: 0.17 }));

@@ -136,6 +136,8 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
     /** Where other bodies, such as handles, are added. */
     root,
     changed,
+    /** Takes the colours that its place has by now. */
+    paint,
     /** What belongs into a picture; handles and the like do not. */
     pictured,
     /** The names that always stand in the scene. */
