@@ -292,6 +292,47 @@ test('while a joint is driven, the view has no word about a goal; Ctrl+Z gives t
   assert.deepEqual(problems, []);
 });
 
+test('a motion is as wide on the screen after zooming in, and in proportion in a sharper picture', async () => {
+  const { page, problems } = await browser.openPage();
+  // From the front the closest motion goes upwards: the middle of its widths, row by row.
+  const width = (png) =>
+    page.evaluate(async (content) => {
+      const image = new Image();
+      if (content) {
+        image.src = content;
+        await image.decode();
+      } else document.querySelector('synthetica-linkage').parts.player.draw();
+      const source = content ? image : page$('.drawn');
+      const pen = new OffscreenCanvas(source.width, source.height).getContext('2d');
+      pen.drawImage(source, 0, 0);
+      const { data } = pen.getImageData(0, 0, source.width, source.height);
+      const widths = [];
+      for (let y = 0; y < source.height; y++) {
+        let count = 0;
+        for (let x = 0; x < source.width; x++) if ([0x35, 0xa3, 0xc9].every((value, i) => Math.abs(data[4 * (y * source.width + x) + i] - value) < 6)) count++;
+        if (count) widths.push(count);
+      }
+      return [widths.sort((a, b) => a - b)[widths.length >> 1], widths.length];
+    }, png);
+  await page.locator('#canvas').press('1');
+  await drawn(page);
+  const [before, rows] = await width();
+  for (let i = 0; i < 3; i++) await page.locator('#canvas').press('+');
+  await drawn(page);
+  const [after, more] = await width();
+  assert.ok(rows > 20 && more > 1.3 * rows, `zoomed in: ${rows} rows, then ${more}`);
+  assert.ok(before >= 2 && before <= 4 && Math.abs(after - before) <= 1, `${before} pixels wide, then ${after}`);
+  const [twice] = await width(
+    await page.evaluate(async () => {
+      const { width, height } = page$('#canvas').getBoundingClientRect();
+      const blob = await document.querySelector('synthetica-linkage').toImage({ width, height, scale: 4 });
+      return new Promise((done) => Object.assign(new FileReader(), { onload: ({ target }) => done(target.result) }).readAsDataURL(blob));
+    }),
+  );
+  assert.ok(twice >= 4 * before - 3 && twice <= 4 * before + 4, `${before} pixels on the screen, ${twice} in a picture four times as sharp`);
+  assert.deepEqual(problems, []);
+});
+
 test('forced colours leave the lines of the scene and of the legend apart', async () => {
   const { page } = await browser.openPage({ forcedColors: 'active' });
   const lines = await page.locator('#legend li').evaluateAll((items) => items.map((item) => getComputedStyle(item, '::before').backgroundColor).slice(0, 3));

@@ -2,14 +2,16 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { Mesh, MeshBasicMaterial, Vector3 } from 'three';
+import { Mesh, OrthographicCamera, PerspectiveCamera, Raycaster, Vector2, Vector3 } from 'three';
+import { strokeTriangles } from '../../www/export/strokes.js';
 import { createMaterials } from '../../www/view3d/scene/materials.js';
 import { createMeasure } from '../../www/view3d/scene/measure.js';
 import { gapClass, gapFrames, gapSteps } from '../../www/view3d/scene/gap-lines.js';
 import { ghostFrames } from '../../www/view3d/scene/ghosts.js';
 import { Linkage } from '../../www/view3d/scene/linkage.js';
 import { hasLeft, showsWell } from '../../www/view3d/scene/refit.js';
-import { Tube } from '../../www/view3d/scene/tube.js';
+import { curveThrough } from '../../www/view3d/scene/curve.js';
+import { Stroke, StrokeMaterial, drawn } from '../../www/view3d/scene/stroke.js';
 
 const sample = JSON.parse(readFileSync(new URL('../../www/mechanisms/3rps.json', import.meta.url), 'utf8'));
 
@@ -40,24 +42,77 @@ test('a new motion of the same linkage builds no body; another dimension builds 
   assert.equal(chains().length, 2);
 });
 
-test('a tube is laid anew in the same buffers, around the points and no others', () => {
-  const tube = new Tube(new MeshBasicMaterial());
-  tube.lay(poses(100, 0.1), 100, 0.02);
-  const { geometry } = tube.mesh;
+/** What a motion's line draws: its points from its own origin. */
+function curve(column, frames, apart = 0.002) {
+  const stroke = new Stroke(new StrokeMaterial(4));
+  const lay = (poses_, count) => {
+    const { points, count: kept } = curveThrough(poses_, count, apart);
+    stroke.lay(points, kept);
+  };
+  lay(column, frames);
+  return { stroke, lay };
+}
+
+test('a line is laid anew in the same buffers, through the points and no others', () => {
+  const { stroke, lay } = curve(poses(100, 0.1), 100);
+  const { geometry } = stroke;
   const places = geometry.getAttribute('position');
-  assert.ok(tube.mesh instanceof Mesh && tube.mesh.visible);
-  const whole = geometry.drawRange.count;
-  tube.lay(poses(90, 0.1), 90, 0.02);
+  assert.ok(stroke instanceof Mesh && stroke.visible);
+  assert.equal(geometry.drawRange.count, 6 * 99);
+  lay(poses(90, 0.1), 90);
   assert.equal(geometry.getAttribute('position'), places);
-  assert.ok(geometry.drawRange.count < whole);
+  assert.equal(geometry.drawRange.count, 6 * 89);
   const { center, radius } = geometry.boundingSphere;
-  assert.ok(Math.abs(center.x - 4.45) < 1e-9 && Math.abs(radius - 4.47) < 1e-9);
+  assert.ok(Math.abs(center.x - 4.45) < 1e-9 && Math.abs(radius - 4.45) < 1e-9, 'not the points of the longer one before');
+  assert.ok(Math.abs(geometry.boundingBox.max.x - 8.9) < 1e-9);
+  const other = geometry.getAttribute('other');
   for (const corner of geometry.index.array.slice(0, geometry.drawRange.count)) {
-    const off = Math.hypot(places.getY(corner), places.getZ(corner));
-    assert.ok(Math.abs(off - 0.02) < 1e-6, `corner ${corner} is ${off} off the curve`);
+    assert.ok(Math.abs(Math.abs(places.getX(corner) - other.getX(corner)) - 0.1) < 1e-6 && places.getY(corner) === 0, `corner ${corner}`);
   }
-  tube.lay(poses(90, 0), 90, 0.02);
-  assert.equal(tube.mesh.visible, false, 'a motion on the spot has no curve');
+  lay(poses(90, 0), 90);
+  assert.equal(stroke.visible, false, 'a motion on the spot has no curve');
+});
+
+test('a line is as wide under the pointer as it is drawn, however near or far it is', () => {
+  drawn.set(800, 600);
+  const stroke = new Stroke(new StrokeMaterial(6));
+  // From far away to behind the camera, a little below it.
+  stroke.lay([0, 0, 100, 0, 0, -100], 2);
+  for (const camera of [new PerspectiveCamera(50, 800 / 600, 0.1, 1000), new OrthographicCamera(-4, 4, 3, -3, 0.1, 1000)]) {
+    camera.position.set(0, 1, 5);
+    camera.updateMatrixWorld();
+    const ray = new Raycaster();
+    const hits = (x, y) => {
+      ray.setFromCamera(new Vector2(x / 400, y / 300), camera);
+      return ray.intersectObject(stroke).length;
+    };
+    // Both cameras see it on the vertical through the middle, below it.
+    const rows = camera instanceof PerspectiveCamera ? [-20, -200, -299] : [-100];
+    for (const row of rows) assert.deepEqual([0, 3.5, -3.5, 4.5, -4.5, 40].map((x) => hits(x, row)), [1, 1, 1, 0, 0, 0], `${camera.type} at ${row}`);
+    assert.equal(hits(0, 40), 0, 'nothing of what is behind the camera');
+  }
+});
+
+test('a drawing has the line in its width and in its dashes, in pixels of the drawing', () => {
+  drawn.set(800, 600);
+  const camera = new OrthographicCamera(-4, 4, 3, -3, 0.1, 100);
+  camera.position.z = 5;
+  camera.updateMatrixWorld();
+  // 200 pixels long, up to the middle.
+  const lay = (material) => {
+    const stroke = new Stroke(material);
+    stroke.lay([-2, 0, 0, 0, 0, 0], 2);
+    return strokeTriangles(stroke, camera, 800, 600).flatMap(({ points }) => [points]);
+  };
+  const area = (all) => all.reduce((sum, [ax, ay, bx, by, cx, cy]) => sum + Math.abs((bx - ax) * (cy - ay) - (by - ay) * (cx - ax)) / 2, 0);
+  const whole = lay(new StrokeMaterial(4));
+  assert.ok(Math.abs(area(whole) - 204 * 4) < 1e-6, 'with half of its width beyond its ends');
+  const [xs, ys] = [0, 1].map((axis) => whole.flatMap((three) => three.filter((_, at) => at % 2 === axis)));
+  assert.deepEqual([Math.min(...ys), Math.max(...ys)], [298, 302]);
+  assert.deepEqual([Math.min(...xs), Math.max(...xs)].map(Math.round), [198, 402]);
+  const dashes = lay(new StrokeMaterial(4, [6, 4]));
+  assert.equal(dashes.length, 2 * 21);
+  assert.ok(Math.abs(area(dashes) - 4 * (2 + 20 * 6 + 2)) < 1e-6);
 });
 
 test('gaps have a class by round sizes, and no line where they are hidden', () => {
@@ -146,11 +201,8 @@ test('the view is fitted anew where the scene has left it by a factor', () => {
   assert.ok(!showsWell(view, ball(2000)) && !showsWell(view, ball(0.002)) && !showsWell(view, ball(1, 5)));
 });
 
-test('a tube far from the origin is as fine as one that is near', () => {
-  const tube = new Tube(new MeshBasicMaterial());
-  tube.lay(placed(poses(100, 1e-3), 1, 1e6), 100, 1e-4);
-  const places = tube.mesh.geometry.getAttribute('position');
-  assert.equal(tube.mesh.position.x, 1e6);
-  for (const corner of [0, 100, 600]) assert.ok(Math.abs(Math.hypot(places.getY(corner), places.getZ(corner)) - 1e-4) < 1e-8);
-  assert.ok(Math.abs(places.getX(7 * 99) - 0.099) < 1e-6);
+test('a motion far from the origin is as fine as one that is near', () => {
+  const { stroke } = curve(placed(poses(100, 1e-3), 1, 1e6), 100, 1e-5);
+  const places = stroke.geometry.getAttribute('position');
+  assert.ok(Math.abs(places.getX(4 * 98 + 2) - 0.099) < 1e-8);
 });

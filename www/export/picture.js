@@ -15,8 +15,9 @@
  * White and clear pictures have no lines on the ground; a white one has the colours of the light scheme.
  * @typedef {'view' | 'white' | 'clear'} Background
  */
-import { DirectionalLight, LineSegments, Mesh, PerspectiveCamera, ShaderMaterial, Vector3, WebGLRenderer } from 'three';
+import { DirectionalLight, LineSegments, PerspectiveCamera, Vector3, WebGLRenderer } from 'three';
 import { frameWhole } from '../view3d/scene/framing.js';
+import { drawn } from '../view3d/scene/stroke.js';
 import { drawLegend, legendFont, legendHeight } from './legend.js';
 import { pointsOf } from './triangles.js';
 
@@ -62,7 +63,7 @@ function legendShare({ legend = [], ...picture }, font) {
 
 /** What the view shows, without outlines and handles. @param {Scene} scene @param {Wish} wish @param {(camera: Scene['camera']) => void} draw */
 export function withoutTools(scene, wish, draw) {
-  const aspect = wish.width / wish.height;
+  const { width, height } = wish;
   /** @type {import('three').Object3D[]} */
   const hidden = [];
   const hide = (/** @type {import('three').Object3D} */ object) => {
@@ -71,9 +72,10 @@ export function withoutTools(scene, wish, draw) {
   };
   for (const child of scene.root.children) if (!scene.pictured.includes(child)) hide(child);
   scene.root.traverse((object) => {
-    if (object instanceof Mesh && object.material instanceof ShaderMaterial) hide(object);
+    if (object.userData.tool) hide(object);
     if (object instanceof LineSegments && (wish.background ?? 'view') !== 'view') hide(object);
   });
+  const aspect = width / height;
   const camera = scene.camera.clone();
   if (camera instanceof PerspectiveCamera) camera.aspect = aspect;
   else [camera.left, camera.right] = [camera.bottom * aspect, camera.top * aspect];
@@ -83,9 +85,12 @@ export function withoutTools(scene, wish, draw) {
     const foot = 2 * legendShare(wish, viewStyle(scene).font);
     frameWhole(camera, pointsOf(scene.pictured.filter(({ name }) => name !== 'ground')), { left: EDGE - 1, right: 1 - EDGE, bottom: EDGE - 1 + foot, top: 1 - 2 * EDGE });
   }
+  const before = drawn.clone();
+  drawn.set(width, height);
   try {
     draw(camera);
   } finally {
+    drawn.copy(before);
     for (const object of hidden) object.visible = true;
   }
 }

@@ -16,7 +16,9 @@
  * @property {number} opacity
  */
 import { BackSide, Color, DirectionalLight, DoubleSide, HemisphereLight, InstancedMesh, Matrix4, Mesh, MeshBasicMaterial, Vector3 } from 'three';
+import { Stroke } from '../view3d/scene/stroke.js';
 import { hull } from './hull.js';
+import { strokeTriangles } from './strokes.js';
 
 /** Longest edge in link radii: a rod whose far end lies behind a ball must not be in front of it as a whole. */
 const LONGEST = 3;
@@ -87,6 +89,10 @@ export function viewTriangles(scene, roots, camera, width, height) {
     const material = Array.isArray(mesh.material) ? mesh.material[0] : mesh.material;
     if (!('color' in material) || material.side === BackSide) return;
     const base = /** @type {Color} */ (material.color);
+    if (mesh instanceof Stroke) {
+      if (material.visible) triangles.push(...strokeTriangles(mesh, camera, width, height));
+      return;
+    }
     const positions = mesh.geometry.getAttribute('position');
     const normals = mesh.geometry.getAttribute('normal');
     const corners = cornersOf(mesh.geometry);

@@ -1,8 +1,10 @@
 /**
  * Outlines around what is chosen and what is pointed at: shells of the same shape behind it, wider by some pixels.
  */
-import { BackSide, Box3, InstancedMesh, Mesh, ShaderMaterial, Vector2, Vector3 } from 'three';
+import { BackSide, Box3, Color, InstancedMesh, Mesh, ShaderMaterial, Vector2 } from 'three';
 import { belongs } from '../../core/things.js';
+import { behind } from './materials.js';
+import { Stroke, StrokeMaterial } from './stroke.js';
 
 /** Widths in CSS pixels: what is chosen and what is pointed at are told apart by them. */
 const CHOSEN = 3.5;
@@ -29,7 +31,7 @@ const FRAGMENT = `
 export function createHighlight(roots) {
   const window = { value: new Vector2(1, 1) };
   const outline = (/** @type {number} */ width) =>
-    new ShaderMaterial({ vertexShader: VERTEX, fragmentShader: FRAGMENT, side: BackSide, uniforms: { width: { value: width }, window, color: { value: new Vector3() } } });
+    new ShaderMaterial({ vertexShader: VERTEX, fragmentShader: FRAGMENT, side: BackSide, uniforms: { width: { value: width }, window, color: { value: new Color() } } });
   const materials = { chosen: outline(CHOSEN), pointed: outline(POINTED) };
   /** @type {Mesh[]} */
   let shells = [];
@@ -50,7 +52,8 @@ export function createHighlight(roots) {
       if (object.userData.place && object.userData.place !== owner) return;
       for (const child of [...object.children]) go(child);
       if (!(object instanceof Mesh) || object instanceof InstancedMesh || object.userData.faint) return;
-      const shell = new Mesh(object.geometry, material);
+      const shell = new Mesh(object.geometry, object instanceof Stroke ? wider(object, material) : material);
+      shell.userData.tool = true;
       shell.raycast = () => {};
       object.add(shell);
       shells.push(shell);
@@ -58,10 +61,21 @@ export function createHighlight(roots) {
     go(thing);
   }
 
+  /** @param {Stroke} line @param {ShaderMaterial} outline */
+  function wider({ material: { width } }, { uniforms }) {
+    const made = behind(new StrokeMaterial(width + 2 * uniforms.width.value));
+    made.polygonOffsetUnits *= 2;
+    made.color.copy(uniforms.color.value);
+    return made;
+  }
+
   return {
     /** @param {string} chosen @param {string} pointed places */
     set(chosen, pointed) {
-      for (const shell of shells) shell.removeFromParent();
+      for (const shell of shells) {
+        shell.removeFromParent();
+        if (shell.material instanceof StrokeMaterial) shell.material.dispose();
+      }
       shells = [];
       if (!chosen && !pointed) return;
       /** @type {[import('three').Object3D, ShaderMaterial][]} */
@@ -74,7 +88,7 @@ export function createHighlight(roots) {
     },
     /** @param {import('three').Color} color */
     paint(color) {
-      for (const { uniforms } of [materials.chosen, materials.pointed]) uniforms.color.value.set(color.r, color.g, color.b);
+      for (const { uniforms } of [materials.chosen, materials.pointed]) uniforms.color.value.copy(color);
     },
     /** @param {number} width @param {number} height of the canvas in CSS pixels */
     resize(width, height) {
@@ -88,7 +102,7 @@ export function createHighlight(roots) {
       });
       return box;
     },
-    /** Where a thing's name stands: in the middle of its first part. @param {string} place @param {Vector3} at @returns {boolean} */
+    /** Where a thing's name stands: in the middle of its first part. @param {string} place @param {import('three').Vector3} at @returns {boolean} */
     anchorOf(place, at) {
       const box = new Box3();
       eachThing((object, thing) => {

@@ -2,9 +2,13 @@
  * What the bodies of the scene are made of, and their colours, which the style sheet has.
  */
 import { DoubleSide, MeshBasicMaterial, MeshStandardMaterial } from 'three';
+import { StrokeMaterial } from './stroke.js';
 
 /** Chains beyond this number begin again with the first colour; labels tell them apart. */
 const CHAIN_COLOURS = 5;
+
+/** Drawn behind what is at the same place. @template {import('three').Material} T @param {T} material */
+export const behind = (material) => Object.assign(material, { polygonOffset: true, polygonOffsetUnits: 40 });
 
 export function createMaterials() {
   const axes = (/** @type {object} */ more) => [0, 1, 2].map(() => new MeshBasicMaterial(more));
@@ -13,10 +17,11 @@ export function createMaterials() {
     metal: new MeshStandardMaterial({ roughness: 0.4, metalness: 0.15 }),
     dark: new MeshStandardMaterial({ roughness: 0.45, metalness: 0.1 }),
     workpiece: new MeshStandardMaterial({ roughness: 0.55, metalness: 0.05 }),
-    goal: new MeshStandardMaterial({ roughness: 0.8 }),
-    closest: new MeshStandardMaterial({ roughness: 0.8 }),
-    gap: new MeshBasicMaterial(),
-    gaps: [0, 1, 2].map(() => new MeshBasicMaterial()),
+    // Lines as the legend shows them. Where the motions are one, the closest lies on the wider goal.
+    goal: behind(new StrokeMaterial(5)),
+    closest: new StrokeMaterial(3),
+    gap: new StrokeMaterial(5),
+    gaps: [new StrokeMaterial(2, [2, 3]), new StrokeMaterial(2, [6, 4]), new StrokeMaterial(2)],
     ghost: new MeshStandardMaterial({ transparent: true, opacity: 0.26, depthWrite: false, roughness: 0.9 }),
     /** The workpiece at other frames. */
     ghosts: new MeshStandardMaterial({ transparent: true, opacity: 0.34, depthWrite: false, roughness: 0.9 }),

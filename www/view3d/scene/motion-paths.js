@@ -4,7 +4,8 @@
  *
  * @typedef {import('../../core/types.js').Motion} Motion
  * @typedef {import('three').Material} Material
- * @typedef {{goal: Material, closest: Material, gap: Material, gaps: Material[], ghost: Material, ghosts: Material, key: Material,
+ * @typedef {import('./stroke.js').StrokeMaterial} Line
+ * @typedef {{goal: Line, closest: Line, gap: Line, gaps: Line[], ghost: Material, ghosts: Material, key: Material,
  *   axes: Material[], keyAxes: Material[], faintAxes: Material[]}} PathMaterials
  */
 import { keyFramesOf } from '../../core/key-frames.js';
@@ -12,14 +13,14 @@ import { BufferGeometry, Group, Mesh, SphereGeometry, Vector3 } from 'three';
 import { drivesJoints } from '../../core/driven.js';
 import { frameMatrix, moveTo } from '../../core/poses.js';
 import { spreadOver } from '../../core/spread.js';
+import { curveThrough } from './curve.js';
 import { GapLines } from './gap-lines.js';
 import { Ghosts } from './ghosts.js';
-import { layRod, rod, shared, triad } from './solids.js';
-import { Tube } from './tube.js';
+import { shared, triad } from './solids.js';
+import { Stroke } from './stroke.js';
 
 /** Sizes in link radii. */
-const PATH = 0.42;
-const GAP = 0.3;
+const APART = 0.04;
 const KEY = 7;
 const KEY_BALL = 0.85;
 const AXES = 6;
@@ -51,10 +52,10 @@ export class MotionPaths {
   /** @param {PathMaterials} materials */
   constructor(materials) {
     this.#materials = materials;
-    this.#goal = new Tube(materials.goal);
-    this.#goal.mesh.userData.place = 'goal';
-    this.#closest = new Tube(materials.closest);
-    this.#closest.mesh.userData.place = 'closest';
+    this.#goal = new Stroke(materials.goal);
+    this.#goal.userData.place = 'goal';
+    this.#closest = new Stroke(materials.closest);
+    this.#closest.userData.place = 'closest';
     this.#ghostBody = new Mesh(new BufferGeometry(), materials.ghost);
     this.#ghostBody.userData.faint = true;
     this.#ghostAxes = triad(1, materials.faintAxes);
@@ -62,14 +63,14 @@ export class MotionPaths {
     this.#ghost.add(this.#ghostBody, this.#ghostAxes);
     this.#reached = triad(1, materials.axes);
     this.#reached.userData.place = 'workpiece';
-    this.#goal.mesh.userData.anchor = this.#ghost;
-    this.#closest.mesh.userData.anchor = this.#reached;
-    this.#gap = rod(new Vector3(), new Vector3(), 1, materials.gap);
+    this.#goal.userData.anchor = this.#ghost;
+    this.#closest.userData.anchor = this.#reached;
+    this.#gap = new Stroke(materials.gap);
     this.#gap.userData.place = 'gap';
     this.#gaps = new GapLines(materials.gaps);
     this.#ghosts = new Ghosts(materials.ghosts);
     this.group.add(this.#gaps.group, this.#ghosts.mesh);
-    this.group.add(this.#goal.mesh, this.#closest.mesh, this.#ghost, this.#reached, this.#gap);
+    this.group.add(this.#goal, this.#closest, this.#ghost, this.#reached, this.#gap);
   }
 
   /**
@@ -82,16 +83,12 @@ export class MotionPaths {
   update(motion, doc, { link: r, radius }, body, ghosts) {
     this.#gaps.lay(motion, r, radius);
     if (body) this.#ghosts.lay(motion, ghosts, body);
-    if (drivesJoints(motion)) this.#goal.mesh.visible = false;
-    else this.#goal.lay(motion.goal, motion.frames, PATH * r);
-    this.#closest.lay(motion.pose, motion.frames, PATH * r);
+    if (drivesJoints(motion)) this.#goal.visible = false;
+    else layCurve(this.#goal, motion.goal, motion.frames, APART * r);
+    layCurve(this.#closest, motion.pose, motion.frames, APART * r);
     if (body) this.#ghostBody.geometry = body;
     this.#ghostAxes.scale.setScalar(AXES * r);
     this.#reached.scale.setScalar(AXES * r);
-    const [shaft, ...ends] = this.#gap.children;
-    shaft.scale.set(GAP * r, 1, GAP * r);
-    for (const end of ends) end.scale.setScalar(GAP * r);
-
     this.#link = r;
     this.#markKeys(keyFramesOf(doc));
   }
@@ -141,6 +138,15 @@ export class MotionPaths {
   show({ goal, pose, index }) {
     moveTo(this.#ghost, goal, index);
     moveTo(this.#reached, pose, index);
-    layRod(this.#gap, this.#ghost.position, this.#reached.position);
+    this.#gap.position.copy(this.#ghost.position);
+    const way = this.#reached.position.clone().sub(this.#ghost.position).toArray();
+    this.#gap.lay([0, 0, 0, ...way], way.some(Boolean) ? 2 : 0);
   }
+}
+
+/** From its first pose on. @param {Stroke} stroke @param {Float64Array} column poses @param {number} frames @param {number} apart */
+function layCurve(stroke, column, frames, apart) {
+  stroke.position.fromArray(column);
+  const { points, count } = curveThrough(column, frames, apart);
+  stroke.lay(points, count);
 }

@@ -2,6 +2,7 @@
  * Which thing of the scene is under a point of the canvas. Thin things are found from beside them too.
  */
 import { Mesh, Raycaster, Vector2 } from 'three';
+import { drawn } from './stroke.js';
 
 /** Directions in which a near miss is looked for. */
 const AROUND = Array.from({ length: 8 }, (_, i) => [Math.cos((i * Math.PI) / 4), Math.sin((i * Math.PI) / 4)]);
@@ -17,6 +18,8 @@ export function createPicker(roots, canvas, camera) {
 
   /** @param {number} x @param {number} y in CSS pixels of the canvas @returns {string} */
   function at(x, y) {
+    // Lines are as wide as in this view.
+    drawn.set(canvas.clientWidth, canvas.clientHeight);
     point.set((x / canvas.clientWidth) * 2 - 1, 1 - (y / canvas.clientHeight) * 2);
     ray.setFromCamera(point, camera());
     const found = ray

@@ -5,6 +5,7 @@
  */
 import { WebGLRenderer } from 'three';
 import { windowOf } from '../../ui/dom.js';
+import { drawn as pictureSize } from './stroke.js';
 
 /** @type {{renderer: WebGLRenderer, context: WebGL2RenderingContext, slow: boolean} | null} */
 let shared = null;
@@ -85,6 +86,7 @@ export function createDrawing(canvas, root, signal) {
       const part = /** @type {const} */ ([0, (drawn.height - height) / ratio, width / ratio, height / ratio]);
       renderer.setViewport(...part);
       renderer.setScissor(...part);
+      pictureSize.set(view.width, view.height);
       renderer.render(root, camera);
       view.again = () => this.draw(camera);
       if (isAlone()) {
