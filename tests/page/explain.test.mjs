@@ -56,6 +56,17 @@ test('while the motion plays it asks now and then, not at every frame', () => {
   assert.ok(questions.length <= 2);
 });
 
+test('while a hand moves something it asks nothing, and asks for what is shown then', () => {
+  const { store, questions } = made();
+  store.setView({ moving: 'workpiece' });
+  store.setView({ frame: 1 });
+  mock.timers.tick(5000);
+  assert.equal(questions.length, 1);
+  store.setView({ moving: '' });
+  mock.timers.tick(1000);
+  assert.deepEqual(questions[1].joints, [3, 4]);
+});
+
 test('a posture in place of the frame', () => {
   const { store, questions } = made();
   store.setView({ posture: { joints: new Float64Array([9, 9]), goal: new Float64Array(7), pose: new Float64Array(7), rows: new Float64Array(0) } });

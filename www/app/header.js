@@ -3,6 +3,7 @@
  *
  * @typedef {import('../element/workbench.js').App} App
  */
+import { atRest } from '../core/at-rest.js';
 import { setValue } from '../core/edits.js';
 import { byId, setText } from '../ui/dom.js';
 import { KEYS, keyTip, onKeys } from '../ui/keys.js';
@@ -92,7 +93,7 @@ function createAbout(store) {
     setText(byId('about-file'), origin.title ? `${unsaved ? 'Changed since it was opened or saved as' : 'As in'} ${origin.title}.` : unsaved ? 'In no file yet.' : '');
     document.title = `${unsaved ? '● ' : ''}${shown.name || 'Linkage'} – Synthetica`;
   }
-  store.subscribe('document', show);
+  atRest(store, ['document'], show);
   store.subscribe('origin', show);
   show();
 }

@@ -3,6 +3,7 @@
  *
  * @typedef {import('../core/store.js').Store} Store
  */
+import { atRest } from '../core/at-rest.js';
 import { movedByHand, undoOne } from '../core/undo.js';
 import { byId } from '../ui/dom.js';
 import { keyTip } from '../ui/keys.js';
@@ -22,7 +23,6 @@ export function createHistory(store) {
     undo.disabled = !store.canUndo && !movedByHand(store);
     redo.disabled = !store.canRedo;
   };
-  store.subscribe('document', show);
-  store.subscribe('view', show);
+  atRest(store, ['document', 'view'], show);
   show();
 }

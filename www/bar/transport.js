@@ -68,13 +68,18 @@ export function createTransport(app) {
   keyTip(find('step-forward'), 'One frame on', 'step', 1);
   keyTip(find('to-end'), 'To the last frame', 'ends', 1);
 
+  let shown = '';
   function show() {
     const { motion, doc } = store.result;
     if (!motion) return;
-    const { frame, playing, posture } = store.view;
+    const { frame, playing, posture, loop: end, speed: factor } = store.view;
+    // A hand tells the view much that is not shown here.
+    const now = JSON.stringify([frame, motion.goal_frames, motion.time[frame], isTimed(doc), playing, posture && (posture.note ?? ''), end, factor]);
+    if (now === shown) return;
+    shown = now;
     play.setAttribute('aria-label', playing ? 'Pause' : 'Play');
     play.classList.toggle('playing', playing);
-    loop.value = store.view.loop;
+    loop.value = end;
     showSpeed();
     find('by-hand').hidden = posture === null;
     setText(find('by-hand-text'), posture?.note ?? 'Moved by hand.');

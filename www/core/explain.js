@@ -1,8 +1,9 @@
 /**
  * Keeps the store's `why` in step with what is shown: asks the planner why the workpiece rests there, at once when
- * the view rests, a few times a second while it moves.
+ * the view rests, a few times a second while it plays, and not while a hand moves something.
  */
 import { ask } from './ask.js';
+import { atRest } from './at-rest.js';
 import { textOf } from './document-text.js';
 import { groupAt, shown } from './shown.js';
 
@@ -35,7 +36,6 @@ export function createExplainer({ store, planner }) {
   function follow() {
     waiting ??= setTimeout(askWhy, Math.max(0, last + PAUSE - performance.now()));
   }
-  store.subscribe('result', follow);
-  store.subscribe('view', follow);
+  atRest(store, ['result', 'view'], follow);
   follow();
 }

@@ -12,6 +12,9 @@ import { advance, frameAt, isTimed } from './playhead.js';
 /** Seconds that a motion without times takes from its first to its last key frame. */
 const UNTIMED_SECONDS = 5;
 
+/** How long what a hand has moved waits for the planner's answer to be drawn with it, in milliseconds. */
+const ANSWER = 50;
+
 /** Longest step of the playhead in milliseconds; after a pause of the page it goes on where it was. */
 const MAX_STEP = 100;
 
@@ -25,6 +28,8 @@ export class Player {
   tell = (/** @type {Told} */ _name) => {};
   #request = 0;
   #dirty = false;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  #soon;
   #last = 0;
   #forwards = true;
   /** Playhead in the motion's own time. */
@@ -149,6 +154,11 @@ export class Player {
     this.#schedule();
   }
 
+  /** The same, but what changes next is awaited for a moment: one picture shows both. */
+  invalidateSoon() {
+    this.#soon ??= setTimeout(() => this.invalidate(), ANSWER);
+  }
+
   /** Seconds that one pass takes at the present speed. */
   get passSeconds() {
     return (isTimed(this.#store.result.doc) ? this.duration : UNTIMED_SECONDS) / this.playbackRate;
@@ -171,6 +181,8 @@ export class Player {
     this.#last = this.paused ? 0 : now;
     if (this.#dirty) {
       this.#dirty = false;
+      clearTimeout(this.#soon);
+      this.#soon = undefined;
       this.draw();
     }
     this.#schedule();

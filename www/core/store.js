@@ -36,7 +36,7 @@ export function createStore(first) {
   let result = { motion: null, doc: null, plain: null, fault: null, trouble: '', again: false };
   /** @type {View} */
   let view = {
-    frame: 0, playing: false, posture: null, selected: '', hovered: '',
+    frame: 0, playing: false, moving: '', posture: null, selected: '', hovered: '',
     speed: 1, loop: 'once', side: '', charts: ['translation', 'rotation', 'driven', 'path', 'joints', 'sigma'],
     projection: 'perspective', show: { goal: true, closest: true, gaps: true, names: true, axes: true, ground: true }, ghosts: 'none',
   };

@@ -64,9 +64,10 @@
  * playing, scrubbing or an edit ends it. `selected` and `hovered` are places of the document, such as `chains[1]`,
  * `chains[1].joints[0]` or `motion.key_frames[2]`, or `workpiece`; empty for nothing. `charts` are groups of charts
  * (panels/charts/chart-list.js); `speed` is a factor; `loop` is what the player does at the end; `side` is the standard
- * view that is looked from, until it is turned by hand; `ghosts`
+ * view that is looked from, until it is turned by hand; `moving` is the place of
+ * what a hand moves, until it rests or lets go; `ghosts`
  * are the frames at which the workpiece is drawn too: at the key frames, spread evenly, or these.
- * @typedef {{frame: number, playing: boolean, posture: (Posture & {note?: string}) | null, selected: string, hovered: string,
+ * @typedef {{frame: number, playing: boolean, moving: string, posture: (Posture & {note?: string}) | null, selected: string, hovered: string,
  *   speed: number, loop: 'once' | 'loop' | 'bounce',
  *   side: keyof typeof import('./standard-views.js').STANDARD_VIEWS | '', charts: string[],
  *   projection: 'perspective' | 'orthographic', show: Shown, ghosts: 'none' | 'keys' | 'spread' | number[]}} View

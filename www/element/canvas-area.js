@@ -4,6 +4,7 @@
 import { setText } from '../ui/dom.js';
 import { inWords } from '../ui/keys.js';
 import { createScene } from '../view3d/scene/scene.js';
+import { atRest } from '../core/at-rest.js';
 import { shown } from '../core/shown.js';
 import { describeScene } from '../core/status-words.js';
 
@@ -38,7 +39,7 @@ export function createStage({ find, store, player, signal }) {
     find('fallback').hidden = true;
     scene?.show({ ...store.result, doc: store.result.plain }, afresh);
     if (afresh && store.view.side) scene?.turnTo(store.view.side, false);
-    setText(find('canvas-text'), describeScene(store));
+    if (!store.view.moving) setText(find('canvas-text'), describeScene(store));
   }
   store.select(({ result }) => result.motion, show);
   store.select(({ view }) => view.side, (side) => side && scene?.turnTo(side));
@@ -47,8 +48,7 @@ export function createStage({ find, store, player, signal }) {
     if (!store.view.playing) setText(find('canvas-text'), describeScene(store));
     find('stage').setAttribute('aria-label', `${store.doc.name || 'Linkage'}, with its animation`);
   };
-  store.subscribe('result', describe);
-  store.subscribe('view', describe);
+  atRest(store, ['result', 'view'], describe);
 
   show();
   player.draw = () => {

@@ -6,6 +6,7 @@
  */
 import { element, focusBeside } from '../ui/dom.js';
 import { onKeys } from '../ui/keys.js';
+import { atRest } from '../core/at-rest.js';
 import { chainName } from '../core/chain-name.js';
 import { hasDrivers } from '../core/driven.js';
 import { plural } from '../core/format.js';
@@ -212,7 +213,7 @@ export function createTree(place, { store, narrow }, enter) {
     if (row.bottom > box.bottom) tree.scrollTop += row.bottom - box.bottom;
   }
 
-  store.subscribe('document', () => {
+  atRest(store, ['document'], () => {
     items = itemsOf(store.doc);
     draw();
   });

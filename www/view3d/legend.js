@@ -1,6 +1,7 @@
 /**
  * The legend of the 3D view: which line is which, and which gap is how large.
  */
+import { atRest } from '../core/at-rest.js';
 import { length } from '../core/format.js';
 import { drivesJoints } from '../core/driven.js';
 import { hasNoGoal } from '../core/shown.js';
@@ -36,7 +37,6 @@ export function legendItems({ store, scene }) {
 /** @param {HTMLElement} list @param {Pick<import('../element/workbench.js').App, 'store' | 'scene'>} app */
 export function createLegend(list, app) {
   const show = () => render(legendItems(app), list);
-  app.store.subscribe('result', show);
-  app.store.subscribe('view', show);
+  atRest(app.store, ['result', 'view'], show);
   show();
 }

@@ -35,7 +35,8 @@ export function createAutosave({ store, say }, keeper) {
 
   const soon = () => {
     clearTimeout(waiting);
-    waiting = setTimeout(save, PAUSE);
+    // A hand that moves something goes on to do so.
+    waiting = setTimeout(() => (store.view.moving ? soon() : save()), PAUSE);
   };
   store.subscribe('document', soon);
   store.subscribe('origin', soon);

@@ -5,6 +5,7 @@
  * @typedef {import('./chart-list.js').Chart} Chart
  * @typedef {{card: ReturnType<typeof import('./chart-card.js').createCard>, chart: Chart, seen: boolean, stale: boolean}} Entry
  */
+import { atRest } from '../../core/at-rest.js';
 import { element, setText } from '../../ui/dom.js';
 import { short } from '../../core/format.js';
 import { allTimes, isTimed } from '../../core/playhead.js';
@@ -108,7 +109,7 @@ export function createCharts({ root, store, player, signal }, panel) {
     const now = wanted.map(shape).join();
     if (now !== fitted) fit();
     fitted = now;
-    // While something is dragged, motions come faster than pictures.
+    // While a number is dragged, motions come faster than pictures.
     request ||= requestAnimationFrame(() => {
       request = 0;
       draw();
@@ -147,8 +148,8 @@ export function createCharts({ root, store, player, signal }, panel) {
   new ResizeObserver(fit).observe(panel);
 
   store.select(({ view }) => view.charts, refresh);
-  store.subscribe('view', read);
-  store.subscribe('result', refresh);
+  atRest(store, ['view'], read);
+  atRest(store, ['result'], refresh);
   refresh();
 }
 

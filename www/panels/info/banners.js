@@ -4,6 +4,7 @@
  *
  * @typedef {ReturnType<typeof createBanners>} Banners
  */
+import { atRest } from '../../core/at-rest.js';
 import { setText } from '../../ui/dom.js';
 import { faultParts, faultText } from '../../core/fault-text.js';
 import { frameSentence, partSentence } from '../../core/status-words.js';
@@ -41,11 +42,8 @@ export function createBanners({ find, store }) {
     }, SPEAK_AFTER);
   }
 
-  store.subscribe('view', speak);
-  store.subscribe('result', () => {
-    show();
-    speak();
-  });
+  atRest(store, ['view', 'result'], speak);
+  store.subscribe('result', show);
   show();
   return {
     /** Where there are tables, there is a way to the cell at fault. @param {() => void} act */

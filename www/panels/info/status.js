@@ -4,6 +4,7 @@
 import { angle, length, plural, scientific, sentence, short } from '../../core/format.js';
 import { html, nothing, render } from '../../ui/render.js';
 import { setText } from '../../ui/dom.js';
+import { atRest } from '../../core/at-rest.js';
 import { chainName } from '../../core/chain-name.js';
 import { createStandardHint } from '../../core/standard-hint.js';
 import { drivesJoints, told } from '../../core/driven.js';
@@ -134,13 +135,11 @@ export function createStatus({ find, store, player, planner }) {
     showMobility();
     showFrame();
   });
-  const show = () => {
-    showMotion();
-    showFrame();
-  };
   store.subscribe('view', showFrame);
-  store.subscribe('result', show);
-  show();
+  store.subscribe('result', showFrame);
+  atRest(store, ['result'], showMotion);
+  showMotion();
+  showFrame();
 }
 
 /**

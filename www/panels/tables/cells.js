@@ -39,6 +39,8 @@ const LONGEST = 14;
 export function createCells(store) {
   /** The cells that are shown, by their paths. @type {Map<string, CellSpec>} */
   const specs = new Map();
+  /** Shows the value of each cell anew. @type {Map<string, () => void>} */
+  const shows = new Map();
   let visits = 0;
   /** The cell with a number that was entered last. */
   let lastNumber = '';
@@ -146,6 +148,7 @@ export function createCells(store) {
     });
     return (next) => {
       spec = next;
+      shows.set(spec.path, show);
       show();
     };
   }
@@ -173,7 +176,14 @@ export function createCells(store) {
     },
 
     /** Forgets the cells: those that are still there are rendered next. */
-    clear: () => specs.clear(),
+    clear() {
+      specs.clear();
+      shows.clear();
+    },
+    /** Shows the values of the cells within a place anew. @param {string} place */
+    follow(place) {
+      for (const [path, show] of shows) if (path.startsWith(`${place}.`)) show();
+    },
     /**
      * The document with a text written into a cell as if it were typed there; the cell may be one that is not made yet.
      * @param {MechanismDocument} doc @param {string} path @param {string} text

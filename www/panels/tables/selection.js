@@ -2,6 +2,7 @@
  * Selection in the tables: what is focused or clicked there is selected everywhere, what is selected elsewhere is
  * marked and brought into sight there, without taking the focus.
  */
+import { atRest } from '../../core/at-rest.js';
 import { covers } from '../../core/path.js';
 
 /** The things that can be selected: chains, joints, base and gripper frames, key frames, drivers. */
@@ -94,7 +95,7 @@ export function createSelection(root, panels, { store, tabs, narrow }, ready) {
     });
   });
   // A thing may be in another row now, or in a new one.
-  store.subscribe('document', show);
+  atRest(store, ['document'], show);
 
   return {
     /** Goes into the table at a thing. @param {string} place */

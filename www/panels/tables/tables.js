@@ -4,6 +4,7 @@
  * @typedef {import('../../core/store.js').Store} Store
  * @typedef {import('../../core/types.js').Fault} Fault
  */
+import { atRest } from '../../core/at-rest.js';
 import { valueAt } from '../../core/path.js';
 import { parametersOf } from '../../core/parameter-names.js';
 import { whenSeen, withPart } from '../../ui/lazy.js';
@@ -127,8 +128,9 @@ export function createTables({ root, mechanism, motion }, store, defaults, { mar
 
   gridKeys(root);
   cellTools(root, store, cells, say, forms.parameter);
-  store.subscribe('document', show);
-  store.subscribe('result', () => {
+  // While a hand moves a thing, its own cells follow.
+  atRest(store, ['document'], show, () => cells.follow(store.view.moving));
+  atRest(store, ['result'], () => {
     show();
     showFault();
   });

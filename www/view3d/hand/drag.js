@@ -28,6 +28,9 @@ import look from '../../style/drag.css?inline';
 /** Axis and direction of each nudging key. @type {[0 | 1 | 2, 1 | -1][]} */
 const NUDGES = [[0, 1], [0, -1], [1, 1], [1, -1], [2, 1], [2, -1]];
 
+/** After how long without a move a hand rests, in milliseconds: then all is shown that is only read. */
+const REST = 500;
+
 /** Half the square around the thing in hand that no name covers, in pixels: names take clicks. */
 const FREE = 7;
 
@@ -43,7 +46,7 @@ function connect(app, scene) {
   wear(app.root, look);
   const { canvas } = scene;
   const size = () => scene.radius;
-  const gizmo = createGizmo(scene);
+  const gizmo = createGizmo(scene, () => app.player.invalidateSoon());
   const layer = element('div', { class: 'hand-labels', 'aria-hidden': 'true' });
   app.find('labels').after(layer);
   const labels = createLabels(layer);
@@ -55,6 +58,23 @@ function connect(app, scene) {
   let how = { mode: 'move', space: 'world', snap: false };
   /** @type {Target | null} */
   let target = null;
+  /** What was taken hold of. */
+  let taken = '';
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let rest;
+
+  function stir() {
+    store.setView({ moving: taken });
+    clearTimeout(rest);
+    rest = setTimeout(calm, REST);
+  }
+
+  function calm() {
+    clearTimeout(rest);
+    store.setView({ moving: '' });
+  }
+  signal.addEventListener('abort', calm);
+
   /** The posture that the hand waits for is to be told. */
   let saying = false;
 
@@ -164,6 +184,7 @@ function connect(app, scene) {
       return freedom >= 0 || gizmo.hover(at) || targetOf(store.view.hovered) !== null;
     },
     grab(at, event) {
+      taken = store.view.selected;
       const freedom = free() ? freedoms.handles.pick(at) : -1;
       if (freedom >= 0) {
         freedoms.handles.light(freedom);
@@ -177,9 +198,12 @@ function connect(app, scene) {
       // A finger that scrolls past takes hold of nothing: a tap selects it first.
       const passes = event.pointerType === 'touch' && app.interaction !== 'full';
       const held = place === store.view.selected ? target : passes ? null : targetOf(place);
+      taken = place;
       return held && moves.planeDrag(held, place, at);
     },
     click: (event) => take(scene.pick(event)),
+    stir,
+    calm,
   });
   // A key frame inside the workpiece is reached by its name.
   app.find('labels').addEventListener('click', ({ target: tag }) => {

@@ -16,12 +16,13 @@ const SCREEN_SHARE = 1.9;
 /** Cosine between an arrow and the line of sight above which three.js leaves the arrow out. */
 const END_ON = 0.99;
 
-/** @param {NonNullable<import('../../element/workbench.js').App['scene']>} scene */
-export function createGizmo(scene) {
+/** @param {NonNullable<import('../../element/workbench.js').App['scene']>} scene @param {() => void} follow its move is drawn with what follows it */
+export function createGizmo(scene, follow) {
   const handle = new Object3D();
   const controls = new TransformControls(scene.camera, null);
   controls.size = matchMedia('(pointer: coarse)').matches ? SIZE.coarse : SIZE.fine;
-  controls.addEventListener('change', scene.changed);
+  let moving = false;
+  controls.addEventListener('change', () => (moving ? follow() : scene.changed()));
   scene.root.add(handle, controls.getHelper());
 
   /** @param {Pointer} at @param {number} button */
@@ -59,7 +60,9 @@ export function createGizmo(scene) {
     move(at, snap) {
       controls.translationSnap = snap?.length ?? null;
       controls.rotationSnap = snap ? MathUtils.degToRad(snap.angle) : null;
+      moving = true;
       controls.pointerMove(pointer(at, -1));
+      moving = false;
     },
     release: () => controls.pointerUp(pointer({ x: 0, y: 0 }, 0)),
     /** Looks through the scene's present camera. */

@@ -16,8 +16,10 @@ const TREMBLE = { mouse: 3, touch: 10 };
  * @param {(at: Pointer) => boolean} hand.hover whether something is there to take hold of
  * @param {(at: Pointer, event: PointerEvent) => Drag | null} hand.grab
  * @param {(event: PointerEvent) => void} hand.click it was taken and let go in place
+ * @param {() => void} hand.stir called before every move
+ * @param {() => void} hand.calm called after what was held has been let go
  */
-export function createPointerDrags(canvas, { hover, grab, click }) {
+export function createPointerDrags(canvas, { hover, grab, click, stir, calm }) {
   /** @type {{drag: Drag, id: number, from: [number, number], moved: boolean} | null} */
   let held = null;
 
@@ -64,7 +66,9 @@ export function createPointerDrags(canvas, { hover, grab, click }) {
     if (event.pointerId !== held.id) return;
     const far = Math.hypot(event.clientX - held.from[0], event.clientY - held.from[1]);
     held.moved ||= far > (event.pointerType === 'touch' ? TREMBLE.touch : TREMBLE.mouse);
-    if (held.moved) held.drag.move(place(event), isHeld(event, 'round'));
+    if (!held.moved) return;
+    stir();
+    held.drag.move(place(event), isHeld(event, 'round'));
   });
   first('pointerup', (/** @type {PointerEvent} */ event) => {
     if (!held) return;
@@ -72,7 +76,10 @@ export function createPointerDrags(canvas, { hover, grab, click }) {
     if (event.pointerId !== held.id) return;
     const { drag, moved } = held;
     letGo();
-    if (moved) return drag.end();
+    if (moved) {
+      drag.end();
+      return calm();
+    }
     drag.cancel();
     click(event);
   });
@@ -86,6 +93,7 @@ export function createPointerDrags(canvas, { hover, grab, click }) {
     const { drag } = held;
     letGo();
     drag.cancel();
+    calm();
     return true;
   }
 

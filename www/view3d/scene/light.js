@@ -1,5 +1,6 @@
 /**
- * Light: a sky, and a sun that casts shadows; on a machine without a graphics card, only once nothing moves.
+ * Light: a sky, and a sun that casts shadows; on a machine without a graphics card, only once nothing moves and no pointer
+ * is down.
  */
 import { DirectionalLight, HemisphereLight, Vector3 } from 'three';
 
@@ -9,8 +10,8 @@ const NORMAL_BIAS = 0.01;
 /** Without a graphics card, the rest in milliseconds after which the picture is drawn once more, with shadows. */
 const REST = 250;
 
-/** @param {boolean} slow whether shadows wait @param {() => void} changed */
-export function createLight(slow, changed) {
+/** @param {boolean} slow whether shadows wait @param {() => void} changed @param {() => boolean} isHeld whether a pointer is down */
+export function createLight(slow, changed, isHeld) {
   const sky = new HemisphereLight(0xffffff, 0xb9b4ac, 1.9);
   sky.position.set(0, 0, 1);
   const sun = new DirectionalLight(0xffffff, 2.0);
@@ -22,6 +23,15 @@ export function createLight(slow, changed) {
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let rest;
   let resting = false;
+  function settle() {
+    // What it holds it may move on.
+    if (isHeld()) {
+      rest = setTimeout(settle, REST);
+      return;
+    }
+    resting = true;
+    changed();
+  }
   return {
     objects: [sky, sun, sun.target],
     sky,
@@ -39,12 +49,7 @@ export function createLight(slow, changed) {
       if (!slow) return;
       sun.castShadow = resting;
       clearTimeout(rest);
-      if (!resting) {
-        rest = setTimeout(() => {
-          resting = true;
-          changed();
-        }, REST);
-      }
+      if (!resting) rest = setTimeout(settle, REST);
       resting = false;
     },
   };

@@ -38,7 +38,7 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
   const window = windowOf(canvas);
   const view = createCamera(canvas, changed, turned);
   const materials = createMaterials();
-  const light = createLight(drawing.slow, changed);
+  const light = createLight(drawing.slow, changed, () => pointing());
   const ground = createGround();
   const linkage = new Linkage(materials);
   const paths = new MotionPaths(materials);
