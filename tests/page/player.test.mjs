@@ -133,3 +133,23 @@ test('a typed frame is taken, or refused in words', () => {
   assert.match(String(readFrame('', 129)), /^Type a whole number/);
   assert.equal(readFrame('200', 129, 1000), 'Frame 200 is not planned: type a whole number from 1 to 129.');
 });
+
+test('a move of the hand and what follows it are one picture; alone it is drawn after a moment', (t) => {
+  t.mock.timers.enable({ apis: ['setTimeout'] });
+  const { player, frames } = opened({ loop: 'once' });
+  let pictures = 0;
+  player.draw = () => pictures++;
+  player.invalidateSoon();
+  frames.tick(1);
+  assert.equal(pictures, 0, 'what follows is awaited');
+  player.invalidate();
+  frames.tick(1);
+  t.mock.timers.tick(1000);
+  frames.tick(1);
+  assert.equal(pictures, 1, 'one picture shows both');
+  player.invalidateSoon();
+  player.invalidateSoon();
+  t.mock.timers.tick(1000);
+  frames.tick(2);
+  assert.equal(pictures, 2, 'nothing followed');
+});
