@@ -46,8 +46,8 @@ export async function openBrowser() {
       await page.waitForFunction(() => (page$('#closure')?.textContent ?? '–') !== '–');
       return { page, problems };
     },
-    /** A page that is nowhere yet; the first minute counts as seen, unless it is the visitor's first. */
-    async blankPage({ firstVisit = false, ...options } = {}) {
+    /** A page that is nowhere yet; the first minute counts as seen, unless it is the visitor's first; the legend is as it was left, null for never. */
+    async blankPage({ firstVisit = false, legend = 'open', ...options } = {}) {
       const context = await browser.newContext({ viewport: WINDOW, reducedMotion: 'reduce', ...options });
       if (!firstVisit) {
         await context.addInitScript(() => {
@@ -57,6 +57,15 @@ export async function openBrowser() {
             // A test of blocked storage: the page sees to it.
           }
         });
+      }
+      if (legend) {
+        await context.addInitScript((left) => {
+          try {
+            localStorage.setItem('synthetica.legend', left);
+          } catch {
+            // As above.
+          }
+        }, legend);
       }
       await context.addInitScript(lookInside);
       // Other suites may run at the same time.

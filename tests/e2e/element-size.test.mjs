@@ -126,6 +126,7 @@ test('a legend does not hide a low view, and is there again where there is room'
   const { page } = await guestPage(LINKAGE.replace(' src', ' style="width: 358px; height: 270px" src'), { viewport: { width: 390, height: 700 } });
   await planned(page);
   const legend = page.locator('#legend');
+  assert.ok(await page.getByRole('button', { name: 'Legend' }).isHidden());
   await legend.waitFor({ state: 'hidden' });
   await page.locator('synthetica-linkage').evaluate((element) => (element.style.height = '440px'));
   await legend.waitFor({ state: 'visible' });

@@ -69,7 +69,7 @@ export async function createWorkbench(linkage, place) {
   guest?.createGuest(app);
   createPointing(app);
   createViewBar(app);
-  createLegend(find('legend'), app);
+  createLegend(app);
   createByHand(app);
   createHistoryKeys(app);
   createPrinting(app);

@@ -1,5 +1,6 @@
 /**
- * The legend of the 3D view: which line is which, and which gap is how large.
+ * The legend of the 3D view: which line is which, and which gap is how large. It folds to its button, which is remembered; as
+ * long as nobody has said, it does so where there is little room.
  */
 import { atRest } from '../core/at-rest.js';
 import { length } from '../core/format.js';
@@ -7,6 +8,11 @@ import { drivesJoints } from '../core/driven.js';
 import { hasNoGoal } from '../core/shown.js';
 import { html, render } from '../ui/render.js';
 import { gapClass, gapFrames } from './scene/gap-lines.js';
+
+const KEY = 'synthetica.legend';
+
+/** The least view with an unfolded legend, in pixels: not on a phone. */
+const ROOM = { width: 480, height: 300 };
 
 /**
  * What the view shows now, as items of a list whose classes the style sheet knows.
@@ -34,9 +40,40 @@ export function legendItems({ store, scene }) {
   return lines.filter(([drawn]) => drawn).map(([, line, text]) => html`<li class=${line}>${text}</li>`);
 }
 
-/** @param {HTMLElement} list @param {Pick<import('../element/workbench.js').App, 'store' | 'scene'>} app */
-export function createLegend(list, app) {
+/** @param {Pick<import('../element/workbench.js').App, 'find' | 'store' | 'scene'>} app */
+export function createLegend(app) {
+  const { find, store, scene } = app;
+  const list = find('legend');
+  const button = find('fold-legend');
+  let said = recall();
+
+  /** @param {boolean} open */
+  function unfold(open) {
+    if (list.hidden !== open) return;
+    list.hidden = !open;
+    button.ariaExpanded = String(open);
+  }
+  button.addEventListener('click', () => {
+    unfold(list.hidden !== false);
+    said = list.hidden ? 'folded' : 'open';
+    try {
+      localStorage.setItem(KEY, said);
+    } catch {
+      // Then it opens as it does for the first time.
+    }
+  });
+  scene?.drawn.add((width, height) => unfold(said === 'open' || (!said && width >= ROOM.width && height >= ROOM.height)));
+
   const show = () => render(legendItems(app), list);
   atRest(app.store, ['result', 'view'], show);
   show();
+}
+
+/** What was said, if it was. */
+function recall() {
+  try {
+    return localStorage.getItem(KEY);
+  } catch {
+    return null;
+  }
 }

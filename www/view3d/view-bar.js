@@ -51,6 +51,8 @@ export function createViewBar({ find, store, scene, say }) {
   const views = menuButton('Views', () => [
     ...VIEWS.map(([view, name], index) => ({ label: name, key: KEYS.side.keys[index], act: () => turnTo(view, name) })),
     'line',
+    { label: 'Perspective', key: KEYS.projection.keys[0], checked: store.view.projection === 'perspective', act: toggle },
+    { label: 'Fit view', key: KEYS.fit.keys[0], act: scene.fit },
     { label: 'Fit selection', key: KEYS.fitChosen.keys[0], act: fitChosen },
   ]);
   const parts = menuButton('Show', () => {
@@ -71,7 +73,7 @@ export function createViewBar({ find, store, scene, say }) {
     ];
   });
   const projection = element('button', { id: 'projection', click: toggle, 'aria-keyshortcuts': spokenKey(KEYS.projection.keys[0]) });
-  const fit = element('button', { id: 'fit', click: () => scene.fit() }, 'Fit view');
+  const fit = element('button', { id: 'fit', click: scene.fit }, 'Fit view');
   keyTip(fit, 'Show the whole linkage', 'fit');
   const bar = find('view-bar');
   bar.append(views, parts, projection, fit);
@@ -92,7 +94,7 @@ export function createViewBar({ find, store, scene, say }) {
     side: (_, at) => turnTo(...VIEWS[at]),
     projection: toggle,
     fitChosen,
-    fit: () => scene.fit(),
+    fit: scene.fit,
   });
   return { bar };
 }

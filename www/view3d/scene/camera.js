@@ -6,11 +6,14 @@
  * @property {number} down radians from straight above
  * @property {number} reach half the height of the view at the target, in lengths
  * @property {Vector3} target
+ * @property {number} right where the target is seen, from the middle of the view, in shares of its width
+ * @property {number} low the same downwards, in shares of its height
  */
 import { MathUtils, OrthographicCamera, PerspectiveCamera, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { STANDARD_VIEWS } from '../../core/standard-views.js';
 import { onKeys } from '../../ui/keys.js';
+import { enclose } from './enclosing.js';
 import { hasLeft, showsWell } from './refit.js';
 
 /** Degrees of one arrow key's turn, share of the view of its shift, share of one key's zoom. */
@@ -34,15 +37,23 @@ const SLOPE = Math.tan(15 * MathUtils.DEG2RAD);
 /** Straight above and below, the view still needs to know what is up. */
 const UPRIGHT = 1e-4;
 
-/** @param {HTMLCanvasElement} canvas @param {() => void} changed @param {() => void} turned by a person's hand */
-export function createCamera(canvas, changed, turned) {
+/** Towards the camera. @param {number} around @param {number} down */
+const armOf = (around, down) => new Vector3(Math.sin(down) * Math.sin(around), -Math.sin(down) * Math.cos(around), Math.cos(down));
+
+/**
+ * @param {HTMLCanvasElement} canvas @param {() => void} changed @param {() => void} turned by a person's hand
+ * @param {() => import('./label-layout.js').Box} free the part of the view, in shares of it, into which the scene is fitted
+ */
+export function createCamera(canvas, changed, turned, free) {
   const perspective = new PerspectiveCamera(30, 1, 0.01, 1000);
   const parallel = new OrthographicCamera();
   for (const camera of [perspective, parallel]) camera.up.set(0, 0, 1);
   /** @type {PerspectiveCamera | OrthographicCamera} */
   let camera = perspective;
   const controls = new OrbitControls(/** @type {import('three').Camera} */ (camera), canvas);
-  const home = { centre: new Vector3(), radius: 1 };
+  /** @type {import('./measure.js').Home} */
+  let home = { centre: new Vector3(), radius: 1, each: () => {}, margin: 0 };
+  const middle = { right: 0, low: 0 };
   /** The ball that the view was fitted to. */
   const fitted = { centre: new Vector3(), radius: 1 };
   /** It is as it was fitted: no hand has shifted it or come closer. */
@@ -80,16 +91,18 @@ export function createCamera(canvas, changed, turned) {
       down: Math.acos(MathUtils.clamp(arm.z / distance, -1, 1)),
       reach: camera === parallel ? parallel.top / parallel.zoom : distance * SLOPE,
       target: controls.target.clone(),
+      ...middle,
     };
   }
 
   /** @param {Look} look */
-  function take({ around, down, reach, target }) {
+  function take({ around, down, reach, target, right, low }) {
     const kept = MathUtils.clamp(reach, NEAREST * home.radius, FARTHEST * home.radius);
     const tilt = MathUtils.clamp(down, UPRIGHT, Math.PI - UPRIGHT);
-    const arm = new Vector3(Math.sin(tilt) * Math.sin(around), -Math.sin(tilt) * Math.cos(around), Math.cos(tilt));
+    Object.assign(middle, { right, low });
+    for (const one of [perspective, parallel]) one.view = { enabled: true, fullWidth: 1, fullHeight: 1, offsetX: -right, offsetY: -low, width: 1, height: 1 };
     controls.target.copy(target);
-    camera.position.copy(target).addScaledVector(arm, kept / SLOPE);
+    camera.position.copy(target).addScaledVector(armOf(around, tilt), kept / SLOPE);
     parallel.zoom = 1;
     Object.assign(parallel, { top: kept, bottom: -kept, right: kept * perspective.aspect, left: -kept * perspective.aspect });
     controls.minDistance = (NEAREST * home.radius) / SLOPE;
@@ -121,10 +134,22 @@ export function createCamera(canvas, changed, turned) {
     return target.add(new Vector3(right, up, 0).multiplyScalar(2 * reach).applyQuaternion(camera.quaternion));
   }
 
-  /** What shows a ball whole. @param {Vector3} centre @param {number} radius @returns {Partial<Look>} */
-  function around(centre, radius) {
-    const wide = radius / Math.min(1, perspective.aspect);
-    return { target: centre.clone(), reach: camera === parallel ? wide : wide / Math.cos(Math.atan(SLOPE)) };
+  /**
+   * What shows points whole in the free part of the view, each with a ball around it.
+   * @param {Partial<Look>} from another direction
+   * @param {Pick<import('./measure.js').Home, 'centre' | 'each' | 'margin'>} what
+   * @returns {Partial<Look>}
+   */
+  function whole(from, { centre, each, margin }) {
+    const { around, down } = { ...(move?.to ?? look()), ...from };
+    const { x, y, width, height } = free();
+    const [wide, high] = [SLOPE * perspective.aspect * width, SLOPE * height];
+    const back = armOf(around, down);
+    const right = new Vector3(Math.cos(around), Math.sin(around), 0);
+    const up = back.clone().cross(right);
+    const found = enclose(each, centre, { right, up, back }, { left: wide, right: wide, low: high, high }, camera === parallel, margin);
+    const target = centre.clone().addScaledVector(right, found.across).addScaledVector(up, found.above);
+    return { ...from, target, reach: found.distance * SLOPE, right: x + width / 2 - 0.5, low: y + height / 2 - 0.5 };
   }
 
   /** Shows all. @param {Partial<Look>} [from] another direction @param {boolean} [smooth] */
@@ -132,7 +157,12 @@ export function createCamera(canvas, changed, turned) {
     fitted.centre.copy(home.centre);
     fitted.radius = home.radius;
     untouched = true;
-    go({ ...from, ...around(home.centre, home.radius) }, smooth);
+    go(whole(from, home), smooth);
+  }
+
+  /** What was all in view stays so in another room. */
+  function settle() {
+    if (untouched && !move) fit({}, false);
   }
 
   /** By the keyboard. @param {Partial<Look>} to @param {boolean} [fits] whether what fitted goes on to fit */
@@ -170,6 +200,8 @@ export function createCamera(canvas, changed, turned) {
         down: MathUtils.lerp(from.down, to.down, soft),
         reach: MathUtils.lerp(from.reach, to.reach, soft),
         target: from.target.clone().lerp(to.target, soft),
+        right: MathUtils.lerp(from.right, to.right, soft),
+        low: MathUtils.lerp(from.low, to.low, soft),
       });
     },
     /** Shows everything, from where it is seen now. */
@@ -185,12 +217,14 @@ export function createCamera(canvas, changed, turned) {
     /** Brings a ball into the middle. @param {Vector3} centre @param {number} radius */
     fitTo(centre, radius) {
       untouched = false;
-      go(around(centre, radius));
+      go(whole({}, { centre, each: (visit) => visit(centre), margin: radius }));
     },
-    /** @param {keyof typeof STANDARD_VIEWS} name @param {boolean} [smooth] */
-    turnTo(name, smooth) {
-      go(STANDARD_VIEWS[name], smooth);
+    /** What was all in view stays so from another side. @param {Partial<Look>} from @param {boolean} [smooth] */
+    turnTo(from, smooth) {
+      if (untouched) fit(from, smooth);
+      else go(from, smooth);
     },
+    settle,
     /** @param {boolean} flat whether parallel lines stay parallel */
     setParallel(flat) {
       const wanted = flat ? parallel : perspective;
@@ -201,12 +235,11 @@ export function createCamera(canvas, changed, turned) {
       controls.object = camera;
       take(now);
     },
-    /** What `fit` shows. @param {Vector3} centre @param {number} radius */
-    setHome(centre, radius) {
-      home.centre.copy(centre);
-      home.radius = radius;
-      controls.cursor.copy(centre);
-      controls.maxTargetRadius = FARTHEST_TARGET * radius;
+    /** What `fit` shows. @param {import('./measure.js').Home} next */
+    setHome(next) {
+      home = next;
+      controls.cursor.copy(home.centre);
+      controls.maxTargetRadius = FARTHEST_TARGET * home.radius;
       clip();
     },
     /** @param {number} aspect */
@@ -216,8 +249,7 @@ export function createCamera(canvas, changed, turned) {
       parallel.left = -parallel.right;
       perspective.updateProjectionMatrix();
       parallel.updateProjectionMatrix();
-      // What was all in view stays so in a narrower one.
-      if (untouched && !move) fit({}, false);
+      settle();
     },
   };
 }

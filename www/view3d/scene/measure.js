@@ -1,6 +1,11 @@
 /**
  * How large the scene is and where: measured from the motion, and the proportions of its bodies kept while they still fit,
  * so that typing and dragging do not make the bodies and the ground jump.
+ *
+ * @typedef {object} Home what is in view when all is
+ * @property {Vector3} centre @property {number} radius of the ball that holds all of it, at every motion
+ * @property {(visit: (point: Vector3) => void) => void} each a walk through its points; what is visited is only good until the visit is over
+ * @property {number} margin how far bodies reach beyond the points
  */
 import { keyFramesOf } from '../../core/key-frames.js';
 import { Box3, Vector3 } from 'three';
@@ -35,7 +40,8 @@ const FRAMES = 5_000;
 const ROUNDING = 1e-9;
 
 export function createMeasure() {
-  const size = { radius: 0, centre: new Vector3(), link: 0, ground: 0, home: { centre: new Vector3(), radius: 1 } };
+  /** @type {{radius: number, centre: Vector3, link: number, ground: number, home: Home}} */
+  const size = { radius: 0, centre: new Vector3(), link: 0, ground: 0, home: { centre: new Vector3(), radius: 1, each() {}, margin: 0 } };
   return {
     size,
     /**
@@ -59,13 +65,21 @@ export function createMeasure() {
       const ground = lowest - CLEAR * size.link;
       // The ground gives way at once, and comes back only with new proportions.
       if (anew || ground < size.ground) size.ground = ground;
-      // The ball that shows all of it, at every motion.
       let far = 0;
       each((point) => {
         far = Math.max(far, point.distanceToSquared(centre));
       });
-      size.home.centre.copy(centre);
-      size.home.radius = Math.sqrt(far) + BODY * size.link;
+      const margin = BODY * size.link;
+      const feet = doc.chains.map(({ base }) => [Number(base?.x) || 0, Number(base?.y) || 0, size.ground]);
+      size.home = {
+        centre,
+        radius: Math.sqrt(far) + margin,
+        margin,
+        each(visit) {
+          each(visit);
+          for (const foot of feet) visit(new Vector3(...foot));
+        },
+      };
       return anew;
     },
   };

@@ -8,6 +8,7 @@ import { Scene, Sphere } from 'three';
 import { createCamera } from './camera.js';
 import { gapSteps } from './gap-lines.js';
 import { ghostFrames } from './ghosts.js';
+import { freeShare, STAYING } from './free-rectangle.js';
 import { createGround } from './ground.js';
 import { createLight } from './light.js';
 import { Linkage } from './linkage.js';
@@ -16,6 +17,7 @@ import { createMaterials } from './materials.js';
 import { createMeasure } from './measure.js';
 import { MotionPaths } from './motion-paths.js';
 import { hasNoGoal, isDriven } from '../../core/shown.js';
+import { STANDARD_VIEWS } from '../../core/standard-views.js';
 import { readPalette } from './palette.js';
 import { createPicker } from './pick.js';
 import { watchPointers } from './refit.js';
@@ -36,7 +38,7 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
   const drawing = createDrawing(canvas, root, signal);
   if (!drawing) return null;
   const window = windowOf(canvas);
-  const view = createCamera(canvas, changed, turned);
+  const view = createCamera(canvas, changed, turned, () => freeShare(canvas));
   const materials = createMaterials();
   const light = createLight(drawing.slow, changed, () => pointing());
   const ground = createGround();
@@ -79,6 +81,8 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
   const sizes = new window.ResizeObserver(resize);
   sizes.observe(canvas);
   resize();
+  const over = new window.ResizeObserver(() => !pointing() && view.settle());
+  for (const one of canvas.parentElement?.querySelectorAll(STAYING) ?? []) over.observe(one);
 
   const names = () => [...paths.labels, ...linkage.bases.map((at, index) => ({ at, text: String(index + 1), place: `chains[${index}].base` }))];
 
@@ -123,6 +127,7 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
   signal?.addEventListener('abort', () => {
     view.controls.dispose();
     sizes.disconnect();
+    over.disconnect();
   });
 
   /** @type {Set<(event: PointerEvent) => boolean>} */
@@ -145,7 +150,8 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
       return names();
     },
     fit: view.fit,
-    turnTo: view.turnTo,
+    /** @param {import('../../core/standard-views.js').StandardView} side @param {boolean} [smooth] */
+    turnTo: (side, smooth) => view.turnTo(STANDARD_VIEWS[side], smooth),
     setParallel: view.setParallel,
     /** The sizes at which gaps are drawn in another way, in lengths. */
     get gapSteps() {
@@ -221,7 +227,7 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
       shown = { motion, doc };
       showParts();
       if (take(motion, doc, afresh)) light.aim(size.centre, size.radius);
-      view.setHome(size.home.centre, size.home.radius);
+      view.setHome(size.home);
       ground.lay(size.centre, size.radius, size.ground);
       linkage.update(motion, doc, size.link, size.ground);
       paths.update(motion, doc, size, linkage.body, ghostFrames(options.ghosts, motion, doc));

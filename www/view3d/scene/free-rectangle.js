@@ -1,0 +1,46 @@
+/**
+ * The part of the view that nothing lies over: where a linkage is fitted into.
+ *
+ * @typedef {import('./label-layout.js').Box} Box
+ */
+
+/** What may lie over a view, in the element and in a playing page. */
+const OVER = '.view-bar, .cube, .legend, .fold, .by-hand, .banner, #fit';
+
+/** Of those, what a fitted view makes way for at once; a message that comes and goes does not make it jump. */
+export const STAYING = '.view-bar, .cube, .legend, .fold';
+
+/** Kept free around them, in pixels. */
+const CLEAR = 6;
+
+/** Width to height of what is shown, roughly. */
+const SHAPE = 4 / 3;
+
+/** The largest part of a room, for something of a usual shape, that no box lies over. @param {Box} room @param {Box[]} boxes @returns {Box} */
+export function freeRectangle({ x, y, width, height }, boxes) {
+  const [right, bottom] = [x + width, y + height];
+  const at = boxes.findIndex((box) => box.x < right && box.x + box.width > x && box.y < bottom && box.y + box.height > y);
+  if (at < 0) return { x, y, width, height };
+  const box = boxes[at];
+  const cut = [
+    { x, y, width: box.x - x, height },
+    { x, y, width, height: box.y - y },
+    { x: box.x + box.width, y, width: right - box.x - box.width, height },
+    { x, y: box.y + box.height, width, height: bottom - box.y - box.height },
+  ];
+  const size = (/** @type {Box} */ part) => Math.min(part.width, part.height * SHAPE);
+  return cut.map((part) => freeRectangle(part, boxes.slice(at + 1))).reduce((best, part) => (size(part) > size(best) ? part : best));
+}
+
+/** In shares of a view's canvas. @param {HTMLElement} canvas @returns {Box} */
+export function freeShare(canvas) {
+  const room = canvas.getBoundingClientRect();
+  const boxes = [...(canvas.parentElement?.querySelectorAll(OVER) ?? [])]
+    .map((one) => one.getBoundingClientRect())
+    .filter(({ width }) => width)
+    .map((box) => ({ x: box.x - CLEAR, y: box.y - CLEAR, width: box.width + 2 * CLEAR, height: box.height + 2 * CLEAR }));
+  const { x, y, width, height } = freeRectangle(room, boxes);
+  // A view without a size, or hidden under what lies over it, is as good as free.
+  if (!(width > 1 && height > 1)) return { x: 0, y: 0, width: 1, height: 1 };
+  return { x: (x - room.x) / room.width, y: (y - room.y) / room.height, width: width / room.width, height: height / room.height };
+}
