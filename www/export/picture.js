@@ -15,8 +15,10 @@
  * White and clear pictures have no lines on the ground; a white one has the colours of the light scheme.
  * @typedef {'view' | 'white' | 'clear'} Background
  */
-import { DirectionalLight, LineSegments, PerspectiveCamera, Vector3, WebGLRenderer } from 'three';
+import { DirectionalLight, LineSegments, PerspectiveCamera, WebGLRenderer } from 'three';
 import { frameWhole } from '../view3d/scene/framing.js';
+import { boxOn, layOut, leaderOf, wayOf } from '../view3d/scene/label-layout.js';
+import { placeOf } from '../view3d/scene/labels.js';
 import { drawn } from '../view3d/scene/stroke.js';
 import { drawLegend, legendFont, legendHeight } from './legend.js';
 import { pointsOf } from './triangles.js';
@@ -24,8 +26,8 @@ import { pointsOf } from './triangles.js';
 /** Share of a picture's height or width that stays free around a linkage that fills it: names stand beside their points. */
 const EDGE = 0.06;
 
-/** Where a name stands beside its point, as the style sheet has it. */
-export const NAME = { left: 8, top: -22, padding: 5, height: 17, corner: 3 };
+/** A flag with a name, as the style sheet has it. */
+export const NAME = { padding: 5, height: 17, corner: 3, leader: 0.55 };
 
 /** One for all pictures: a browser has few. @type {WebGLRenderer | null} */
 let renderer = null;
@@ -77,6 +79,8 @@ export function withoutTools(scene, wish, draw) {
   });
   const aspect = width / height;
   const camera = scene.camera.clone();
+  // Nothing lies over a picture that it must be beside.
+  if (wish.whole) camera.view = null;
   if (camera instanceof PerspectiveCamera) camera.aspect = aspect;
   else [camera.left, camera.right] = [camera.bottom * aspect, camera.top * aspect];
   camera.updateProjectionMatrix();
@@ -95,14 +99,26 @@ export function withoutTools(scene, wish, draw) {
   }
 }
 
-/** Names with their places in a picture. @param {Scene} scene @param {Scene['camera']} camera @param {number} width @param {number} height */
-export function placedNames(scene, camera, width, height) {
-  return scene.names
-    .map(({ at, text }) => {
-      const seen = new Vector3().copy(at).project(camera);
-      return { text, x: ((seen.x + 1) / 2) * width, y: ((1 - seen.y) / 2) * height, seen: seen.z <= 1 };
-    })
-    .filter(({ x, y, seen }) => seen && x >= 0 && x <= width && y >= 0 && y <= height);
+/**
+ * Names with their flags in a picture, and the ends of their leaders.
+ * @param {Scene} scene @param {Scene['camera']} camera @param {Wish} wish
+ * @param {(text: string) => number} widthOf a text
+ */
+export function placedNames(scene, camera, wish, widthOf) {
+  const { width, height } = wish;
+  const { link, centre } = scene.size;
+  const room = { x: 0, y: 0, width, height: height * (1 - legendShare(wish, viewStyle(scene).font)) };
+  const place = (/** @type {import('three').Vector3} */ at) => placeOf(at, camera, width, height, link);
+  const names = scene.names
+    .map(({ at, text }) => ({ ...place(at), text, width: widthOf(text) + 2 * NAME.padding, height: NAME.height, rank: 0, kept: false, spot: -1 }))
+    .filter(({ out }) => !out);
+  return layOut(names, [], room, place(centre)).flatMap((spot, index) => {
+    if (spot < 0) return [];
+    const { text, x, y } = names[index];
+    const [right, down] = wayOf(spot);
+    const long = leaderOf(names[index], spot) / Math.hypot(right, down);
+    return [{ text, box: boxOn(names[index], spot), leader: [x, y, x + right * long, y + down * long] }];
+  });
 }
 
 /** The view's colours as they are now. @param {Scene} scene @param {Background} [background] */
@@ -158,13 +174,20 @@ function draw(scene, wish, canvas) {
     drawLegend(pen, legend, { width, height }, style);
     pen.font = style.font;
     pen.textBaseline = 'middle';
-    for (const { text, x, y } of names ? placedNames(scene, camera, width, height) : []) {
+    pen.strokeStyle = style.ink;
+    for (const { text, box, leader } of names ? placedNames(scene, camera, wish, (text) => pen.measureText(text).width) : []) {
+      pen.globalAlpha = NAME.leader;
+      pen.beginPath();
+      pen.moveTo(leader[0], leader[1]);
+      pen.lineTo(leader[2], leader[3]);
+      pen.stroke();
+      pen.globalAlpha = 1;
       pen.fillStyle = style.paper;
       pen.beginPath();
-      pen.roundRect(x + NAME.left, y + NAME.top, pen.measureText(text).width + 2 * NAME.padding, NAME.height, NAME.corner);
+      pen.roundRect(box.x, box.y, box.width, box.height, NAME.corner);
       pen.fill();
       pen.fillStyle = style.ink;
-      pen.fillText(text, x + NAME.left + NAME.padding, y + NAME.top + NAME.height / 2);
+      pen.fillText(text, box.x + NAME.padding, box.y + box.height / 2);
     }
     pen.restore();
   });

@@ -47,12 +47,12 @@ function draw(scene, title, description, wish) {
     }
     parts.push('</g>', `<g id="names" font-family="${escaped(style.font.replace(/^\S+ /, ''))}" font-size="11.5">`);
     const paper = fill(style.paper);
-    for (const { text, x, y } of names ? placedNames(scene, camera, width, height) : []) {
-      const [left, top] = [x + NAME.left, y + NAME.top];
-      const wide = 6.6 * text.length + 2 * NAME.padding;
+    for (const { text, box, leader } of names ? placedNames(scene, camera, wish, textWidth(style.font)) : []) {
+      const [x1, y1, x2, y2] = leader.map(short);
       parts.push(
-        `<rect x="${short(left)}" y="${short(top)}" width="${short(wide)}" height="${NAME.height}" rx="${NAME.corner}" ${paper}/>`,
-        `<text x="${short(left + wide / 2)}" y="${short(top + 12.5)}" text-anchor="middle" fill="${style.ink}">${escaped(text)}</text>`,
+        `<line x1="${x1}" y1="${y1}" x2="${x2}" y2="${y2}" stroke="${style.ink}" opacity="${NAME.leader}"/>`,
+        `<rect x="${short(box.x)}" y="${short(box.y)}" width="${short(box.width)}" height="${NAME.height}" rx="${NAME.corner}" ${paper}/>`,
+        `<text x="${short(box.x + box.width / 2)}" y="${short(box.y + 12.5)}" text-anchor="middle" fill="${style.ink}">${escaped(text)}</text>`,
       );
     }
     parts.push(...legendShapes(legend, wish, textWidth(legendFont(style.font)), { ink: style.ink, paper }, escaped), '</g>');

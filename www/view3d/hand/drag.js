@@ -49,7 +49,7 @@ function connect(app, scene) {
   const gizmo = createGizmo(scene, () => app.player.invalidateSoon());
   const layer = element('div', { class: 'hand-labels', 'aria-hidden': 'true' });
   app.find('labels').after(layer);
-  const labels = createLabels(layer);
+  const labels = createLabels(layer, true);
 
   const workpiece = workpieceTarget(app);
   const freedoms = createFreedoms(app, scene);
@@ -255,7 +255,7 @@ function connect(app, scene) {
     if (!target) return labels.set([], '', '');
     gizmo.look();
     labels.set(drags.busy ? [] : names(), '', '');
-    labels.place(scene.camera, width, height);
+    labels.place(scene.camera, width, height, scene.size);
     tellPlace(width, height);
   });
   store.select(({ view }) => view.selected, hold);

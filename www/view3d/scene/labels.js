@@ -1,29 +1,56 @@
 /**
- * Names in the scene, as text over the canvas; each says by `data-place` which thing it names.
+ * Names in the scene, as flags over the canvas, with leaders to what they name; each says by `data-place` which thing that is.
  *
  * @typedef {{at: Vector3, text: string, place: string}} Label
  */
 import { Vector3 } from 'three';
 import { element, setText } from '../../ui/dom.js';
-import { layOut, offsetOn } from './label-layout.js';
+import { boxOn, layOut, leaderOf, offsetOn, wayOf } from './label-layout.js';
 
 /** Classes by their rank in the choice of a side. */
 const RANKED = ['', 'pointed', 'chosen'];
 
-/** @param {HTMLElement} layer covers the canvas, and is a container of its size */
-export function createLabels(layer) {
-  /** @type {(import('./label-layout.js').Name & {at: Vector3, tag: HTMLElement, side: number})[]} */
-  let labels = [];
-  const seen = new Vector3();
+/** A thing's half size in link radii, and at most in shares of the view's lesser side: nearer, it fills the view. */
+const THING = 5;
+const MOST = 1 / 6;
 
-  /** @param {(typeof labels)[number]} label */
-  function measure(label) {
-    const { tag } = label;
-    tag.style.left = tag.style.top = '';
-    label.width = tag.offsetWidth;
-    label.height = tag.offsetHeight;
-    label.left = tag.offsetLeft;
-    label.top = tag.offsetTop;
+const seen = new Vector3();
+
+/**
+ * Where a point is in a view, in pixels, and how large the thing at it is; `out` of the view.
+ * @param {Vector3} at @param {import('three').Camera} camera @param {number} width @param {number} height @param {number} link radius of a link
+ */
+export function placeOf(at, { matrixWorldInverse, projectionMatrix }, width, height, link) {
+  const { elements } = projectionMatrix;
+  const depth = elements[15] + elements[11] * seen.copy(at).applyMatrix4(matrixWorldInverse).z;
+  seen.applyMatrix4(projectionMatrix);
+  const clear = Math.min((THING * link * elements[5] * height) / 2 / depth, MOST * Math.min(width, height));
+  const out = seen.z > 1 || Math.abs(seen.x) > 1 || Math.abs(seen.y) > 1;
+  return { x: ((seen.x + 1) / 2) * width, y: ((1 - seen.y) / 2) * height, clear, out };
+}
+
+/** @param {HTMLElement} layer covers the canvas, and is a container of its size @param {boolean} [bare] without leaders, in their places */
+export function createLabels(layer, bare = false) {
+  /** @type {(import('./label-layout.js').Name & {at: Vector3, tag: HTMLElement, leader: string, moved: string})[]} */
+  let labels = [];
+
+  /** Writes only what is different. @param {(typeof labels)[number]} label @param {number} width @param {number} height */
+  function write(label, width, height) {
+    const { tag, x, y, spot } = label;
+    const [right, down] = offsetOn(label, spot);
+    const leader = `${right.toFixed(1)}px ${down.toFixed(1)}px`;
+    if (label.leader !== leader) {
+      label.leader = tag.style.translate = leader;
+      const [across, below] = wayOf(spot);
+      // For style/view.css, which draws the leader from the flag back to the point.
+      tag.style.setProperty('--across', `${across}`);
+      tag.style.setProperty('--below', `${below}`);
+      tag.style.setProperty('--back', `${Math.atan2(-below, -across)}rad`);
+      tag.style.setProperty('--leader', `${leaderOf(label, spot)}px`);
+    }
+    // In shares of the layer, so that they stay in their places where the picture is scaled, as on paper.
+    const moved = `translate(${((100 * x) / width).toFixed(3)}cqw, ${((100 * y) / height).toFixed(3)}cqh)`;
+    if (label.moved !== moved) label.moved = tag.style.transform = moved;
   }
 
   return {
@@ -31,11 +58,14 @@ export function createLabels(layer) {
     set(items, chosen, pointed) {
       while (labels.length > items.length) labels.pop()?.tag.remove();
       items.forEach(({ at, text, place }, index) => {
-        labels[index] ??= { at, tag: layer.appendChild(element('span', {})), x: 0, y: 0, width: 0, height: 0, left: 0, top: 0, rank: 0, kept: false, side: 0 };
+        labels[index] ??= { at, tag: layer.appendChild(element('span', {})), x: 0, y: 0, width: 0, height: 0, clear: 0, rank: 0, kept: false, spot: -1, leader: '', moved: '' };
         const label = labels[index];
         const { tag } = label;
         label.at = at;
-        if (tag.dataset.place !== place) tag.dataset.place = place;
+        if (tag.dataset.place !== place) {
+          tag.dataset.place = place;
+          label.spot = -1;
+        }
         label.rank = place === chosen ? 2 : place === pointed ? 1 : 0;
         label.kept = label.rank > 0;
         // Another text or other letters have another width.
@@ -46,39 +76,28 @@ export function createLabels(layer) {
     },
     /**
      * @param {import('three').Camera} camera @param {number} width @param {number} height
+     * @param {{link: number, centre: Vector3}} size radius of a link, middle of the scene
      * @param {import('./label-layout.js').Box[]} [others] what the names must not cover
+     * @param {import('./label-layout.js').Box} [room] where they are best
      */
-    place(camera, width, height, others = []) {
+    place(camera, width, height, { link, centre }, others = [], room = { x: 0, y: 0, width, height }) {
       const within = labels.filter((label) => {
-        seen.copy(label.at).project(camera);
-        const out = seen.z > 1 || Math.abs(seen.x) > 1 || Math.abs(seen.y) > 1;
-        if (out) label.tag.hidden = true;
-        label.x = ((seen.x + 1) / 2) * width;
-        label.y = ((1 - seen.y) / 2) * height;
-        return !out;
+        const found = placeOf(label.at, camera, width, height, link);
+        Object.assign(label, found, bare && { clear: -1 });
+        if (found.out && !label.tag.hidden) label.tag.hidden = true;
+        return !found.out;
       });
       const fresh = within.filter((label) => !label.width);
       for (const { tag } of fresh) tag.hidden = false;
-      fresh.forEach(measure);
-      layOut(within, others, { width, height }).forEach((side, index) => {
+      for (const label of fresh) Object.assign(label, { width: label.tag.offsetWidth, height: label.tag.offsetHeight });
+      layOut(within, others, room, placeOf(centre, camera, width, height, link)).forEach((spot, index) => {
         const label = within[index];
-        const { tag, x, y } = label;
-        tag.hidden = side < 0;
-        if (side < 0) return;
-        label.side = side;
-        const [right, down] = offsetOn(label, side);
-        tag.style.left = `${right}px`;
-        tag.style.top = `${down}px`;
-        // In shares of the layer, so that they stay in their places where the picture is scaled, as on paper.
-        tag.style.transform = `translate(${((100 * x) / width).toFixed(3)}cqw, ${((100 * y) / height).toFixed(3)}cqh)`;
+        label.spot = spot;
+        if (label.tag.hidden !== spot < 0) label.tag.hidden = spot < 0;
+        if (spot >= 0) write(label, width, height);
       });
     },
     /** Where they stand now. @returns {import('./label-layout.js').Box[]} */
-    boxes() {
-      return labels.filter(({ tag }) => !tag.hidden).map((label) => {
-        const [right, down] = offsetOn(label, label.side);
-        return { x: label.x + right, y: label.y + down, width: label.width, height: label.height };
-      });
-    },
+    boxes: () => labels.filter(({ tag }) => !tag.hidden).map((label) => boxOn(label, label.spot)),
   };
 }

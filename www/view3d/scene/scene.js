@@ -38,7 +38,9 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
   const drawing = createDrawing(canvas, root, signal);
   if (!drawing) return null;
   const window = windowOf(canvas);
-  const view = createCamera(canvas, changed, turned, () => freeShare(canvas));
+  const view = createCamera(canvas, changed, turned, () => (free = freeShare(canvas)));
+  /** The part of the view that it was fitted into. */
+  let free = { x: 0, y: 0, width: 1, height: 1 };
   const materials = createMaterials();
   const light = createLight(drawing.slow, changed, () => pointing());
   const ground = createGround();
@@ -119,7 +121,8 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
     for (const tell of drawn) tell(width, height);
     light.beforeDraw();
     drawing.draw(view.camera);
-    marks.labels.place(view.camera, width, height, [...covering].flatMap((boxes) => boxes()));
+    const room = { x: free.x * width, y: free.y * height, width: free.width * width, height: free.height * height };
+    marks.labels.place(view.camera, width, height, size, [...covering].flatMap((boxes) => boxes()), room);
     canvas.dataset.draws = String(++draws);
   }
 
@@ -182,6 +185,7 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
     get camera() {
       return view.camera;
     },
+    size,
     /** Of the scene, and of a link. */
     get radius() {
       return size.radius;
