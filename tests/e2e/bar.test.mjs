@@ -31,7 +31,7 @@ test('once stops at the end, loop begins again', async () => {
 });
 
 test('first and last frame, and what the slider says', async () => {
-  const { page } = await browser.openPage({ viewport: { width: 1300, height: 600 } });
+  const { page } = await browser.openPage({ viewport: { width: 1400, height: 600 } });
   await button(page, 'To the last frame').click();
   assert.equal(await frame(page), 129);
   assert.match(await page.getAttribute('#scrub', 'aria-valuetext'), /^Frame 129 of 129: reached/);
@@ -132,11 +132,13 @@ test('how frames ended is told apart without colour', async () => {
   assert.match(await page.getAttribute('#strip', 'aria-label'), /2 reached, 127 closest/);
 });
 
-for (const width of [800, 1100, 1300, 390]) {
-  test(`the bar is two rows at ${width}`, async () => {
+for (const [width, rows] of [[800, 2], [1100, 1], [1300, 1], [390, 2]]) {
+  test(`the bar has ${rows} rows at ${width}`, async () => {
     const { page } = await browser.openPage({ viewport: { width, height: 600 } });
     const box = async (id) => page.locator(id).boundingBox();
-    const [buttons, modes] = [await box('#play'), await box('#speed')];
+    const [buttons, modes, track] = [await box('#play'), await box('#speed'), await box('#track')];
+    assert.equal(track.y + track.height <= buttons.y, rows === 2, 'the track stands above the buttons, or beside them');
+    if (rows === 1) assert.ok(track.x > buttons.x + buttons.width && track.x + track.width < modes.x && track.width > 200);
     assert.ok(Math.abs(buttons.y - modes.y) < 8, 'buttons and speed stand in one line');
     assert.ok(modes.x + modes.width <= (await box('.stage')).x + (await box('.stage')).width);
   });

@@ -117,6 +117,12 @@ export async function doTo(page, thing, what) {
   await page.getByRole('menuitem', { name: what, exact: true }).click();
 }
 
+/** The charts and the algorithm are folded away until they are wanted. @param {import('playwright-core').Page} page */
+export async function unfoldCharts(page) {
+  const fold = page.getByRole('button', { name: 'Charts and algorithm' });
+  if ((await fold.getAttribute('aria-expanded')) === 'false') await fold.click();
+}
+
 /** Goes to a frame as a person does who drags the scrub bar. */
 export const scrubTo = (page, frame) => page.locator('#scrub').fill(String(frame));
 

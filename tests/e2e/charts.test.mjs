@@ -13,10 +13,10 @@ const PHONE = { viewport: { width: 390, height: 844 }, isMobile: true, hasTouch:
 
 const chart = (page, name) => page.getByRole('region', { name, exact: true });
 
-/** In the small window the dock is folded at first. */
+/** The dock is folded at first. */
 async function openCharts(options) {
   const { page, problems } = await browser.openPage(options);
-  assert.equal(await page.locator('#charts').isVisible(), false, 'folded in a low window');
+  assert.equal(await page.locator('#charts').isVisible(), false, 'folded until it is wanted');
   await page.getByRole('tab', { name: 'Charts' }).click();
   await chart(page, 'Translation gap').waitFor();
   return { page, problems };

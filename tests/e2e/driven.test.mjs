@@ -6,7 +6,7 @@ import { join } from 'node:path';
 import { after, afterEach, before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { violations } from './axe.mjs';
-import { cell, doTo, keeps, notice, number, openBrowser, openSample, scrubTo, text } from './browser.mjs';
+import { cell, doTo, keeps, notice, number, openBrowser, openSample, scrubTo, text, unfoldCharts } from './browser.mjs';
 
 let browser;
 let problems = [];
@@ -57,6 +57,7 @@ test('the crank goes round, and nothing is said of a goal; the key frames come b
   assert.match(await text(page, 'motion-summary'), /^73 frames: 73 reached\.\s*$/);
   assert.ok(number(await text(page, 'closure')) <= 1e-10);
   await page.waitForFunction(() => page$('#why-title')?.textContent === 'What is free here' && !page$('#why').matches('.waiting, .unsaid, [hidden]') && /180°/.test(page$('#live').textContent));
+  await unfoldCharts(page);
   // Chebyshev's stroke is almost a straight line, 1.6 m above the ground.
   await page.getByRole('region', { name: 'Workpiece’s origin' }).or(page.locator('section.chart[aria-label="Workpiece’s origin"]')).first().waitFor();
   const titles = await page.locator('#charts section.chart').evaluateAll((charts) => charts.map((chart) => chart.getAttribute('aria-label')));

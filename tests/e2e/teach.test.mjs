@@ -49,7 +49,7 @@ test('a slider drives its joint; the others follow, every loop stays closed', as
   // A joint that is driven has no goal: nothing is said of one, of a gap, or of what holds the workpiece back.
   await page.waitForFunction(() => /driven/.test(page$('#live').textContent) && page$('#why-title')?.textContent === 'What is free here' && !page$('#why').matches('.waiting, .unsaid, [hidden]'));
   const said = await page.evaluate(() => {
-    const parts = ['#info > section:first-child', '#why', '#live', '#canvas-text', '#by-hand'].map((id) => page$(id).cloneNode(true));
+    const parts = ['#info > section:first-child', '#certificate', '#why', '#live', '#canvas-text', '#by-hand'].map((id) => page$(id).cloneNode(true));
     for (const part of parts) for (const gone of part.querySelectorAll('[hidden]')) gone.remove();
     return [...parts.map((part) => part.textContent), page$('#scrub').getAttribute('aria-valuetext')].join(' ');
   });

@@ -10,7 +10,7 @@ before(async () => {
 after(() => browser.close());
 
 /** The info panel stands beside the view. */
-const WIDE = { viewport: { width: 1120, height: 700 } };
+const WIDE = { viewport: { width: 1280, height: 700 } };
 const why = (page) => page.getByRole('region', { name: 'Why not closer' });
 const percent = (shown) => Number(/(\d+) %/.exec(shown)[1]);
 

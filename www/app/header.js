@@ -12,7 +12,7 @@ import { menuButton } from '../ui/menu.js';
 import { createTheme } from './theme.js';
 
 /**
- * @param {App} app
+ * @param {import('../element/workbench.js').AppWithPanels} app
  * @param {ReturnType<typeof import('./files/documents.js').createDocuments>} documents
  * @param {{earlier: () => import('./files/browser-storage.js').Earlier[]}} keeper
  */
@@ -20,6 +20,7 @@ export function createHeader(app, documents, keeper) {
   const { store } = app;
   createTheme();
   createAbout(store);
+  store.select(({ view }) => view.only, (only) => (/** @type {HTMLElement} */ (byId('menus').parentElement).hidden = only));
 
   const examples = () => withPart(app, 'The examples', () => import('./gallery.js'), ({ openGallery }) => openGallery(app));
   const earlier = () => withPart(app, 'The list of earlier documents', () => import('./earlier.js'), ({ openEarlier }) => openEarlier(app, keeper.earlier()));
@@ -28,6 +29,7 @@ export function createHeader(app, documents, keeper) {
     // Its target is inside the element, where no address reaches.
     event.preventDefault();
     const shown = app.root.querySelector('.tables > .shown, .info.shown');
+    app.unfold(shown ?? app.find('tables'));
     const [first] = /** @type {HTMLElement[]} */ ([...(shown?.querySelectorAll('input, select, textarea, button') ?? [])]).filter((field) => field.checkVisibility() && !field.matches(':disabled'));
     (first ?? app.find('tabs').querySelector('[aria-selected=true]'))?.focus();
   });

@@ -70,7 +70,8 @@
  * @typedef {{frame: number, playing: boolean, moving: string, posture: (Posture & {note?: string}) | null, selected: string, hovered: string,
  *   speed: number, loop: 'once' | 'loop' | 'bounce',
  *   side: keyof typeof import('./standard-views.js').STANDARD_VIEWS | '', charts: string[],
- *   projection: 'perspective' | 'orthographic', show: Shown, ghosts: 'none' | 'keys' | 'spread' | number[]}} View
+ *   projection: 'perspective' | 'orthographic', show: Shown, ghosts: 'none' | 'keys' | 'spread' | number[],
+ *   only: boolean}} View
  *
  * What the 3D view draws beside the linkage.
  * @typedef {{goal: boolean, closest: boolean, gaps: boolean, names: boolean, axes: boolean, ground: boolean}} Shown

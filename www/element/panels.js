@@ -9,6 +9,7 @@ import { ask, untilAnswered } from '../core/ask.js';
 import { allTimes, keyFrameFrames } from '../core/playhead.js';
 import { textOf } from '../core/document-text.js';
 import { createDock } from '../panels/dock.js';
+import { createFolds } from '../panels/folds.js';
 import { whenSeen } from '../ui/lazy.js';
 import { createSelection } from '../panels/tables/selection.js';
 import { createStatus } from '../panels/info/status.js';
@@ -31,10 +32,12 @@ export async function createPanels(bare, banners) {
   template.innerHTML = markup;
   find('frame').append(template.content);
   find('stage').append(find('dock'));
+  find('canvas').closest('.view')?.append(find('fold-tables'), find('fold-info'));
+  find('track').parentElement?.append(find('view-only'));
   leaveOut(bare);
 
   const tabs = createTabs(find('tabs'));
-  const app = { ...bare, tabs };
+  const app = { ...bare, tabs, ...createFolds(bare) };
   tabs.settle();
   createDock(app, createTabs(find('dock-tabs')));
   app.explain();
@@ -56,7 +59,10 @@ export async function createPanels(bare, banners) {
   createTree(/** @type {HTMLDetailsElement} */ (find('objects')), app, selection.enter);
   createStatus(app);
   createWhy(app);
-  banners.goToFault(() => tables.focusFault((panel) => tabs.choosePanel(panel)));
+  banners.goToFault(() => tables.focusFault((panel) => {
+    app.unfold(panel);
+    tabs.choosePanel(panel);
+  }));
   whenSeen(find('algorithm'), 'The algorithm', async () => (await import('../panels/algorithm/algorithm.js')).createAlgorithm(app, find('algorithm')));
   whenSeen(find('charts'), 'The charts', async () => (await import('../panels/charts/charts.js')).createCharts(app, find('charts')));
   whenSeen(find('types'), 'The types', async () => (await import('../panels/types/types-panel.js')).createTypes(app, find('types')));

@@ -21,7 +21,7 @@
  *   explain: () => void,
  * }} App what every part may use: `find` an element of the shadow tree; `narrow` if it has the width of a phone; `scene`
  *   null where there is no WebGL; `explain` keeps the store's `why` up to date from then on
- * @typedef {App & {tabs: ReturnType<typeof import('../ui/tabs.js').createTabs>}} AppWithPanels
+ * @typedef {App & {tabs: ReturnType<typeof import('../ui/tabs.js').createTabs>} & ReturnType<typeof import('../panels/folds.js').createFolds>} AppWithPanels
  */
 import { finder } from '../ui/dom.js';
 import { createExplainer } from '../core/explain.js';

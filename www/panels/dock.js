@@ -4,9 +4,8 @@
  * @typedef {ReturnType<typeof import('../ui/tabs.js').createTabs>} Tabs
  */
 import { windowOf } from '../ui/dom.js';
+import { recall, remember } from './kept-layout.js';
 
-/** Where the browser remembers the dock. */
-const KEY = 'synthetica.dock';
 /** Below this height of the whole, in pixels, the view needs the room itself. */
 const LOW = 650;
 /** Pixels. */
@@ -15,15 +14,18 @@ const STEP = 24;
 /** What stays of the view's height, in pixels. */
 const VIEW = 160;
 
-/** @param {Pick<import('../element/workbench.js').AppWithPanels, 'find' | 'narrow' | 'tabs' | 'signal'>} app @param {Tabs} dockTabs */
-export function createDock({ find, narrow, tabs, signal }, dockTabs) {
+/** @param {Pick<import('../element/workbench.js').AppWithPanels, 'find' | 'root' | 'keys' | 'interaction' | 'narrow' | 'tabs' | 'signal'>} app @param {Tabs} dockTabs */
+export function createDock({ find, root, keys, interaction, narrow, tabs, signal }, dockTabs) {
   const dock = find('dock');
   const handle = find('dock-handle');
   const toggle = find('dock-toggle');
   const view = /** @type {HTMLElement} */ (dock.parentElement?.querySelector('.view'));
   // On a phone the whole is as high as its content.
   const room = narrow() ? innerHeight : find('bench').clientHeight;
-  const state = { height: Math.round(Math.min(340, Math.max(190, 0.29 * room))), open: room >= LOW, ...recall() };
+  const { height = Math.round(Math.min(340, Math.max(190, 0.29 * room))), open } = recall();
+  // In the applet the view has the room until charts are wanted; another page that asks for charts wants them.
+  const isGuest = interaction !== 'full' || keys === root;
+  const state = { height: Math.max(LEAST, height), open: open ?? (isGuest && room >= LOW) };
 
   const panelHeight = () => /** @type {HTMLElement | null} */ (dock.querySelector('.panel.shown'))?.offsetHeight ?? 0;
   const most = () => Math.max(LEAST, panelHeight() + view.offsetHeight - VIEW);
@@ -91,24 +93,4 @@ export function createDock({ find, narrow, tabs, signal }, dockTabs) {
   new ResizeObserver(arrange).observe(find('bench'));
   arrange();
   show();
-}
-
-/** @returns {{height?: number, open?: boolean}} */
-function recall() {
-  try {
-    const { height, open } = JSON.parse(localStorage.getItem(KEY) ?? '{}');
-    return { ...(height >= LEAST && { height }), ...(typeof open === 'boolean' && { open }) };
-  } catch {
-    // Storage may be forbidden, or hold something else.
-    return {};
-  }
-}
-
-/** @param {object} state */
-function remember(state) {
-  try {
-    localStorage.setItem(KEY, JSON.stringify(state));
-  } catch {
-    // Then the dock opens as it does for the first time.
-  }
 }

@@ -23,7 +23,7 @@ const UNKNOWN = '…';
 
 /** @param {App} app @param {Lesson} lesson */
 export function showLesson(app, lesson) {
-  const { store, player, tabs, say, find } = app;
+  const { store, player, tabs, say, find, unfold } = app;
   wear(app.root, look);
   const panel = find('lesson');
   const body = element('article', { class: 'lesson' });
@@ -41,6 +41,7 @@ export function showLesson(app, lesson) {
     body,
   );
   find('tab-lesson').hidden = false;
+  unfold(panel);
   tabs.choosePanel(panel);
 
   const address = new URL(`?lesson=${lesson.id}`, location.href);
@@ -70,8 +71,9 @@ export function showLesson(app, lesson) {
     },
     panel: ({ panel: id }) => {
       const target = find(id ?? '');
+      if (!target.offsetParent) unfold(target);
       // The lesson gives way only where the other panel cannot stand beside it.
-      if (!target.offsetParent) tabs.choosePanel(target);
+      if (!target.offsetParent) find(`tab-${id}`).click();
       target.scrollIntoView({ block: 'nearest' });
       target.classList.add('look-here');
       setTimeout(() => target.classList.remove('look-here'), 1500);

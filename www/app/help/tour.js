@@ -13,8 +13,8 @@ const GAP = 12;
 const NOTES = [
   { at: '#canvas', text: 'The linkage tries to follow the dark motion. The light one is the closest that it can come. Drag to look around, scroll or pinch to zoom.' },
   { at: '.transport', text: 'Play, or scrub through the frames. The strip shows how large the gap is at each frame, and whether the goal is reached.' },
-  { at: '#info, #tab-info', text: 'How far this frame is from its goal, and why it comes no closer: which chain holds the workpiece back.' },
-  { at: '#tables', text: 'Change any number: the motion is planned anew as you type. Ctrl+Z takes it back.' },
+  { at: '#info, #tab-info, #fold-info', text: 'How far this frame is from its goal, and why it comes no closer: which chain holds the workpiece back.' },
+  { at: '#tables, #fold-tables', text: 'Change any number: the motion is planned anew as you type. Ctrl+Z takes it back.' },
   { at: '#canvas', text: 'Or move things by hand: click a key frame or the workpiece in the view, and drag.' },
   { at: '#menus', text: 'Examples, files, links to share, pictures and films are up here. Help has lessons, and this first minute again.' },
 ];

@@ -20,12 +20,16 @@ const STANDARD = {
   first: undefined,
 };
 
-/** @param {Pick<import('../../element/workbench.js').App, 'find' | 'store' | 'player' | 'planner'>} app */
-export function createStatus({ find, store, player, planner }) {
+/** Numbers that have a bound, by the ids of their outputs. @type {Record<string, string>} */
+const NAMES = { closure: 'closure', misfit: 'misfit', gradient: 'projected gradient', curvature: 'least curvature' };
+
+/** @param {Pick<import('../../element/workbench.js').AppWithPanels, 'find' | 'store' | 'player' | 'planner' | 'unfold'>} app */
+export function createStatus({ find, store, player, planner, unfold }) {
   const looksStandard = createStandardHint({ store, planner }, () => showMotion());
   /** All tables, as printed. The warning goes, and the focus with it to what is told beside the table. */
   function readAsStandard() {
     store.edit((doc) => ({ ...doc, chains: doc.chains.map((chain) => (chain.joints.every(({ rows }) => rows) ? { ...chain, convention: 'standard' } : chain)) }));
+    unfold(find('mechanism'));
     const tree = /** @type {ShadowRoot} */ (find('warnings').getRootNode());
     /** @type {HTMLElement | null} */ (tree.querySelector('[data-path$=".convention"]'))?.focus();
   }
@@ -64,6 +68,17 @@ export function createStatus({ find, store, player, planner }) {
     ];
     outputs.forEach((id, i) => setText(find(id), texts[i]));
     for (const [id, text] of Object.entries(numbers.bounds)) setText(find(`${id}-bound`), text);
+    showFaults(numbers.out, end.status);
+  }
+
+  /** What is not within its bound is told beside the fold's name, and marked inside. @param {Set<string>} out ids of numbers @param {string} status */
+  function showFaults(out, status) {
+    const faults = [...out].map((id) => NAMES[id] ?? '');
+    const note = find('certificate-fault');
+    const text = faults.length ? `not within its bound: ${faults.join(', ')}` : ['stalled', 'closure_lost'].includes(status) ? 'not certified' : '';
+    setText(note, text);
+    note.hidden = text === '';
+    for (const id of Object.keys(NAMES)) find(id).closest('div')?.classList.toggle('out', out.has(id));
   }
 
   /** @param {string} text @param {number} frame */
@@ -152,13 +167,25 @@ export function certificateNumbers({ result: { motion }, view: { posture }, why 
   const bounds = motion?.report.bounds;
   const atMost = (/** @type {number | undefined} */ bound) => (bound === undefined ? '' : `at most ${scientific(bound)}`);
   const curvature = why?.least_curvature;
+  const gradient = Number.isFinite(end.projected_gradient) ? end.projected_gradient : why?.projected_gradient;
+  const steepest = posture ? why?.stationary : bounds?.projected_gradient;
+  const noGoal = hasNoGoal({ result: { motion }, view: { posture } });
+  /** @type {[string, boolean][]} */
+  const outside = [
+    ['closure', end.closure > (bounds?.closure ?? Infinity)],
+    ['misfit', end.misfit > (bounds?.misfit ?? Infinity)],
+    ['gradient', !noGoal && (gradient ?? 0) > (steepest ?? Infinity)],
+    ['curvature', !noGoal && why != null && curvature != null && curvature < -why.flat],
+  ];
   return {
-    gradient: Number.isFinite(end.projected_gradient) ? end.projected_gradient : why?.projected_gradient,
+    gradient,
     curvature,
+    /** Ids of the numbers that are not within their bounds. */
+    out: new Set(outside.flatMap(([id, isOut]) => (isOut ? [id] : []))),
     bounds: {
       closure: atMost(bounds?.closure),
       misfit: atMost(bounds?.misfit),
-      gradient: atMost(posture ? why?.stationary : bounds?.projected_gradient),
+      gradient: atMost(steepest),
       curvature: why && curvature != null ? `at least ${scientific(-why.flat)}` : '',
     },
   };

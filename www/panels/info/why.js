@@ -12,8 +12,8 @@ import { sentence } from '../../core/format.js';
 import { groupAt, hasNoGoal, shown, shownEnd } from '../../core/shown.js';
 import { atLimits, certificate, mostHolding, percentages, twistInWords, wrenchInWords } from './why-words.js';
 
-/** @param {Pick<import('../../element/workbench.js').App, 'find' | 'store'>} app */
-export function createWhy({ find, store }) {
+/** @param {Pick<import('../../element/workbench.js').App, 'find' | 'store' | 'explain'>} app */
+export function createWhy({ find, store, explain }) {
   const root = find('why');
   /** Kept while a frame between has no gap. */
   let gapOpen = false;
@@ -85,7 +85,21 @@ export function createWhy({ find, store }) {
     return kind === 'held' && why ? holding(why) : nothing;
   }
 
-  /** Which kind of words stand there now; '' before there are any. */
+  let isAsked = false;
+  /** What can be said of a posture only when the planner has been asked, which a person may wish. @param {string} kind */
+  function wish(kind) {
+    if (isAsked) return html`<p class="muted">The planner is being asked …</p>`;
+    const ask = () => {
+      isAsked = true;
+      explain();
+      show();
+      // The button is gone.
+      root.focus();
+    };
+    return html`<button class="link" @click=${ask}>${kind === 'held' ? 'Show what holds it back' : 'Show the freedoms here'}</button>`;
+  }
+
+  /** Which kind of words stand there now; '' before the planner has said any. */
   let said = '';
   /** What is said belongs to what is shown; while that moves the words of a moment ago stay, unless they would contradict it. */
   function show() {
@@ -105,12 +119,14 @@ export function createWhy({ find, store }) {
     const contradicts = said !== kind || of?.doc !== what.doc;
     root.classList.toggle('waiting', stale && !contradicts);
     root.classList.toggle('unsaid', stale && contradicts);
-    root.hidden = stale && (!why || said === '');
-    if (stale) return;
-    said = kind;
+    const unasked = stale && !why && said === '';
+    root.hidden = stale && !unasked && (!why || said === '');
+    if (stale && !unasked) return;
+    if (unasked) root.classList.remove('waiting', 'unsaid');
+    else said = kind;
     render(
       html`<h2 id="why-title">${byMotion && ['at_limit', 'stalled'].includes(end.status) ? 'What stops the drivers' : driven ? 'What is free here' : 'Why not closer'}</h2>
-        ${ofDrivers()}${ofGoal(kind, why)}${why && end.status !== 'closure_lost' ? freedoms(why) : nothing}`,
+        ${ofDrivers()}${ofGoal(kind, why)}${unasked ? wish(kind) : why && end.status !== 'closure_lost' ? freedoms(why) : nothing}`,
       root,
     );
   }
