@@ -1,7 +1,7 @@
 // What the build leaves out of the 3D library's shaders is asked for by none that is compiled.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { NEVER_DEFINED } from '../../tools/tight.js';
+import { NEVER_DEFINED } from '../../tools/lean/shaders.js';
 import { openBrowser } from './browser.mjs';
 
 test('no shader is compiled with what the build has left out', async () => {

@@ -2,7 +2,6 @@
  * How much of a pointer, a wheel and fingers the view takes from the page around it: nothing (`none`), what the page does not
  * need to scroll (`ctrl`), or everything (`full`).
  */
-import { TOUCH } from 'three';
 import { element, setText } from '../ui/dom.js';
 
 /** How long the note stays after the last try, in milliseconds. */
@@ -41,17 +40,17 @@ export function createInteraction({ scene, interaction, signal }) {
   canvas.addEventListener(
     'wheel',
     ({ ctrlKey, metaKey }) => {
-      controls.enableZoom = ctrlKey || metaKey;
-      if (!controls.enableZoom) tell(WHEEL);
+      controls.zooms = ctrlKey || metaKey;
+      if (!controls.zooms) tell(WHEEL);
     },
     { capture: true, passive: true },
   );
   canvas.addEventListener('wheel', () => {
-    controls.enableZoom = true;
+    controls.zooms = true;
   }, { passive: true });
 
   canvas.style.touchAction = 'pan-x pan-y';
-  controls.touches = { ONE: null, TWO: TOUCH.DOLLY_ROTATE };
+  controls.leavesOneFinger = true;
   for (const type of /** @type {const} */ (['touchstart', 'touchmove'])) {
     canvas.addEventListener(
       type,

@@ -9,15 +9,15 @@
  * @property {number} right where the target is seen, from the middle of the view, in shares of its width
  * @property {number} low the same downwards, in shares of its height
  */
-import { MathUtils, OrthographicCamera, PerspectiveCamera, Vector3 } from 'three';
-import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { OrthographicCamera, PerspectiveCamera, Vector3 } from 'three';
 import { STANDARD_VIEWS } from '../../core/standard-views.js';
 import { onKeys } from '../../ui/keys.js';
 import { enclose } from './enclosing.js';
+import { createOrbit } from './orbit.js';
 import { hasLeft, showsWell } from './refit.js';
 
-/** Degrees of one arrow key's turn, share of the view of its shift, share of one key's zoom. */
-const TURN = 6;
+/** Radians of one arrow key's turn, share of the view of its shift, share of one key's zoom. */
+const TURN = Math.PI / 30;
 const SHIFT = 0.05;
 /** Where each arrow key goes, in the order of the list of keys. */
 const ARROWS = [[-1, 0], [1, 0], [0, 1], [0, -1]];
@@ -32,7 +32,12 @@ const FARTHEST = 12;
 const FARTHEST_TARGET = 6;
 
 /** Half the height of the view at distance 1. */
-const SLOPE = Math.tan(15 * MathUtils.DEG2RAD);
+const SLOPE = Math.tan(Math.PI / 12);
+
+/** @param {number} value @param {number} low @param {number} high */
+const clamp = (value, low, high) => Math.max(low, Math.min(high, value));
+/** @param {number} from @param {number} to @param {number} share */
+const between = (from, to, share) => from + (to - from) * share;
 
 /** Straight above and below, the view still needs to know what is up. */
 const UPRIGHT = 1e-4;
@@ -50,7 +55,8 @@ export function createCamera(canvas, changed, turned, free) {
   for (const camera of [perspective, parallel]) camera.up.set(0, 0, 1);
   /** @type {PerspectiveCamera | OrthographicCamera} */
   let camera = perspective;
-  const controls = new OrbitControls(/** @type {import('three').Camera} */ (camera), canvas);
+  /** What it turns about. */
+  const aim = new Vector3();
   /** @type {import('./measure.js').Home} */
   let home = { centre: new Vector3(), radius: 1, each: () => {}, margin: 0 };
   const middle = { right: 0, low: 0 };
@@ -62,19 +68,26 @@ export function createCamera(canvas, changed, turned, free) {
   /** @type {{from: Look, to: Look, since: number} | null} */
   let move = null;
 
-  controls.addEventListener('change', () => {
-    clip();
-    changed();
-  });
-  controls.addEventListener('start', () => {
-    turned();
-    untouched = false;
-    move = null;
+  const controls = createOrbit(canvas, {
+    start() {
+      turned();
+      untouched = false;
+      move = null;
+    },
+    turn(right, down) {
+      const from = look();
+      take({ ...from, around: from.around - 2 * Math.PI * right, down: from.down - 2 * Math.PI * down });
+    },
+    shift: (right, down) => take({ ...look(), target: shift(-right, down) }),
+    zoom(times) {
+      const from = look();
+      take({ ...from, reach: from.reach * times });
+    },
   });
 
   /** Near and far around the scene, wherever the camera is. */
   function clip() {
-    const distance = camera.position.distanceTo(controls.target);
+    const distance = camera.position.distanceTo(aim);
     perspective.near = Math.min(distance, home.radius) / 100;
     perspective.far = distance + 60 * home.radius;
     parallel.near = -60 * home.radius;
@@ -84,33 +97,29 @@ export function createCamera(canvas, changed, turned, free) {
 
   /** @returns {Look} */
   function look() {
-    const arm = camera.position.clone().sub(controls.target);
+    const arm = camera.position.clone().sub(aim);
     const distance = arm.length();
     return {
       around: Math.atan2(arm.x, -arm.y),
-      down: Math.acos(MathUtils.clamp(arm.z / distance, -1, 1)),
+      down: Math.acos(clamp(arm.z / distance, -1, 1)),
       reach: camera === parallel ? parallel.top / parallel.zoom : distance * SLOPE,
-      target: controls.target.clone(),
+      target: aim.clone(),
       ...middle,
     };
   }
 
   /** @param {Look} look */
   function take({ around, down, reach, target, right, low }) {
-    const kept = MathUtils.clamp(reach, NEAREST * home.radius, FARTHEST * home.radius);
-    const tilt = MathUtils.clamp(down, UPRIGHT, Math.PI - UPRIGHT);
+    const kept = clamp(reach, NEAREST * home.radius, FARTHEST * home.radius);
+    const tilt = clamp(down, UPRIGHT, Math.PI - UPRIGHT);
     Object.assign(middle, { right, low });
     for (const one of [perspective, parallel]) one.view = { enabled: true, fullWidth: 1, fullHeight: 1, offsetX: -right, offsetY: -low, width: 1, height: 1 };
-    controls.target.copy(target);
-    camera.position.copy(target).addScaledVector(armOf(around, tilt), kept / SLOPE);
+    aim.copy(target).sub(home.centre).clampLength(0, FARTHEST_TARGET * home.radius).add(home.centre);
+    camera.position.copy(aim).addScaledVector(armOf(around, tilt), kept / SLOPE);
+    camera.lookAt(aim);
     parallel.zoom = 1;
     Object.assign(parallel, { top: kept, bottom: -kept, right: kept * perspective.aspect, left: -kept * perspective.aspect });
-    controls.minDistance = (NEAREST * home.radius) / SLOPE;
-    controls.maxDistance = (FARTHEST * home.radius) / SLOPE;
-    controls.minZoom = kept / (FARTHEST * home.radius);
-    controls.maxZoom = kept / (NEAREST * home.radius);
     clip();
-    controls.update();
     changed();
   }
 
@@ -123,7 +132,7 @@ export function createCamera(canvas, changed, turned, free) {
       return take(to);
     }
     // The short way around.
-    to.around = from.around + MathUtils.euclideanModulo(to.around - from.around + Math.PI, 2 * Math.PI) - Math.PI;
+    to.around -= 2 * Math.PI * Math.round((to.around - from.around) / (2 * Math.PI));
     move = { from, to, since: performance.now() };
     changed();
   }
@@ -175,8 +184,7 @@ export function createCamera(canvas, changed, turned, free) {
     turnView(_, at) {
       const [x, y] = ARROWS[at];
       const { around: angle, down } = look();
-      const step = TURN * MathUtils.DEG2RAD;
-      by({ around: angle + x * step, down: MathUtils.clamp(down - y * step, 0, Math.PI) }, true);
+      by({ around: angle + x * TURN, down: clamp(down - y * TURN, 0, Math.PI) }, true);
     },
     shiftView: (_, at) => by({ target: shift(ARROWS[at][0] * SHIFT, ARROWS[at][1] * SHIFT) }),
     zoomIn: () => by({ reach: look().reach * ZOOM }),
@@ -196,12 +204,12 @@ export function createCamera(canvas, changed, turned, free) {
       const { from, to } = move;
       if (share === 1) move = null;
       take({
-        around: MathUtils.lerp(from.around, to.around, soft),
-        down: MathUtils.lerp(from.down, to.down, soft),
-        reach: MathUtils.lerp(from.reach, to.reach, soft),
+        around: between(from.around, to.around, soft),
+        down: between(from.down, to.down, soft),
+        reach: between(from.reach, to.reach, soft),
         target: from.target.clone().lerp(to.target, soft),
-        right: MathUtils.lerp(from.right, to.right, soft),
-        low: MathUtils.lerp(from.low, to.low, soft),
+        right: between(from.right, to.right, soft),
+        low: between(from.low, to.low, soft),
       });
     },
     /** Shows everything, from where it is seen now. */
@@ -232,14 +240,11 @@ export function createCamera(canvas, changed, turned, free) {
       if (camera === wanted) return;
       const now = look();
       camera = wanted;
-      controls.object = camera;
       take(now);
     },
     /** What `fit` shows. @param {import('./measure.js').Home} next */
     setHome(next) {
       home = next;
-      controls.cursor.copy(home.centre);
-      controls.maxTargetRadius = FARTHEST_TARGET * home.radius;
       clip();
     },
     /** @param {number} aspect */

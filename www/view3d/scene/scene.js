@@ -180,7 +180,7 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
       view.fitTo(center, Math.max(1.3 * radius, 0.1 * size.radius));
       return true;
     },
-    /** Orbit, pan and zoom; `enabled` is off while something else is dragged. */
+    /** Turning, shifting and zooming by hand. */
     controls: view.controls,
     get camera() {
       return view.camera;
