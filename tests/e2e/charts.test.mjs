@@ -1,7 +1,7 @@
 // Charts: the motion's numbers, the playhead, scrubbing, series, tables; the dock that holds them.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { cell, number, openBrowser, otherMetric, scrubTo, text } from './browser.mjs';
+import { cell, number, openBrowser, otherMetric, scrubTo, text, unfoldCharts } from './browser.mjs';
 
 let browser;
 before(async () => {
@@ -203,6 +203,7 @@ test('on a phone the charts are a tab among the others', async () => {
   await page.touchscreen.tap(box.x + box.width / 2, box.y + 30);
   assert.match(await text(page, 'frame-number'), /^6[456] \//);
   await page.setViewportSize({ width: 1000, height: 844 });
+  await unfoldCharts(page);
   await page.locator('#dock').getByRole('tabpanel', { name: 'Charts' }).waitFor();
   assert.ok(await page.locator('#mechanism').isVisible(), 'the tables are back');
   assert.deepEqual(problems, []);

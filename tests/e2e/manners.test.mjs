@@ -20,7 +20,7 @@ test('on a phone nothing sticks out, and every panel can be reached', async () =
     assert.ok(await page.getByRole('tabpanel', { name }).isVisible(), name);
     assert.equal(await overflow(page), 0, name);
   }
-  assert.ok(await page.locator('#closure').isVisible());
+  assert.ok(await page.locator('#gap-translation').isVisible());
   const view = await page.locator('#canvas').boundingBox();
   assert.ok(view.width === 390 && view.y < 844 / 3, 'the view is on top');
   assert.deepEqual(problems, []);

@@ -51,13 +51,19 @@ test('a certificate says what is certain as Rust’s status does, and by Rust’
 test('values and bounds of the certificate stand side by side, and are Rust’s', () => {
   const motion = { report: { bounds: { ...bounds, projected_gradient: 1e-7 } } };
   const why = { projected_gradient: 3.1e-12, stationary: 2.5e-10, least_curvature: -4e-10, flat: 1e-9 };
-  const end = { projected_gradient: 5e-8 };
+  const end = { projected_gradient: 5e-8, closure: 1e-11, misfit: 0 };
   const of = (posture, known = why) => certificateNumbers({ result: { motion }, view: { posture }, why: known }, end);
   assert.deepEqual(of(null), {
     gradient: 5e-8,
     curvature: -4e-10,
+    out: [],
     bounds: { closure: 'at most 1.0e−10', misfit: 'at most 1.0e−6', gradient: 'at most 1.0e−7', curvature: 'at least −1.0e−9' },
   });
+  assert.deepEqual(of({}).out, ['gradient'], 'and its bound is not kept');
+  assert.deepEqual(of(null, { ...why, flat: 1e-10 }).out, ['curvature']);
+  const open = { ...end, closure: 2e-10, misfit: 2e-6 };
+  assert.deepEqual(certificateNumbers({ result: { motion }, view: { posture: null }, why }, open).out, ['closure', 'misfit']);
+  assert.deepEqual(certificateNumbers({ result: { motion }, view: { posture: { value: 1 } }, why }, open).out, ['closure', 'misfit'], 'a joint that is driven by hand has no goal');
   assert.equal(of({}).bounds.gradient, 'at most 2.5e−10', 'by hand it is Newton’s method that answers');
   // An iterate of the gradient method: ‖a‖ is another measure than that of the bound.
   end.projected_gradient = NaN;

@@ -6,12 +6,7 @@ import { setText } from '../ui/dom.js';
 import { KEYS, keyTip, onKeys } from '../ui/keys.js';
 import { recall, remember } from './kept-layout.js';
 
-/** @typedef {'tables' | 'info'} Side */
-/** @type {[Side, string][]} */
-const SIDES = [
-  ['tables', 'the tables'],
-  ['info', 'the info panel'],
-];
+const SIDES = /** @type {const} */ (['tables', 'info']);
 
 /** Screens whose lesser side is below this are phones, in pixels: held across, one has no room for tables beside the view. */
 const PHONE = 480;
@@ -24,8 +19,7 @@ export function createFolds({ find, root, store, keys, signal }) {
   const frame = find('frame');
   const button = find('view-only');
   const kept = recall();
-  const isPhone = Math.min(screen.width, screen.height) < PHONE;
-  const open = { tables: kept.tables ?? !isPhone, info: kept.info ?? true };
+  const open = { tables: true, info: kept.info ?? true };
 
   /** Nothing that is hidden keeps the focus. @param {() => void} change @param {HTMLElement} next takes it then */
   function keepFocus(change, next) {
@@ -34,22 +28,25 @@ export function createFolds({ find, root, store, keys, signal }) {
     if (at && !at.checkVisibility()) next.focus();
   }
 
-  /** @param {Side} side @param {boolean} isOpen */
+  /** @param {(typeof SIDES)[number]} side @param {boolean} isOpen */
   function set(side, isOpen) {
     open[side] = isOpen;
     const fold = find(`fold-${side}`);
     keepFocus(() => frame.classList.toggle(`no-${side}`, !isOpen), fold);
     fold.setAttribute('aria-expanded', String(isOpen));
-    fold.title = `${isOpen ? 'Fold away' : 'Show'} ${SIDES.find(([name]) => name === side)?.[1]}`;
   }
 
-  for (const [side] of SIDES) {
+  for (const side of SIDES) {
     set(side, open[side]);
     find(`fold-${side}`).addEventListener('click', () => {
-      set(side, !open[side]);
+      set(side, (kept[side] = !open[side]));
       remember({ [side]: open[side] });
     });
   }
+  // A screen may itself be unfolded.
+  const fit = () => set('tables', kept.tables ?? Math.min(screen.width, screen.height) >= PHONE);
+  addEventListener('resize', fit, { signal });
+  fit();
 
   const turn = () => store.setView({ only: !store.view.only });
   const showOnly = () => {
@@ -75,13 +72,13 @@ export function createFolds({ find, root, store, keys, signal }) {
   );
 
   return {
-    /** Something in a panel is wanted: unfolds what holds it. That is no choice to be remembered. @param {Element} panel */
+    /** Something in a panel is wanted: unfolds what holds it. It is not remembered for another visit. @param {Element} panel */
     unfold(panel) {
       store.setView({ only: false });
       const isInfo = panel === find('info');
-      if (isInfo) set('info', true);
+      if (isInfo) set('info', (kept.info = true));
       // The info panel is one of the tables' tabs where there is less room.
-      if (!isInfo || !find('fold-info').checkVisibility()) set('tables', true);
+      if (!isInfo || !find('fold-info').checkVisibility()) set('tables', (kept.tables = true));
     },
   };
 }

@@ -71,14 +71,14 @@ export function createStatus({ find, store, player, planner, unfold }) {
     showFaults(numbers.out, end.status);
   }
 
-  /** What is not within its bound is told beside the fold's name, and marked inside. @param {Set<string>} out ids of numbers @param {string} status */
+  /** What is not within its bound is told beside the fold's name, and marked inside. @param {string[]} out ids of numbers @param {string} status */
   function showFaults(out, status) {
-    const faults = [...out].map((id) => NAMES[id] ?? '');
+    const faults = out.map((id) => NAMES[id]);
     const note = find('certificate-fault');
     const text = faults.length ? `not within its bound: ${faults.join(', ')}` : ['stalled', 'closure_lost'].includes(status) ? 'not certified' : '';
     setText(note, text);
     note.hidden = text === '';
-    for (const id of Object.keys(NAMES)) find(id).closest('div')?.classList.toggle('out', out.has(id));
+    for (const id of Object.keys(NAMES)) find(id).closest('div')?.classList.toggle('out', out.includes(id));
   }
 
   /** @param {string} text @param {number} frame */
@@ -181,7 +181,7 @@ export function certificateNumbers({ result: { motion }, view: { posture }, why 
     gradient,
     curvature,
     /** Ids of the numbers that are not within their bounds. */
-    out: new Set(outside.flatMap(([id, isOut]) => (isOut ? [id] : []))),
+    out: outside.flatMap(([id, isOut]) => (isOut ? [id] : [])),
     bounds: {
       closure: atMost(bounds?.closure),
       misfit: atMost(bounds?.misfit),
