@@ -30,6 +30,9 @@ const cutOff = (page) =>
 
 /** Shows every panel, menu and dialog in turn. @param {(what: string) => Promise<void>} look */
 async function everywhere(page, look) {
+  // Folded on a phone that is held across.
+  const tables = page.locator('#fold-tables');
+  if ((await tables.isVisible()) && (await tables.getAttribute('aria-expanded')) === 'false') await tables.click();
   for (const tab of await page.locator('[role=tab]:visible').all()) {
     const name = await tab.textContent();
     await tab.click();
