@@ -174,11 +174,13 @@ test('ghosts, and leaving out parts, change the picture; the legend tells the si
     return (await canvas.screenshot()).toString('base64');
   };
   await page.locator('#legend').getByText(/^gap ≥ [\d.]+ m$/).first().waitFor();
+  await page.keyboard.press('Shift');
+  await page.locator('#legend').getByText('force that holds it back').waitFor();
   const pictures = new Set([(await canvas.screenshot()).toString('base64')]);
-  for (const name of ['Ghosts at key frames', /Ghosts every \d+ frames/, 'Ghost at this frame', 'Goal motion', 'Closest motion', 'Gap lines', 'Axes', 'Ground']) {
+  for (const name of ['Ghosts at key frames', /Ghosts every \d+ frames/, 'Ghost at this frame', 'Goal motion', 'Closest motion', 'Gap lines', 'Axes', 'Ground', 'What holds it back']) {
     pictures.add(await choose(name));
   }
-  assert.equal(pictures.size, 9, 'each choice is another picture');
+  assert.equal(pictures.size, 10, 'each choice is another picture');
   assert.equal(await page.locator('#legend li').count(), 0);
   await page.locator('#labels').getByText('between').waitFor();
   await choose('Names');

@@ -125,7 +125,7 @@ test('listeners hear of their part only, until they leave', () => {
   assert.deepEqual(store.view, {
     frame: 4, playing: false, moving: '', posture: null, selected: '', hovered: '',
     speed: 1, loop: 'once', side: '', charts: ['translation', 'rotation', 'driven', 'path', 'joints', 'sigma'],
-    projection: 'perspective', show: { goal: true, closest: true, gaps: true, names: true, axes: true, ground: true }, ghosts: 'none', only: false,
+    projection: 'perspective', show: { goal: true, closest: true, gaps: true, names: true, axes: true, ground: true, holds: true, freedoms: false }, ghosts: 'none', only: false,
   });
 });
 

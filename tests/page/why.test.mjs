@@ -6,7 +6,10 @@ import { contraction, iterateInWords } from '../../www/panels/algorithm/algorith
 import { postureOf } from '../../www/panels/algorithm/posture-of.js';
 import { direction, freedomInWords } from '../../www/core/freedom-words.js';
 import { certificateNumbers } from '../../www/panels/info/status.js';
-import { atLimits, certificate, mostHolding, percentages, twistInWords } from '../../www/panels/info/why-words.js';
+import { Vector3 } from 'three';
+import { wrenchAt } from '../../www/view3d/hand/screws.js';
+import { percentages } from '../../www/core/percentages.js';
+import { atLimits, certificate, mostHolding, twistInWords } from '../../www/panels/info/why-words.js';
 
 test('shares are whole percent that sum to 100', () => {
   assert.deepEqual(percentages([1 / 3, 1 / 3, 1 / 3]), [34, 33, 33]);
@@ -114,4 +117,23 @@ test('the blocks of [A] have the chains’ names', () => {
   const at = groups({ freedoms: [3, 2], rows: 14, columns: 13 }, ['crank', 'chain 2']);
   assert.deepEqual(at.columns.map(({ name }) => name), ['crank', 'chain 2', 'q']);
   assert.deepEqual(at.rows.map(({ name }) => name), ['crank', 'chain 2', '|q| = 1']);
+});
+
+test('a wrench is drawn on its axis: a force along z through (13, 0, 0), which gives it a moment of 0.5 a unit about itself', () => {
+  // Force (0, 0, 2). About (10, 0, 0) its moment is (3, 0, 0) × (0, 0, 2) = (0, −6, 0), and 1 along the axis.
+  for (const [unit, away] of [[1, 0], [1000, 0], [1, 1e6]]) {
+    const place = (x, y, z) => new Vector3(unit * x + away, unit * y, unit * z);
+    const wrench = [0, 0, 2, 0, -6 * unit, unit];
+    const { at, force, moment, onAxis } = wrenchAt(wrench, place(10, 0, 0), place(13, 4, 5), 10 * unit, unit);
+    assert.ok(onAxis && at.distanceTo(place(13, 0, 5)) < 1e-9 * (unit + away), `${at.toArray()} is the foot of the chain’s end`);
+    assert.deepEqual([force.toArray(), moment.toArray().map((value) => value / unit)], [[0, 0, 2], [0, 0, 1]]);
+    // An axis that is far away: at the chain's end, with the moment about that, (13 − 13, 0 − 4, 0) × (0, 0, 2) + (0, 0, 1).
+    const apart = wrenchAt(wrench, place(10, 0, 0), place(13, 4, 5), 3 * unit, unit);
+    assert.ok(!apart.onAxis && apart.at.equals(place(13, 4, 5)));
+    assert.deepEqual(apart.moment.toArray().map((value) => value / unit), [-8, 0, 1]);
+  }
+  const pure = wrenchAt([0, 0, 0, 0, 3, 0], new Vector3(), new Vector3(1, 2, 3), 10, 1);
+  assert.deepEqual([pure.force, pure.moment.toArray(), pure.at.toArray()], [null, [0, 3, 0], [1, 2, 3]]);
+  const plain = wrenchAt([0, 0, 2, 0, -6, 0.001], new Vector3(10, 0, 0), new Vector3(13, 0, 0), 10, 1);
+  assert.equal(plain.moment, null, 'what is too little to be told is not drawn');
 });

@@ -6,8 +6,8 @@
  */
 import { angle, degrees, length, scientific, short } from './format.js';
 
-/** A component of a direction, as a share of the largest, that is not told. */
-const UNTOLD = 0.005;
+/** A component of a direction, as a share of the largest, that is not told; a part of a wrench, as a share of the other part, that is not. */
+export const UNTOLD = 0.005;
 /** Below this a length or an angle in degrees is written in powers of ten, so that it is not rounded to nothing. */
 const TINY = 1e-3;
 

@@ -38,7 +38,7 @@ export function createStore(first) {
   let view = {
     frame: 0, playing: false, moving: '', posture: null, selected: '', hovered: '',
     speed: 1, loop: 'once', side: '', charts: ['translation', 'rotation', 'driven', 'path', 'joints', 'sigma'],
-    projection: 'perspective', show: { goal: true, closest: true, gaps: true, names: true, axes: true, ground: true }, ghosts: 'none', only: false,
+    projection: 'perspective', show: { goal: true, closest: true, gaps: true, names: true, axes: true, ground: true, holds: true, freedoms: false }, ghosts: 'none', only: false,
   };
   let readonly = false;
   /** @type {Why | null} */

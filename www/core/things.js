@@ -62,6 +62,7 @@ export function nameOf(place, { result, view }) {
   const chain = head === 'chains' && typeof first === 'number' ? doc.chains[first] : undefined;
   if (!chain) return '';
   const name = chainName(chain, Number(first));
+  if (part === 'wrench') return `what ${name} withstands`;
   if (part === 'base' || part === 'gripper') return `${part} of ${name}`;
   if (part !== 'joints' || typeof second !== 'number') return `${name}: ${chainType(chain)}`;
   const joint = chain.joints[second];

@@ -74,6 +74,7 @@
  *   only: boolean}} View
  *
  * What the 3D view draws beside the linkage.
- * @typedef {{goal: boolean, closest: boolean, gaps: boolean, names: boolean, axes: boolean, ground: boolean}} Shown
+ * @typedef {{goal: boolean, closest: boolean, gaps: boolean, names: boolean, axes: boolean, ground: boolean,
+ *   holds: boolean, freedoms: boolean}} Shown
  */
 export {};

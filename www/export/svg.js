@@ -26,11 +26,11 @@ function draw(scene, title, description, wish) {
   withoutTools(scene, wish, (camera) => {
     const [ground, ...bodies] = scene.pictured.filter((object) => object.type === 'Group');
     parts.push('<g id="ground">', ...groundLines(ground, camera, width, height), shadow(scene, ground, bodies, camera, width, height), '</g>');
-    const { triangles, veils } = viewTriangles(scene, bodies, camera, width, height);
+    const { triangles, fronts, veils } = viewTriangles(scene, bodies, camera, width, height);
     const seen = onlyVisible(pictureRenderer(), triangles, camera, width, height);
     // A line of a shape's own colour around it closes the seams to its neighbours.
     parts.push('<g id="linkage" fill="currentColor" stroke="currentColor" stroke-width=".6" stroke-linejoin="round">');
-    const shapes = [...seen, ...veils].sort((a, b) => b.depth - a.depth);
+    const shapes = [...[...seen, ...veils].sort((a, b) => b.depth - a.depth), ...fronts];
     for (let at = 0; at < shapes.length; at++) {
       const shape = shapes[at];
       if ('outline' in shape) {

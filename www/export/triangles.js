@@ -75,6 +75,8 @@ export function pointsOf(roots) {
 export function viewTriangles(scene, roots, camera, width, height) {
   /** @type {Triangle[]} */
   const triangles = [];
+  /** What is drawn over all else. @type {Triangle[]} */
+  const fronts = [];
   /** @type {Veil[]} */
   const veils = [];
   const shade = createShade(scene);
@@ -89,8 +91,9 @@ export function viewTriangles(scene, roots, camera, width, height) {
     const material = Array.isArray(mesh.material) ? mesh.material[0] : mesh.material;
     if (!('color' in material) || material.side === BackSide) return;
     const base = /** @type {Color} */ (material.color);
+    const list = material.depthTest ? triangles : fronts;
     if (mesh instanceof Stroke) {
-      if (material.visible) triangles.push(...strokeTriangles(mesh, camera, width, height));
+      if (material.visible) list.push(...strokeTriangles(mesh, camera, width, height));
       return;
     }
     const positions = mesh.geometry.getAttribute('position');
@@ -135,7 +138,7 @@ export function viewTriangles(scene, roots, camera, width, height) {
       const [[ax, ay], [bx, by], [cx, cy]] = seen;
       const facing = -mirrored * ((bx - ax) * (cy - ay) - (by - ay) * (cx - ax));
       if (facing <= 0 && material.side !== DoubleSide) return;
-      triangles.push({
+      list.push({
         corners: points.flatMap((point) => point.toArray()),
         points: [ax, ay, bx, by, cx, cy],
         depth: (seen[0][2] + seen[1][2] + seen[2][2]) / 3,
@@ -143,7 +146,7 @@ export function viewTriangles(scene, roots, camera, width, height) {
       });
     }
   });
-  return { triangles, veils };
+  return { triangles, fronts, veils };
 }
 
 /** Colours under the scene's sky and sun, without shadows: Lambert's law in linear light. @param {Scene} scene */

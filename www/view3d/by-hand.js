@@ -1,6 +1,6 @@
 /**
  * What moves things by hand in the 3D view is loaded when a hand may come: a pointer over the view, the focus in it,
- * or something chosen that can be moved.
+ * or something chosen that can be moved. What holds the workpiece back is drawn once it is known, after a person did anything.
  */
 
 import { withPart } from '../ui/lazy.js';
@@ -29,4 +29,20 @@ export function createByHand(app) {
     if (!made && place?.startsWith('motion.key_frames')) app.store.setView({ selected: place });
   });
   app.store.select(({ view }) => view.selected, (selected) => selected && load());
+
+  let touched = false;
+  let holds = false;
+  async function draw() {
+    const { why, view } = app.store;
+    if (!touched || holds || !why || view.playing || !(view.show.holds || view.show.freedoms)) return;
+    holds = true;
+    await withPart(app, 'What holds the workpiece back', () => import('./hand/holds.js'), ({ createHolds }) => app.scene && createHolds(app, app.scene));
+  }
+  const touch = () => {
+    touched = true;
+    draw();
+  };
+  for (const type of ['pointerdown', 'keydown']) addEventListener(type, touch, { once: true, capture: true, signal: app.signal });
+  app.store.subscribe('why', draw);
+  app.store.subscribe('view', draw);
 }

@@ -37,6 +37,7 @@ export function legendItems({ store, scene }) {
     [seen.has(1), 'gap-1', `gap ≥ ${size(steps[1])}`],
     [seen.has(2), 'gap-2', `gap ≥ ${size(steps[2])}`],
   ];
+  for (const note of scene.notes) lines.push([true, 'note', note]);
   return lines.filter(([drawn]) => drawn).map(([, line, text]) => html`<li class=${line}>${text}</li>`);
 }
 
@@ -66,6 +67,7 @@ export function createLegend(app) {
 
   const show = () => render(legendItems(app), list);
   atRest(app.store, ['result', 'view'], show);
+  scene?.noted.add(show);
   show();
 }
 

@@ -25,6 +25,8 @@ const PARTS = [
   ['goal', 'Goal motion'],
   ['closest', 'Closest motion'],
   ['gaps', 'Gap lines'],
+  ['holds', 'What holds it back'],
+  ['freedoms', 'Freedoms'],
   ['names', 'Names'],
   ['axes', 'Axes'],
   ['ground', 'Ground'],
@@ -64,7 +66,7 @@ export function createViewBar({ find, store, scene, say }) {
     const others = here ? frames.filter((other) => other !== frame) : [...frames, frame].sort((a, b) => a - b);
     const choose = (/** @type {import('../core/types.js').View['ghosts']} */ next) => () => store.setView({ ghosts: next });
     return [
-      ...PARTS.filter(([part]) => !(driven && ['goal', 'gaps'].includes(part))).map(([part, label]) => ({ label: driven && part === 'closest' ? 'Path of the workpiece' : label, checked: show[part], act: () => store.setView({ show: { ...show, [part]: !show[part] } }) })),
+      ...PARTS.filter(([part]) => !(driven && ['goal', 'gaps', 'holds'].includes(part))).map(([part, label]) => ({ label: driven && part === 'closest' ? 'Path of the workpiece' : label, checked: show[part], act: () => store.setView({ show: { ...show, [part]: !show[part] } }) })),
       'line',
       { label: 'No ghosts', checked: frames.length === 0, act: choose('none') },
       ...(driven ? [] : [{ label: 'Ghosts at key frames', checked: ghosts === 'keys', act: choose('keys') }]),

@@ -7,10 +7,10 @@
  */
 import { degrees, length, plural, scientific, short } from '../../core/format.js';
 import { capital, chainName } from '../../core/chain-name.js';
-import { direction, exactAngle, exactLength } from '../../core/freedom-words.js';
+import { percentages } from '../../core/percentages.js';
+import { UNTOLD, direction, exactAngle, exactLength } from '../../core/freedom-words.js';
 
-/** The part of a wrench, as a share of the other part, that is not told; and up to which the other part alone says what it forbids. */
-const UNTOLD = 0.005;
+/** The part of a wrench, as a share of the other part, up to which the other part alone says what it forbids. */
 const MOSTLY = 0.05;
 
 /** @param {ArrayLike<number>} v */
@@ -45,17 +45,6 @@ function forbidden(wrench, metricLength) {
   if (m <= MOSTLY * f) return `no shift along ${direction(force)}`;
   if (f <= MOSTLY * m) return `no turn about ${direction(moment)}`;
   return `no motion that gives way to ${wrenchInWords(wrench, metricLength)}`;
-}
-
-/** Shares as whole percent that sum to 100; all 0 where nothing is held back. @param {number[]} shares 0 to 1 */
-export function percentages(shares) {
-  if (shares.reduce((sum, share) => sum + share, 0) < 0.5) return shares.map(() => 0);
-  const exact = shares.map((share) => share * 100);
-  const whole = exact.map(Math.floor);
-  const order = exact.map((_, i) => i).sort((a, b) => exact[b] - whole[b] - (exact[a] - whole[a]));
-  let missing = 100 - whole.reduce((sum, x) => sum + x, 0);
-  for (const i of order) if (missing-- > 0) whole[i] += 1;
-  return whole;
 }
 
 /**

@@ -9,8 +9,9 @@ import { capital, chainName } from '../../core/chain-name.js';
 import { freedomInWords } from '../../core/freedom-words.js';
 import { drivesJoints, told } from '../../core/driven.js';
 import { sentence } from '../../core/format.js';
+import { percentages } from '../../core/percentages.js';
 import { groupAt, hasNoGoal, shown, shownEnd } from '../../core/shown.js';
-import { atLimits, certificate, mostHolding, percentages, twistInWords, wrenchInWords } from './why-words.js';
+import { atLimits, certificate, mostHolding, twistInWords, wrenchInWords } from './why-words.js';
 
 /** @param {Pick<import('../../element/workbench.js').App, 'find' | 'store' | 'explain'>} app */
 export function createWhy({ find, store, explain }) {

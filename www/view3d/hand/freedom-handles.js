@@ -4,25 +4,18 @@
  *
  * @typedef {import('../../core/types.js').Insight['freedoms'][number]} Screw
  * @typedef {import('./pointer-drags.js').Pointer} Pointer
- * @typedef {{screw: Screw, origin: number[], from: Vector3, picker: Group, tip: Vector3, material: MeshBasicMaterial}} Handle
+ * @typedef {{screw: Screw, origin: number[], from: Vector3, picker: Group, tip: Vector3, made: Group}} Handle
  */
-import { BufferGeometry, CatmullRomCurve3, ConeGeometry, Group, Line, LineBasicMaterial, Mesh, MeshBasicMaterial, Raycaster, SphereGeometry, TubeGeometry, Vector2, Vector3 } from 'three';
+import { CatmullRomCurve3, Group, Mesh, Raycaster, SphereGeometry, TubeGeometry, Vector2, Vector3 } from 'three';
+import { POINTS, REACH, arrow, footOn, free, line, screwPath, tint } from './screw-shapes.js';
 import { movePoint } from './screws.js';
 
-/** Lengths as shares of the scene's radius: half a path, the least distance of a turn's path from its axis, widths. */
-const REACH = 0.3;
-const LEAST_RADIUS = 0.16;
-const WIDTH = 0.012;
+/** Lengths as shares of the scene's radius. */
 const HEAD = 0.038;
 const PICK = { fine: 0.045, coarse: 0.09 };
 
-/** Points of a path. */
-const POINTS = 32;
-
-/** Longest path of a turn, to either side. */
-const LONGEST_TURN = (2 / 3) * Math.PI;
-
-const Y = new Vector3(0, 1, 0);
+/** Of a handle's line, in CSS pixels. */
+const WIDTH = 4;
 
 /** @param {NonNullable<import('../../element/workbench.js').App['scene']>} scene */
 export function createFreedomHandles(scene) {
@@ -38,60 +31,28 @@ export function createFreedomHandles(scene) {
   function paint(palette) {
     colours.plain = palette.closest.getHex();
     colours.lit = palette.gap.getHex();
-    handles.forEach(({ material }, index) => material.color.setHex(index === lit ? colours.lit : colours.plain));
-  }
-
-  /** A point whose path shows the screw: the workpiece's origin, or one beside the axis if that runs through it. @param {Screw} screw @param {Vector3} origin */
-  function pathStart(screw, origin) {
-    if (screw.pitch === null) return origin.clone();
-    const axis = new Vector3(...screw.direction);
-    const foot = new Vector3(...screw.point);
-    foot.addScaledVector(axis, origin.clone().sub(foot).dot(axis));
-    const arm = origin.clone().sub(foot);
-    if (arm.length() >= LEAST_RADIUS * scene.radius) return origin.clone();
-    if (arm.length() < 1e-6 * scene.radius) {
-      arm.copy(axis).cross(Math.abs(axis.z) < 0.9 ? new Vector3(0, 0, 1) : new Vector3(1, 0, 0));
-    }
-    return foot.addScaledVector(arm.normalize(), LEAST_RADIUS * scene.radius * 1.6);
+    handles.forEach(({ made }, index) => tint(made, index === lit ? colours.lit : colours.plain));
   }
 
   /** @param {Screw} screw @param {ArrayLike<number>} pose @param {number} index */
   function build(screw, pose, index) {
     const r = scene.radius;
     const origin = Array.from(pose).slice(0, 3);
-    const from = pathStart(screw, new Vector3(...origin));
-    const along = { twist: screw.twist, origin };
-    const speed = movePoint(along, 1e-4, from.clone()).distanceTo(from) / 1e-4;
-    const longest = screw.pitch === null ? Infinity : LONGEST_TURN;
-    const reach = Math.min((REACH * r) / Math.max(speed, 1e-9), longest);
-    const points = Array.from({ length: POINTS + 1 }, (_, i) => movePoint(along, (2 * (i / POINTS) - 1) * reach, from.clone()));
+    const { from, points } = screwPath(screw, origin, r);
     const curve = new CatmullRomCurve3(points);
-    const material = new MeshBasicMaterial({ color: colours.plain, depthTest: false, transparent: true, opacity: 0.95 });
-    const made = new Group();
-    const add = (/** @type {import('three').Object3D} */ object) => {
-      object.renderOrder = 10;
-      made.add(object);
-    };
-    add(new Mesh(new TubeGeometry(curve, POINTS, WIDTH * r, 8), material));
-    for (const end of [0, POINTS]) {
-      const head = new Mesh(new ConeGeometry(HEAD * r, 2.6 * HEAD * r, 16), material);
-      head.position.copy(points[end]);
-      head.quaternion.setFromUnitVectors(Y, curve.getTangent(end / POINTS).multiplyScalar(end ? 1 : -1));
-      add(head);
-    }
+    const made = arrow(points, true, HEAD * r, WIDTH);
     if (screw.pitch !== null) {
       const axis = new Vector3(...screw.direction).multiplyScalar(REACH * r);
-      const foot = new Vector3(...screw.point);
-      foot.addScaledVector(axis, from.clone().sub(foot).dot(axis) / axis.lengthSq());
-      const line = new BufferGeometry().setFromPoints([foot.clone().sub(axis), foot.clone().add(axis)]);
-      add(new Line(line, new LineBasicMaterial({ color: colours.plain, depthTest: false, transparent: true, opacity: 0.6 })));
+      const foot = footOn(screw, from);
+      made.add(line([foot.clone().sub(axis), foot.clone().add(axis)], 1));
     }
+    tint(made, colours.plain);
     const coarse = matchMedia('(pointer: coarse)').matches;
     const width = (coarse ? PICK.coarse : PICK.fine) * r;
     const picker = new Group();
-    picker.add(new Mesh(new TubeGeometry(curve, POINTS, width, 6), material));
+    picker.add(new Mesh(new TubeGeometry(curve, POINTS, width, 6)));
     for (const end of [0, POINTS]) {
-      const ball = new Mesh(new SphereGeometry(1.5 * width, 12, 8), material);
+      const ball = new Mesh(new SphereGeometry(1.5 * width, 12, 8));
       ball.position.copy(points[end]).addScaledVector(curve.getTangent(end / POINTS), (end ? 1 : -1) * 1.3 * HEAD * r);
       picker.add(ball);
     }
@@ -100,16 +61,11 @@ export function createFreedomHandles(scene) {
     group.add(made);
     // The label stands beyond the arrow's head.
     const tip = points[POINTS].clone().addScaledVector(curve.getTangent(1), 2.6 * HEAD * r);
-    return { screw, origin, from, picker, tip, material };
+    return { screw, origin, from, picker, tip, made };
   }
 
   function clear() {
-    group.traverse((object) => {
-      if (object instanceof Mesh || object instanceof Line) {
-        object.geometry.dispose();
-        object.material.dispose();
-      }
-    });
+    free(group);
     for (const { picker } of handles) for (const part of picker.children) if (part instanceof Mesh) part.geometry.dispose();
     group.clear();
     if (handles.length) scene.changed();
@@ -128,7 +84,7 @@ export function createFreedomHandles(scene) {
   function light(index) {
     if (index === lit) return;
     lit = index;
-    handles.forEach(({ material }, i) => material.color.setHex(i === lit ? colours.lit : colours.plain));
+    handles.forEach(({ made }, i) => tint(made, i === lit ? colours.lit : colours.plain));
     scene.changed();
   }
 

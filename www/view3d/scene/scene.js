@@ -3,6 +3,7 @@
  *
  * @typedef {import('../../core/types.js').Motion} Motion
  * @typedef {import('../../core/types.js').Result} Result
+ * @typedef {{group: import('three').Group, names: () => import('./labels.js').Label[], paint: (palette: import('./palette.js').Palette) => void}} Part
  */
 import { Scene, Sphere } from 'three';
 import { createCamera } from './camera.js';
@@ -54,12 +55,20 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
   const pictured = [...light.objects, ground.group, linkage.group, paths.group];
   root.add(...pictured);
 
+  /** @type {Part[]} */
+  const parts = [];
+  /** Of the parts, for the legend: each begins with its sign. @type {string[]} */
+  let notes = [];
+  /** @type {Set<() => void>} */
+  const noted = new Set();
+
   function paint() {
     const palette = readPalette(canvas);
     materials.paint(palette);
     marks.paint(palette.accent);
     light.sky.groundColor.copy(palette.ground);
     ground.material.color.copy(palette.grid);
+    for (const part of parts) part.paint(palette);
     changed();
   }
   paint();
@@ -86,12 +95,12 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
   const over = new window.ResizeObserver(() => !pointing() && view.settle());
   for (const one of canvas.parentElement?.querySelectorAll(STAYING) ?? []) over.observe(one);
 
-  const names = () => [...paths.labels, ...linkage.bases.map((at, index) => ({ at, text: String(index + 1), place: `chains[${index}].base` }))];
+  const names = () => [...paths.labels, ...linkage.bases.map((at, index) => ({ at, text: String(index + 1), place: `chains[${index}].base` })), ...parts.flatMap((part) => part.names())];
 
   const name = () => marks.name(options.show.names ? names() : []);
 
   /** @type {Pick<import('../../core/types.js').View, 'show' | 'ghosts' | 'posture'>} */
-  let options = { show: { goal: true, closest: true, gaps: true, names: true, ground: true, axes: true }, ghosts: 'none', posture: null };
+  let options = { show: { goal: true, closest: true, gaps: true, names: true, ground: true, axes: true, holds: true, freedoms: false }, ghosts: 'none', posture: null };
   /** @type {Pick<Result, 'motion' | 'doc'>} */
   let shown = { motion: null, doc: null };
 
@@ -146,6 +155,27 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
     changed,
     /** Takes the colours that its place has by now. */
     paint,
+    /**
+     * Adds what is pictured, pointed at and named as the linkage is.
+     * @param {Part} part
+     * @returns {(notes: string[]) => void} tells that it is another now, and what the legend says of it
+     */
+    add(part) {
+      for (const list of [things, pictured]) list.push(part.group);
+      root.add(part.group);
+      parts.push(part);
+      part.paint(readPalette(canvas));
+      return (next) => {
+        notes = next;
+        name();
+        changed();
+        for (const tell of noted) tell();
+      };
+    },
+    get notes() {
+      return notes;
+    },
+    noted,
     /** What belongs into a picture; handles and the like do not. */
     pictured,
     /** The names that always stand in the scene. */
