@@ -26,12 +26,13 @@ async function keyInHand(options) {
   await settled();
 }
 
-/** Names of the scene are set 8 px right of and 22 px above their things. */
+/** A name's flag is shifted from the point that it names. */
 async function placeOf(path) {
   const tag = page.locator(`#labels [data-place="${path}"]`);
   return tag.evaluate((node) => {
     const { x, y } = node.getBoundingClientRect();
-    return { x: x - parseFloat(getComputedStyle(node).left), y: y - parseFloat(getComputedStyle(node).top) };
+    const [right, down] = node.style.translate.split(' ').map(parseFloat);
+    return { x: x - right, y: y - down };
   });
 }
 

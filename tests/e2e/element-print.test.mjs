@@ -60,7 +60,8 @@ test('on paper there are no controls, and the names stay where they belong in a 
         names: inside('#labels > span:not([hidden])').map((tag) => {
           const { x, y } = tag.getBoundingClientRect();
           // From the name to its point the distance is one of letters, the same in every size.
-          return [(x - parseFloat(tag.style.left) - box.x) / box.width, (y - parseFloat(tag.style.top) - box.y) / box.height];
+          const [right, down] = tag.style.translate.split(' ').map(parseFloat);
+          return [(x - right - box.x) / box.width, (y - down - box.y) / box.height];
         }),
       };
     });

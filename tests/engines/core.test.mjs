@@ -52,12 +52,13 @@ for (const engine of ENGINES) {
       assert.ok(number(await page.text('#closure')) <= 1e-10);
       return page.text('#metric');
     }
-    /** Names of the scene are set 8 px right of and 22 px above their things. */
+    /** A name's flag is shifted from the point that it names. */
     const placeOf = (selector) =>
       page.run((wanted) => {
         const node = page$(wanted);
         const { x, y } = node.getBoundingClientRect();
-        return { x: x - parseFloat(getComputedStyle(node).left), y: y - parseFloat(getComputedStyle(node).top) };
+        const [right, down] = node.style.translate.split(' ').map(parseFloat);
+        return { x: x - right, y: y - down };
       }, selector);
     const by = ({ x, y }, dx, dy) => [0, 0.25, 0.5, 0.75, 1].map((share) => ({ x: x + dx * share, y: y + dy * share }));
     const noProblem = async () => assert.deepEqual(await page.problems(), []);

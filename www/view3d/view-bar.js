@@ -8,6 +8,7 @@ import { element, setText } from '../ui/dom.js';
 import { ghostFrames, ghostStep } from './scene/ghosts.js';
 import { KEYS, keyTip, onKeys, spokenKey, withKey } from '../ui/keys.js';
 import { menuButton } from '../ui/menu.js';
+import { createViewCube } from './view-cube.js';
 
 /** Each view's key is its number in this list. @type {[StandardView, string][]} */
 const VIEWS = [
@@ -92,6 +93,7 @@ export function createViewBar({ find, store, scene, say }) {
   show();
   project();
 
+  createViewCube({ find, store, scene }, turnTo);
   onKeys(canvas, {
     side: (_, at) => turnTo(...VIEWS[at]),
     projection: toggle,

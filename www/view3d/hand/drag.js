@@ -34,6 +34,9 @@ const REST = 500;
 /** Half the square around the thing in hand that no name covers, in pixels: names take clicks. */
 const FREE = 7;
 
+/** Where such squares lie along an arrow, to both of its ends. */
+const ALONG = [-0.9, -0.7, -0.5, -0.3, 0.3, 0.5, 0.7, 0.9];
+
 const KEY_FRAME = /^motion\.key_frames\[(\d+)\]/;
 
 /** @param {import('../../element/workbench.js').App} app */
@@ -133,7 +136,11 @@ function connect(app, scene) {
     const seen = new Vector3(at[0], at[1], at[2]).project(scene.camera);
     const [x, y] = [((seen.x + 1) / 2) * width, ((1 - seen.y) / 2) * height];
     canvas.dataset.hand = `${x.toFixed(1)} ${y.toFixed(1)}`;
-    kept = [{ x: x - FREE, y: y - FREE, width: 2 * FREE, height: 2 * FREE }];
+    // The arrows too, from end to end, and the squares between them.
+    const ends = free() ? [] : labels.boxes().map((box) => [box.x + box.width / 2 - x, box.y + box.height / 2 - y]);
+    const arrows = ends.flatMap(([right, down]) => ALONG.map((share) => [share * right, share * down]));
+    const squares = ends.map(([right, down], end) => [(right + ends[(end + 1) % ends.length][0]) / 4, (down + ends[(end + 1) % ends.length][1]) / 4]);
+    kept = [[0, 0], ...arrows, ...squares].map(([right, down]) => ({ x: x + right - FREE, y: y + down - FREE, width: 2 * FREE, height: 2 * FREE }));
   }
 
   /** @param {string} selected */
@@ -253,7 +260,7 @@ function connect(app, scene) {
   scene.drawn.add((width, height) => {
     kept = [];
     if (!target) return labels.set([], '', '');
-    gizmo.look();
+    gizmo.look(height);
     labels.set(drags.busy ? [] : names(), '', '');
     labels.place(scene.camera, width, height, scene.size);
     tellPlace(width, height);

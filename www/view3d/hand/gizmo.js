@@ -6,11 +6,13 @@
 import { MathUtils, Object3D, PerspectiveCamera, Quaternion, Vector3 } from 'three';
 import { TransformControls } from 'three/addons/controls/TransformControls.js';
 
-/** Of the usual size, by mouse and by finger. */
-const SIZE = { fine: 0.85, coarse: 1.25 };
+/** From its middle to the ends of its arrows, in pixels, and at most in shares of the view's height. */
+const LONG = 90;
+const MOST = 0.3;
 
-/** Where an arrow's tip is in the gizmo's own measure, and how that follows from the camera: as three.js draws it. */
-const TIP = 0.68;
+/** Where an arrow ends in the gizmo's own measure, and its name stands; and how that follows from the camera: as three.js draws it. */
+const END = 0.6;
+const TIP = 0.7;
 const SCREEN_SHARE = 1.9;
 
 /** Cosine between an arrow and the line of sight above which three.js leaves the arrow out. */
@@ -20,13 +22,15 @@ const END_ON = 0.99;
 export function createGizmo(scene, follow) {
   const handle = new Object3D();
   const controls = new TransformControls(scene.camera, null);
-  controls.size = matchMedia('(pointer: coarse)').matches ? SIZE.coarse : SIZE.fine;
   let moving = false;
   controls.addEventListener('change', () => (moving ? follow() : scene.changed()));
   scene.root.add(handle, controls.getHelper());
 
   /** @param {Pointer} at @param {number} button */
   const pointer = (at, button) => /** @type {any} */ ({ ...at, button });
+
+  /** From its middle to the ends of its arrows. */
+  let long = 0;
 
   return {
     handle,
@@ -65,18 +69,20 @@ export function createGizmo(scene, follow) {
       moving = false;
     },
     release: () => controls.pointerUp(pointer({ x: 0, y: 0 }, 0)),
-    /** Looks through the scene's present camera. */
-    look() {
-      controls.camera = scene.camera;
+    /** Looks through the scene's present camera, at its size on the screen. @param {number} height of the view, in pixels */
+    look(height) {
+      const { camera } = scene;
+      controls.camera = camera;
+      const { elements } = camera.projectionMatrix;
+      const depth = elements[15] + elements[11] * handle.position.clone().applyMatrix4(camera.matrixWorldInverse).z;
+      long = (2 * depth * Math.min(LONG, MOST * height)) / elements[5] / height;
+      const unit = camera instanceof PerspectiveCamera ? handle.position.distanceTo(camera.position) * SCREEN_SHARE : 2;
+      controls.size = (4 * long * elements[5]) / END / unit;
     },
     /** The ends of its arrows, for their names; none for an arrow that is seen end on. @param {'world' | 'local'} space @returns {{at: Vector3, text: string}[]} */
     tips(space) {
       const { camera } = scene;
-      const height =
-        camera instanceof PerspectiveCamera
-          ? handle.position.distanceTo(camera.position) * SCREEN_SHARE * Math.tan(MathUtils.degToRad(camera.fov / 2))
-          : camera.top - camera.bottom;
-      const reach = (height / camera.zoom) * (controls.size / 4) * TIP;
+      const reach = (long * TIP) / END;
       const turn = space === 'local' ? handle.quaternion : new Quaternion();
       const sight = camera instanceof PerspectiveCamera ? handle.position.clone().sub(camera.position).normalize() : camera.getWorldDirection(new Vector3());
       return ['x', 'y', 'z'].flatMap((text, axis) => {

@@ -174,17 +174,23 @@ export function createCamera(canvas, changed, turned, free) {
     if (untouched && !move) fit({}, false);
   }
 
-  /** By the keyboard. @param {Partial<Look>} to @param {boolean} [fits] whether what fitted goes on to fit */
+  /** At once. @param {Partial<Look>} to @param {boolean} [fits] whether what fitted goes on to fit */
   function by(to, fits = false) {
     go(to, false);
     untouched &&= fits;
     turned();
   }
+
+  /** By a hand. @param {number} right @param {number} low radians that the camera goes */
+  function turn(right, low) {
+    const { around, down } = look();
+    by({ around: around + right, down: clamp(down + low, 0, Math.PI) }, true);
+  }
+
   onKeys(canvas, {
     turnView(_, at) {
       const [x, y] = ARROWS[at];
-      const { around: angle, down } = look();
-      by({ around: angle + x * TURN, down: clamp(down - y * TURN, 0, Math.PI) }, true);
+      turn(x * TURN, -y * TURN);
     },
     shiftView: (_, at) => by({ target: shift(ARROWS[at][0] * SHIFT, ARROWS[at][1] * SHIFT) }),
     zoomIn: () => by({ reach: look().reach * ZOOM }),
@@ -233,6 +239,7 @@ export function createCamera(canvas, changed, turned, free) {
       else go(from, smooth);
     },
     settle,
+    turn,
     /** @param {boolean} flat whether parallel lines stay parallel */
     setParallel(flat) {
       const wanted = flat ? parallel : perspective;

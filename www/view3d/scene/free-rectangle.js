@@ -5,10 +5,16 @@
  */
 
 /** What may lie over a view, in the element and in a playing page. */
-const OVER = '.view-bar, .cube, .legend, .fold, .by-hand, .banner, #fit';
+const OVER = '.view-bar, .cube, .legend, .by-hand, .banner, #fit, #view-only';
 
 /** Of those, what a fitted view makes way for at once; a message that comes and goes does not make it jump. */
-export const STAYING = '.view-bar, .cube, .legend, .fold';
+const STAYING = '.view-bar, .cube, .legend, #view-only';
+
+/** A view's canvas is in its stage, whose buttons may lie over it too; in a playing page it is in its parent. @param {HTMLElement} canvas @param {string} what */
+const around = (canvas, what) => [...((canvas.closest('.stage') ?? canvas.parentElement)?.querySelectorAll(what) ?? [])];
+
+/** @param {HTMLElement} canvas */
+export const stayingOver = (canvas) => around(canvas, STAYING);
 
 /** Kept free around them, in pixels. */
 const CLEAR = 6;
@@ -35,7 +41,7 @@ export function freeRectangle({ x, y, width, height }, boxes) {
 /** In shares of a view's canvas. @param {HTMLElement} canvas @returns {Box} */
 export function freeShare(canvas) {
   const room = canvas.getBoundingClientRect();
-  const boxes = [...(canvas.parentElement?.querySelectorAll(OVER) ?? [])]
+  const boxes = around(canvas, OVER)
     .map((one) => one.getBoundingClientRect())
     .filter(({ width }) => width)
     .map((box) => ({ x: box.x - CLEAR, y: box.y - CLEAR, width: box.width + 2 * CLEAR, height: box.height + 2 * CLEAR }));

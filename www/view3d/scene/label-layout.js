@@ -9,11 +9,11 @@
  * @property {number} clear half the size of the thing around the point, which the flag does not cover; negative: it has no leader, and stands on its point
  * @property {number} rank those of a higher rank have the first choice
  * @property {boolean} kept shown also where it covers another one
- * @property {number} spot where it stood last: a direction, plus 8 if it was farther off; −1 for nowhere
+ * @property {number} spot where it stood last: a direction, plus 8 for each step farther off; −1 for nowhere
  */
 
 /** How far from the thing a flag stands, near and farther off, in pixels. */
-const AWAY = [9, 30];
+const AWAY = [9, 30, 75];
 
 /** A flag that moves elsewhere has so many pixels to spare, so that it does not come back at once. */
 const SPARE = 4;
@@ -53,11 +53,12 @@ export function boxOn(name, spot) {
 /**
  * @param {Name[]} names
  * @param {Box[]} others what they must not cover
- * @param {Box} room where they are best, inside the view
+ * @param {Box} room where they are best
+ * @param {Box} view where they must be
  * @param {{x: number, y: number}} middle of the scene
  * @returns {number[]} the spot of each; −1 for one that is left out
  */
-export function layOut(names, others, room, middle) {
+export function layOut(names, others, room, view, middle) {
   const taken = [...others];
   const spots = names.map(() => -1);
   const things = names.map(({ x, y, clear }) => ({ x: x - clear / 2, y: y - clear / 2, width: clear, height: clear }));
@@ -66,14 +67,15 @@ export function layOut(names, others, room, middle) {
     const name = names[index];
     const best = Math.round((Math.atan2(middle.y - name.y, name.x - middle.x) * 4) / Math.PI);
     const covers = (/** @type {number} */ spot, /** @type {Box[]} */ boxes, /** @type {number} */ spare) => boxes.some((box) => overlap(box, boxOn(name, spot), spare));
-    const tries = name.clear < 0 ? [0] : [0, 8].flatMap((far) => TURNS.map((turn) => ((best + turn + 16) % 8) + far));
-    const turn = Math.abs(((name.spot - best + 20) % 8) - 4);
+    const tries = name.clear < 0 ? [0] : [0, 8, 16].flatMap((far) => TURNS.map((turn) => ((best + turn + 16) % 8) + far));
+    const turn = Math.abs(((name.spot - best + 12) % 8) - 4);
     const stays = name.spot >= 0 && turn <= STAYS && !covers(name.spot, taken, 0) && !covers(name.spot, things, 0) && within(boxOn(name, name.spot), room);
     let spot = name.spot;
     if (!stays) {
-      const free = tries.filter((one) => !covers(one, taken, name.clear < 0 ? 0 : SPARE));
-      const inside = free.filter((one) => within(boxOn(name, one), room));
-      spot = inside.find((one) => !covers(one, things, 0)) ?? inside[0] ?? free[0] ?? (name.kept ? tries[0] : -1);
+      const inView = tries.filter((one) => name.clear < 0 || within(boxOn(name, one), view));
+      const free = inView.filter((one) => !covers(one, taken, name.clear < 0 ? 0 : SPARE));
+      const good = free.filter((one) => within(boxOn(name, one), room));
+      spot = good.find((one) => !covers(one, things, 0)) ?? good[0] ?? free[0] ?? (name.kept ? (inView[0] ?? tries[0]) : -1);
     }
     spots[index] = spot;
     if (spot >= 0) taken.push(boxOn(name, spot));

@@ -1,7 +1,7 @@
 /**
  * Names in the scene, as flags over the canvas, with leaders to what they name; each says by `data-place` which thing that is.
  *
- * @typedef {{at: Vector3, text: string, place: string}} Label
+ * @typedef {{at: Vector3, text: string, place: string, reach?: number}} Label `reach` is half the thing's size, if it is known
  */
 import { Vector3 } from 'three';
 import { element, setText } from '../../ui/dom.js';
@@ -10,28 +10,31 @@ import { boxOn, layOut, leaderOf, offsetOn, wayOf } from './label-layout.js';
 /** Classes by their rank in the choice of a side. */
 const RANKED = ['', 'pointed', 'chosen'];
 
-/** A thing's half size in link radii, and at most in shares of the view's lesser side: nearer, it fills the view. */
+/** Half the size of a base and of a key frame, in link radii. */
 const THING = 5;
-const MOST = 1 / 6;
+
+/** At most so much of a thing is kept clear, in shares of the view's lesser side: nearer, it fills the view. */
+const MOST = 1 / 5;
 
 const seen = new Vector3();
 
 /**
  * Where a point is in a view, in pixels, and how large the thing at it is; `out` of the view.
  * @param {Vector3} at @param {import('three').Camera} camera @param {number} width @param {number} height @param {number} link radius of a link
+ * @param {number} [reach] half its size
  */
-export function placeOf(at, { matrixWorldInverse, projectionMatrix }, width, height, link) {
+export function placeOf(at, { matrixWorldInverse, projectionMatrix }, width, height, link, reach = THING * link) {
   const { elements } = projectionMatrix;
   const depth = elements[15] + elements[11] * seen.copy(at).applyMatrix4(matrixWorldInverse).z;
   seen.applyMatrix4(projectionMatrix);
-  const clear = Math.min((THING * link * elements[5] * height) / 2 / depth, MOST * Math.min(width, height));
+  const clear = Math.min((reach * elements[5] * height) / 2 / depth, MOST * Math.min(width, height));
   const out = seen.z > 1 || Math.abs(seen.x) > 1 || Math.abs(seen.y) > 1;
   return { x: ((seen.x + 1) / 2) * width, y: ((1 - seen.y) / 2) * height, clear, out };
 }
 
 /** @param {HTMLElement} layer covers the canvas, and is a container of its size @param {boolean} [bare] without leaders, in their places */
 export function createLabels(layer, bare = false) {
-  /** @type {(import('./label-layout.js').Name & {at: Vector3, tag: HTMLElement, leader: string, moved: string})[]} */
+  /** @type {(import('./label-layout.js').Name & {at: Vector3, reach?: number, tag: HTMLElement, leader: string, moved: string})[]} */
   let labels = [];
 
   /** Writes only what is different. @param {(typeof labels)[number]} label @param {number} width @param {number} height */
@@ -57,11 +60,11 @@ export function createLabels(layer, bare = false) {
     /** @param {Label[]} items @param {string} chosen @param {string} pointed places */
     set(items, chosen, pointed) {
       while (labels.length > items.length) labels.pop()?.tag.remove();
-      items.forEach(({ at, text, place }, index) => {
+      items.forEach(({ at, text, place, reach }, index) => {
         labels[index] ??= { at, tag: layer.appendChild(element('span', {})), x: 0, y: 0, width: 0, height: 0, clear: 0, rank: 0, kept: false, spot: -1, leader: '', moved: '' };
         const label = labels[index];
         const { tag } = label;
-        label.at = at;
+        Object.assign(label, { at, reach });
         if (tag.dataset.place !== place) {
           tag.dataset.place = place;
           label.spot = -1;
@@ -82,7 +85,7 @@ export function createLabels(layer, bare = false) {
      */
     place(camera, width, height, { link, centre }, others = [], room = { x: 0, y: 0, width, height }) {
       const within = labels.filter((label) => {
-        const found = placeOf(label.at, camera, width, height, link);
+        const found = placeOf(label.at, camera, width, height, link, label.reach);
         Object.assign(label, found, bare && { clear: -1 });
         if (found.out && !label.tag.hidden) label.tag.hidden = true;
         return !found.out;
@@ -90,7 +93,7 @@ export function createLabels(layer, bare = false) {
       const fresh = within.filter((label) => !label.width);
       for (const { tag } of fresh) tag.hidden = false;
       for (const label of fresh) Object.assign(label, { width: label.tag.offsetWidth, height: label.tag.offsetHeight });
-      layOut(within, others, room, placeOf(centre, camera, width, height, link)).forEach((spot, index) => {
+      layOut(within, others, room, { x: 0, y: 0, width, height }, placeOf(centre, camera, width, height, link)).forEach((spot, index) => {
         const label = within[index];
         label.spot = spot;
         if (label.tag.hidden !== spot < 0) label.tag.hidden = spot < 0;

@@ -3,7 +3,7 @@
  *
  * @typedef {{place: string, text: string}} Mark `text` is its name; empty for none
  */
-import { Vector3 } from 'three';
+import { Sphere, Vector3 } from 'three';
 import { createHighlight } from './highlight.js';
 import { createLabels } from './labels.js';
 
@@ -12,8 +12,8 @@ export function createMarks(canvas, things, layer) {
   const highlight = createHighlight(things);
   const labels = createLabels(layer);
   const marks = [
-    { place: '', text: '', at: new Vector3() },
-    { place: '', text: '', at: new Vector3() },
+    { place: '', text: '', at: new Vector3(), reach: 0 },
+    { place: '', text: '', at: new Vector3(), reach: 0 },
   ];
   const [chosen, pointed] = marks;
   const outline = () => highlight.set(chosen.place, pointed.place);
@@ -30,6 +30,7 @@ export function createMarks(canvas, things, layer) {
       if (chosen.place === select.place && chosen.text === select.text && pointed.place === point.place && pointed.text === point.text) return false;
       Object.assign(chosen, select);
       Object.assign(pointed, point);
+      for (const mark of marks) if (mark.text) mark.reach = highlight.boxOf(mark.place).getBoundingSphere(new Sphere()).radius;
       outline();
       canvas.dataset.selected = select.place;
       canvas.dataset.hovered = point.place;

@@ -9,7 +9,7 @@ import { Scene, Sphere } from 'three';
 import { createCamera } from './camera.js';
 import { gapSteps } from './gap-lines.js';
 import { ghostFrames } from './ghosts.js';
-import { freeShare, STAYING } from './free-rectangle.js';
+import { freeShare, stayingOver } from './free-rectangle.js';
 import { createGround } from './ground.js';
 import { createLight } from './light.js';
 import { Linkage } from './linkage.js';
@@ -93,7 +93,7 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
   sizes.observe(canvas);
   resize();
   const over = new window.ResizeObserver(() => !pointing() && view.settle());
-  for (const one of canvas.parentElement?.querySelectorAll(STAYING) ?? []) over.observe(one);
+  for (const one of stayingOver(canvas)) over.observe(one);
 
   const names = () => [...paths.labels, ...linkage.bases.map((at, index) => ({ at, text: String(index + 1), place: `chains[${index}].base` })), ...parts.flatMap((part) => part.names())];
 
@@ -125,6 +125,7 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
     if (!drawing?.isReady) return;
     last = what;
     view.step();
+    view.camera.updateMatrixWorld();
     pose(what);
     marks.follow();
     for (const tell of drawn) tell(width, height);
@@ -185,6 +186,8 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
     fit: view.fit,
     /** @param {import('../../core/standard-views.js').StandardView} side @param {boolean} [smooth] */
     turnTo: (side, smooth) => view.turnTo(STANDARD_VIEWS[side], smooth),
+    lookFrom: view.turnTo,
+    turn: view.turn,
     setParallel: view.setParallel,
     /** The sizes at which gaps are drawn in another way, in lengths. */
     get gapSteps() {
