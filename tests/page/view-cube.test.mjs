@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { Matrix4, Vector3 } from 'three';
-import { sideAt } from '../../www/view3d/view-cube.js';
+import { sideAt } from '../../www/view3d/cube-hand.js';
 
 /** A camera's matrix, looking at the origin from somewhere. */
 const from = (x, y, z) => new Matrix4().lookAt(new Vector3(x, y, z), new Vector3(), new Vector3(0, 0, 1));

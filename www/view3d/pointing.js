@@ -7,9 +7,6 @@ import { onKeys } from '../ui/keys.js';
 import { hasNoGoal } from '../core/shown.js';
 import { nameOf, thingsOf } from '../core/things.js';
 
-/** Two presses in one place look at what is there: within so many pixels and, by touch, milliseconds. */
-const TWICE = { time: 400, far: 24 };
-
 /** How far a pointer may move in a click, in pixels: a hand on a touch screen is less steady. */
 const STEADY = { mouse: 4, touch: 10 };
 
@@ -86,35 +83,14 @@ export function createPointing({ find, store, player, scene }) {
   });
   canvas.addEventListener('pointercancel', () => {
     press = null;
-    first = null;
   });
-
-  /** The first press of two, unless it is meant for something else. @type {PointerEvent | null} */
-  let first = null;
-  let isSecondTap = false;
-  /** @param {MouseEvent} event */
-  const isNearFirst = (event) => first !== null && Math.hypot(event.clientX - first.clientX, event.clientY - first.clientY) < TWICE.far;
-  const lookAt = (/** @type {MouseEvent} */ event) => {
-    first = null;
-    const place = scene.pick(/** @type {PointerEvent} */ (event));
-    if (!place || !scene.fitTo(place)) scene.fit();
-  };
-  // Before what takes hold of something: the first press may have put a handle there.
-  const view = /** @type {HTMLElement} */ (canvas.parentElement);
-  view.addEventListener('pointerdown', (event) => {
-    const near = isNearFirst(event);
-    const touch = event.pointerType === 'touch';
-    isSecondTap = touch && near && event.timeStamp - (first?.timeStamp ?? 0) < TWICE.time;
-    if (isSecondTap || (near && !touch)) return;
-    first = event.target === canvas && event.isPrimary && event.button === 0 && !scene.claims(event) ? event : null;
-  }, true);
-  view.addEventListener('pointerup', (event) => {
-    if (isSecondTap && isNearFirst(event)) lookAt(event);
-  }, true);
-  // How fast a mouse must be is set in the system.
-  view.addEventListener('dblclick', (event) => {
-    if (first?.pointerType !== 'touch' && isNearFirst(event)) lookAt(event);
-  }, true);
+  canvas.addEventListener('pointerup', (event) => {
+    if (!press || press.id !== event.pointerId) return;
+    const steady = event.pointerType === 'touch' ? STEADY.touch : STEADY.mouse;
+    const still = Math.hypot(event.clientX - press.x, event.clientY - press.y) <= steady;
+    press = null;
+    if (still) select(thingAt(event));
+  });
 
   /** @param {number} step */
   function goOn(step) {

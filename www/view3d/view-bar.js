@@ -33,8 +33,9 @@ const PARTS = [
   ['ground', 'Ground'],
 ];
 
-/** @param {Pick<import('../element/workbench.js').App, 'find' | 'store' | 'scene' | 'say'>} app */
-export function createViewBar({ find, store, scene, say }) {
+/** @param {import('../element/workbench.js').App} app */
+export function createViewBar(app) {
+  const { find, store, scene, say } = app;
   if (!scene) return;
   const { canvas } = scene;
   const live = find('view-live');
@@ -93,7 +94,7 @@ export function createViewBar({ find, store, scene, say }) {
   show();
   project();
 
-  createViewCube({ find, store, scene }, turnTo);
+  createViewCube(app, scene, turnTo);
   onKeys(canvas, {
     side: (_, at) => turnTo(...VIEWS[at]),
     projection: toggle,

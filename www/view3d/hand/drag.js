@@ -16,6 +16,7 @@ import { postureActions } from './posture-actions.js';
 import { createFreedoms } from './freedoms.js';
 import { createGizmo } from './gizmo.js';
 import { keyFrameTarget } from './key-frame.js';
+import { createLookAt } from './look-at.js';
 import { createMoves } from './moves.js';
 import { createPointerDrags } from './pointer-drags.js';
 import { ANGLE_STEP, lengthStep } from './steps.js';
@@ -49,6 +50,7 @@ function connect(app, scene) {
   wear(app.root, look);
   const { canvas } = scene;
   const size = () => scene.radius;
+  createLookAt(scene);
   const gizmo = createGizmo(scene, () => app.player.invalidateSoon());
   const layer = element('div', { class: 'hand-labels', 'aria-hidden': 'true' });
   app.find('labels').after(layer);

@@ -186,7 +186,11 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
     fit: view.fit,
     /** @param {import('../../core/standard-views.js').StandardView} side @param {boolean} [smooth] */
     turnTo: (side, smooth) => view.turnTo(STANDARD_VIEWS[side], smooth),
-    lookFrom: view.turnTo,
+    /** By a hand. @param {{around: number, down: number}} from */
+    lookFrom(from) {
+      turned();
+      view.turnTo(from);
+    },
     turn: view.turn,
     setParallel: view.setParallel,
     /** The sizes at which gaps are drawn in another way, in lengths. */
