@@ -202,12 +202,17 @@ test('the workpiece is pulled by its gizmo: the linkage follows with closed loop
 
 test('the workpiece itself can be dragged; Escape lets it go back', async () => {
   await pieceInHand();
-  const [inHand, lower] = [await hand(), await page.locator('#canvas').boundingBox()];
   await page.keyboard.press('Escape');
   await page.locator('.drag-bar').waitFor({ state: 'hidden' });
-  // Without the move bar the picture is higher, and the workpiece with it.
-  const whole = await page.locator('#canvas').boundingBox();
-  const at = { x: inHand.x, y: whole.y + ((inHand.y - lower.y) * whole.height) / lower.height };
+  await settled();
+  // Without the move bar the picture is higher, and the workpiece elsewhere in it.
+  const at = await page.evaluate(async () => {
+    const { scene, store } = await document.querySelector('synthetica-linkage').workbench;
+    const { motion } = store.result;
+    const seen = scene.size.centre.clone().fromArray(motion.pose, 7 * store.view.frame).project(scene.camera);
+    const { x, y, width, height } = scene.canvas.getBoundingClientRect();
+    return { x: x + ((seen.x + 1) / 2) * width, y: y + ((1 - seen.y) / 2) * height };
+  });
   await drag(at, 30, -40, { release: false });
   await byHand(true);
   await page.keyboard.press('Escape');
