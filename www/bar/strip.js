@@ -3,6 +3,7 @@
  * the frames that are not planned are left open.
  *
  * @typedef {import('../core/types.js').Motion} Motion
+ * @typedef {{tag: 'path' | 'rect'} & Record<string, string | number>} Shape with its attributes
  */
 import { drivesJoints } from '../core/driven.js';
 
@@ -20,11 +21,11 @@ const HIGHER = { at_limit: 7, stalled: 11, closure_lost: HEIGHT };
 /** @param {SVGSVGElement} svg @param {Motion} motion */
 export function drawStrip(svg, motion) {
   const last = Math.max(1, motion.goal_frames - 1);
-  svg.setAttribute('viewBox', `0 0 ${last} ${HEIGHT}`);
-  svg.replaceChildren();
-
-  if (!drivesJoints(motion)) drawGaps(svg, motion);
-  if (motion.partial) add(svg, 'path', { d: `M${motion.frames - 0.5} ${HEIGHT - BAND / 2}H${last}`, class: 'unplanned' });
+  put(svg, 'viewBox', `0 0 ${last} ${HEIGHT}`);
+  /** @type {Shape[]} */
+  const shapes = [];
+  if (!drivesJoints(motion)) shapes.push(gapsOf(motion));
+  if (motion.partial) shapes.push({ tag: 'path', d: `M${motion.frames - 0.5} ${HEIGHT - BAND / 2}H${last}`, class: 'unplanned' });
 
   const piece = pieceOf(motion);
   // One rectangle a run of equal status, half a frame to either side of its frames; of a long motion the worst of each piece.
@@ -37,18 +38,18 @@ export function drawStrip(svg, motion) {
     const from = Math.max(0, first - 0.5);
     const to = Math.min(last, end + 0.5);
     const height = HIGHER[name] ?? BAND;
-    const band = { x: from, width: to - from, class: `band ${name}` };
+    const band = { tag: /** @type {const} */ ('rect'), x: from, width: to - from, class: `band ${name}` };
     if (name === 'closest') {
       // A double line: not reached.
-      add(svg, 'rect', { ...band, y: HEIGHT - height, height: LINE });
-      add(svg, 'rect', { ...band, y: HEIGHT - LINE, height: LINE });
-    } else add(svg, 'rect', { ...band, y: HEIGHT - height, height });
+      shapes.push({ ...band, y: HEIGHT - height, height: LINE }, { ...band, y: HEIGHT - LINE, height: LINE });
+    } else shapes.push({ ...band, y: HEIGHT - height, height });
     first = end + 1;
   }
+  lay(svg, shapes);
 }
 
-/** @param {SVGSVGElement} svg @param {Motion} motion */
-function drawGaps(svg, motion) {
+/** @param {Motion} motion @returns {Shape} */
+function gapsOf(motion) {
   const gaps = stripGaps(motion);
   const highest = gaps.reduce((most, gap) => Math.max(most, gap), 0);
   const top = HEIGHT - BAND - 2;
@@ -61,7 +62,7 @@ function drawGaps(svg, motion) {
     const share = highest > 0 ? gaps[at] / highest : 0;
     path += `L${at} ${(top - share * (top - 1)).toFixed(2)}`;
   }
-  add(svg, 'path', { d: `${path}L${motion.frames - 1} ${top}Z`, class: 'gap' });
+  return { tag: 'path', d: `${path}L${motion.frames - 1} ${top}Z`, class: 'gap' };
 }
 
 /** Frames that are drawn as one. @param {Motion} motion */
@@ -75,9 +76,26 @@ const pieceOf = ({ frames }) => Math.ceil(frames / PIECES);
 export const stripGaps = (motion) =>
   motion.metric.map((value, frame) => (motion.report.statuses[motion.status[frame]] === 'reached' ? 0 : Math.sqrt(value)));
 
-/** @param {SVGSVGElement} svg @param {string} tag @param {Record<string, string | number>} attributes */
-function add(svg, tag, attributes) {
-  const made = document.createElementNS(SVG, tag);
-  for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, String(value));
-  svg.append(made);
+/**
+ * Lays shapes into the strip. Those that stand there stay, and only what is different is written: most motions differ from the
+ * one before by their curve.
+ * @param {SVGSVGElement} svg @param {Shape[]} shapes
+ */
+function lay(svg, shapes) {
+  while (svg.children.length > shapes.length) svg.lastElementChild?.remove();
+  shapes.forEach(({ tag, ...attributes }, at) => {
+    let shape = svg.children[at];
+    if (shape?.localName !== tag) {
+      const made = document.createElementNS(SVG, tag);
+      if (shape) shape.replaceWith(made);
+      else svg.append(made);
+      shape = made;
+    }
+    for (const [name, value] of Object.entries(attributes)) put(shape, name, String(value));
+  });
+}
+
+/** @param {Element} shape @param {string} name @param {string} value */
+function put(shape, name, value) {
+  if (shape.getAttribute(name) !== value) shape.setAttribute(name, value);
 }

@@ -2,6 +2,7 @@
  * The track of the animation bar: strip, key frames, playhead and slider as one control, by pointer, touch and keyboard.
  * The slider itself is not drawn; it has the focus, the keys and the words.
  */
+import { atRest } from '../core/at-rest.js';
 import { keyFramesOf } from '../core/key-frames.js';
 import { drivesJoints, told } from '../core/driven.js';
 import { angle, length } from '../core/format.js';
@@ -129,10 +130,20 @@ export function createTrack({ find, store }, goTo) {
     if (motion !== taken) return take();
     const { frame, posture } = store.view;
     scrub.value = String(frame);
-    scrub.setAttribute('aria-valuetext', frameSentence(store));
     playhead.style.left = share(frame);
     track.classList.toggle('away', posture !== null);
+  }
+
+  function tellFrame() {
+    if (!taken) return;
+    scrub.setAttribute('aria-valuetext', frameSentence(store));
     showTicks();
+  }
+
+  function tellMotion() {
+    if (!taken) return;
+    const what = drivesJoints(taken) ? 'Every frame' : `Gap at every frame, ${most(taken)}`;
+    strip.setAttribute('aria-label', `${what}: ${countStatuses(taken)}. ${partSentence(taken)}`.trim());
   }
 
   store.subscribe('view', show);
@@ -143,10 +154,12 @@ export function createTrack({ find, store }, goTo) {
     keys = keyFrameFrames(plain, allTimes(motion));
     if (scrub.max !== String(motion.frames - 1)) scrub.max = String(motion.frames - 1);
     drawStrip(strip, motion);
-    const what = drivesJoints(motion) ? 'Every frame' : `Gap at every frame, ${most(motion)}`;
-    strip.setAttribute('aria-label', `${what}: ${countStatuses(motion)}. ${partSentence(motion)}`.trim());
     show();
   }
   store.subscribe('result', take);
   take();
+  atRest(store, ['result'], tellMotion);
+  atRest(store, ['result', 'view'], tellFrame);
+  tellMotion();
+  tellFrame();
 }

@@ -76,7 +76,9 @@ function connect(app, scene) {
 
   function calm() {
     clearTimeout(rest);
+    if (!store.view.moving) return;
     store.setView({ moving: '' });
+    show();
   }
   signal.addEventListener('abort', calm);
 
@@ -128,6 +130,12 @@ function connect(app, scene) {
     });
   }
 
+  /** The same after a move: of a hand that goes on only the place is told, which then tells the rest. */
+  function showMoved() {
+    if (target && store.view.moving) bar.tell(target.tell());
+    else show();
+  }
+
   /** Where the thing in hand is on the canvas, which names leave free. @type {import('../scene/label-layout.js').Box[]} */
   let kept = [];
 
@@ -156,7 +164,7 @@ function connect(app, scene) {
   /** The workpiece is elsewhere. */
   function follow() {
     if (target !== workpiece) return;
-    show();
+    showMoved();
     if (saying && !workpiece.busy()) {
       saying = false;
       bar.say(`workpiece at ${workpiece.tell()}`);
@@ -275,7 +283,7 @@ function connect(app, scene) {
   });
   store.subscribe('document', () => {
     if (target && !target.pose()) store.setView({ selected: '' });
-    if (target) show();
+    if (target) showMoved();
   });
   hold(store.view.selected);
 }

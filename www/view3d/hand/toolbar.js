@@ -13,7 +13,7 @@
  * @property {Freedom[] | null} freedoms null: not known yet
  * @property {string} place where it is, in words
  */
-import { element } from '../../ui/dom.js';
+import { element, setText } from '../../ui/dom.js';
 import { withKey } from '../../ui/keys.js';
 import { html, nothing, render } from '../../ui/render.js';
 
@@ -35,6 +35,8 @@ const WAYS = { ArrowRight: 1, ArrowUp: 1, '+': 1, '=': 1, ArrowLeft: -1, ArrowDo
 export function createDragBar(place, choose, nudge) {
   const bar = element('section', { class: 'drag-bar', 'aria-label': 'In hand', hidden: true });
   place.append(bar);
+  /** Where it is; it changes with every move. */
+  const readout = element('p', { class: 'readout', 'aria-hidden': 'true' });
   /** @type {InHand | null} */
   let held = null;
   /** For screen readers, and the place that it was said of: it goes when that is no longer so. */
@@ -75,10 +77,17 @@ export function createDragBar(place, choose, nudge) {
     </li>`;
   }
 
+  /** @param {string} where */
+  function tell(where) {
+    setText(readout, where);
+    readout.title = where;
+  }
+
   function show() {
     bar.hidden = !held;
     if (!held) return render(nothing, bar);
-    const { name, how, steps, pullable, freedoms, place: where } = held;
+    const { name, how, steps, pullable, freedoms } = held;
+    tell(held.place);
     const byFreedoms = how.mode === 'freedoms';
     const modes = MODES.filter(([mode]) => mode !== 'freedoms' || pullable);
     const stops = [...modes.map(([mode]) => mode), ...(byFreedoms ? [] : ['space', 'snap'])];
@@ -102,13 +111,15 @@ export function createDragBar(place, choose, nudge) {
           ? html`<ul class="freedoms" aria-label="Freedoms here">
               ${freedoms?.length === 0 ? html`<li>None: the workpiece cannot move here.</li>` : (freedoms ?? []).map(freedom)}
             </ul>`
-          : html`<p class="readout" aria-hidden="true" title=${where}>${where}</p>`}
+          : readout}
         <p class="sr" role="status">${spoken.text}</p>`,
       bar,
     );
   }
 
   return {
+    /** It is elsewhere, and all else as it was; for while it is moved. */
+    tell,
     /** @param {InHand | null} what null: nothing is in hand */
     show(what) {
       held = what;

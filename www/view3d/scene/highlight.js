@@ -35,6 +35,8 @@ export function createHighlight(roots) {
   const materials = { chosen: outline(CHOSEN), pointed: outline(POINTED) };
   /** @type {Mesh[]} */
   let shells = [];
+  /** The bodies of a thing that were found last: a name follows its thing at every picture. @type {{place: string, bodies: import('three').Object3D[]}} */
+  let known = { place: '', bodies: [] };
 
   /** @param {(object: import('three').Object3D, place: string) => void} visit */
   const eachThing = (visit) => {
@@ -72,6 +74,7 @@ export function createHighlight(roots) {
   return {
     /** @param {string} chosen @param {string} pointed places */
     set(chosen, pointed) {
+      known = { place: '', bodies: [] };
       for (const shell of shells) {
         shell.removeFromParent();
         if (shell.material instanceof StrokeMaterial) shell.material.dispose();
@@ -104,13 +107,19 @@ export function createHighlight(roots) {
     },
     /** Where a thing's name stands: in the middle of its first part. @param {string} place @param {import('three').Vector3} at @returns {boolean} */
     anchorOf(place, at) {
+      if (known.place !== place) {
+        known = { place, bodies: [] };
+        eachThing((object, thing) => {
+          if (belongs(thing, place)) known.bodies.push(object);
+        });
+      }
       const box = new Box3();
-      eachThing((object, thing) => {
-        if (!box.isEmpty() || !belongs(thing, place)) return;
+      for (const object of known.bodies) {
         object.updateWorldMatrix(true, true);
         if (object.userData.anchor) box.expandByPoint(object.userData.anchor.getWorldPosition(at));
         else box.setFromObject(object);
-      });
+        if (!box.isEmpty()) break;
+      }
       if (!box.isEmpty()) box.getCenter(at);
       return !box.isEmpty();
     },

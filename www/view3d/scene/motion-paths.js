@@ -79,6 +79,7 @@ export class MotionPaths {
    * @param {{link: number, radius: number}} size radii of a link and of the scene
    * @param {BufferGeometry | null} body the workpiece's shape
    * @param {number[]} ghosts frames
+   * @returns {boolean} whether bodies are new or stand for other things
    */
   update(motion, doc, { link: r, radius }, body, ghosts) {
     this.#gaps.lay(motion, r, radius);
@@ -90,7 +91,7 @@ export class MotionPaths {
     this.#ghostAxes.scale.setScalar(AXES * r);
     this.#reached.scale.setScalar(AXES * r);
     this.#link = r;
-    this.#markKeys(keyFramesOf(doc));
+    return this.#markKeys(keyFramesOf(doc));
   }
 
   /** Marks a key frame that was left out among many. @param {string} place @param {import('../../core/types.js').MechanismDocument} doc @returns {boolean} whether it was */
@@ -103,20 +104,23 @@ export class MotionPaths {
     return true;
   }
 
-  /** All key frames, or some of many, evenly spread. @param {import('../../core/types.js').KeyFrame[]} keys */
+  /** All key frames, or some of many, evenly spread. @param {import('../../core/types.js').KeyFrame[]} keys @returns {boolean} whether marks are new or stand for other ones */
   #markKeys(keys) {
     const some = spreadOver(keys.length, MARKS, this.#own);
     const named = some.length < keys.length ? new Set(spreadOver(keys.length, NAMES, this.#own)) : null;
+    let anew = this.#keys.length !== some.length;
     while (this.#keys.length > some.length) this.#keys.pop()?.removeFromParent();
     this.labels = some.flatMap((index, slot) => {
       const mark = (this.#keys[slot] ??= this.#addKey());
       const place = `motion.key_frames[${index}]`;
+      anew ||= mark.userData.place !== place;
       mark.userData.place = place;
       frameMatrix(keys[index]).decompose(mark.position, mark.quaternion, mark.scale);
       mark.scale.setScalar(KEY * this.#link);
       const text = keys[index].name || `key ${index + 1}`;
       return named && !named.has(index) ? [] : [{ at: mark.position, text, place }];
     });
+    return anew;
   }
 
   #addKey() {

@@ -270,9 +270,9 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
       if (take(motion, doc, afresh)) light.aim(size.centre, size.radius);
       view.setHome(size.home);
       ground.lay(size.centre, size.radius, size.ground);
-      linkage.update(motion, doc, size.link, size.ground);
-      paths.update(motion, doc, size, linkage.body, ghostFrames(options.ghosts, motion, doc));
-      marks.outline();
+      const bodies = linkage.update(motion, doc, size.link, size.ground);
+      const keys = paths.update(motion, doc, size, linkage.body, ghostFrames(options.ghosts, motion, doc));
+      if (bodies || keys) marks.outline();
       name();
       if (afresh) view.begin();
       else if (!pointing()) view.refit();

@@ -4,7 +4,7 @@
  */
 import { BufferGeometry, ConeGeometry, CylinderGeometry, Group, IcosahedronGeometry, Mesh, SphereGeometry, Vector3 } from 'three';
 import { ConvexGeometry } from 'three/addons/geometries/ConvexGeometry.js';
-import { mergeVertices, toCreasedNormals } from 'three/addons/utils/BufferGeometryUtils.js';
+import { mergeGeometries, mergeVertices, toCreasedNormals } from 'three/addons/utils/BufferGeometryUtils.js';
 
 const Y = new Vector3(0, 1, 0);
 
@@ -89,10 +89,7 @@ export function roundedHull(points, radius) {
 export function triad(size, materials) {
   const group = new Group();
   materials.forEach((material, axis) => {
-    const arrow = new Group();
-    const shaft = new Mesh(shared('arrow shaft', () => new CylinderGeometry(0.03, 0.03, 0.8, 10).translate(0, 0.4, 0)), material);
-    const head = new Mesh(shared('arrow head', () => new ConeGeometry(0.085, 0.24, 14).translate(0, 0.88, 0)), material);
-    arrow.add(shaft, head);
+    const arrow = new Mesh(shared('arrow', () => mergeGeometries([new CylinderGeometry(0.03, 0.03, 0.8, 10).translate(0, 0.4, 0), new ConeGeometry(0.085, 0.24, 14).translate(0, 0.88, 0)])), material);
     arrow.quaternion.setFromUnitVectors(Y, new Vector3().setComponent(axis, 1));
     group.add(arrow);
   });
