@@ -65,7 +65,7 @@ test('rows that are all new have keys in no time', () => {
 
 test('a page has the row that is wanted', () => {
   assert.equal(pageWith(PAGE, PAGE - 1), 0, 'a short table is whole');
-  assert.deepEqual([0, 99, 100, 250, 1e9, -5].map((row) => pageWith(251, row)), [0, 0, 100, 200, 200, 0]);
+  assert.deepEqual([0, PAGE - 1, PAGE, 2.5 * PAGE, 1e9, -5].map((row) => pageWith(2.5 * PAGE + 1, row) / PAGE), [0, 0, 1, 2, 2, 0]);
   assert.deepEqual([keyFrameIn('motion.key_frames[12].x'), keyFrameIn('motion.frames'), keyFrameIn('')], [12, -1, -1]);
 });
 

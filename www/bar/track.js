@@ -10,6 +10,7 @@ import { setText } from '../ui/dom.js';
 import { onKeys } from '../ui/keys.js';
 import { html, nothing, render } from '../ui/render.js';
 import { allTimes, keyFrameFrames } from '../core/playhead.js';
+import { keyFrameIn } from '../core/row-window.js';
 import { spreadOver } from '../core/spread.js';
 import { drawStrip } from './strip.js';
 import { countStatuses, frameSentence, partSentence, largestGaps, statusName, statusWords } from '../core/status-words.js';
@@ -97,12 +98,17 @@ export function createTrack({ find, store }, goTo) {
     },
   });
 
+  /** What the ticks were drawn of. @type {unknown[]} */
+  let ticked = [];
+
   function showTicks() {
-    const { doc } = store.result;
+    const { doc, motion } = store.result;
     const { selected, hovered } = store.view;
     if (!doc) return;
-    const own = Number(/^motion\.key_frames\[(\d+)]/.exec(selected)?.[1] ?? -1);
-    const some = spreadOver(keys.length, TICKS, own);
+    const now = [doc, motion, keyFrameIn(selected), keyFrameIn(hovered)];
+    if (now.every((part, at) => part === ticked[at])) return;
+    ticked = now;
+    const some = spreadOver(keys.length, TICKS, keyFrameIn(selected));
     render(
       some.map((i, at) => {
         const frame = keys[i];

@@ -11,6 +11,7 @@ import { chainName } from '../core/chain-name.js';
 import { hasDrivers } from '../core/driven.js';
 import { plural } from '../core/format.js';
 import { keyFramesOf } from '../core/key-frames.js';
+import { same } from '../core/spread.js';
 import { html, nothing, render, repeat } from '../ui/render.js';
 import { jointOf, chainType } from '../core/joint-types.js';
 
@@ -214,7 +215,10 @@ export function createTree(place, { store, narrow }, enter) {
   }
 
   atRest(store, ['document'], () => {
-    items = itemsOf(store.doc);
+    const next = itemsOf(store.doc);
+    // Most edits are of numbers, which it does not list.
+    if (same(next, items)) return;
+    items = next;
     draw();
   });
   store.select(({ view }) => view.selected, mark);

@@ -12,6 +12,7 @@
  * @property {boolean} [optional] empty means absent
  * @property {boolean} [text] any text, not a number
  * @property {number} [decimals] of the short number; 4 unless told
+ * @property {() => void} [show] shows the document's value, once the cell is there
  * @property {() => number | undefined} [fallback] what holds where the document gives nothing; shown as a hint
  * @property {(doc: MechanismDocument, value: import('../../core/types.js').Entry | undefined) => MechanismDocument} [write]
  */
@@ -39,8 +40,10 @@ const LONGEST = 14;
 export function createCells(store) {
   /** The cells that are shown, by their paths. @type {Map<string, CellSpec>} */
   const specs = new Map();
-  /** Shows the value of each cell anew. @type {Map<string, () => void>} */
-  const shows = new Map();
+  /** Those that are made with the part of a table that is being made. @type {CellSpec[] | null} */
+  let fresh = null;
+  /** Those whose values are shown, though their part of the table is not rendered anew. @type {WeakSet<CellSpec>} */
+  const followed = new WeakSet();
   let visits = 0;
   /** The cell with a number that was entered last. */
   let lastNumber = '';
@@ -148,7 +151,7 @@ export function createCells(store) {
     });
     return (next) => {
       spec = next;
-      shows.set(spec.path, show);
+      spec.show = show;
       show();
     };
   }
@@ -157,6 +160,7 @@ export function createCells(store) {
     /** @param {CellSpec} spec */
     input(spec) {
       specs.set(spec.path, spec);
+      fresh?.push(spec);
       return html`<input type="text" inputmode=${spec.text ? 'text' : 'decimal'} autocomplete="off" spellcheck="false"
         data-path=${spec.path} data-column=${spec.column ?? nothing} aria-label=${spec.label} class=${spec.text ? 'cell text' : 'cell'} ?readonly=${store.readonly}
         ${attach(behave, spec)} />`;
@@ -176,13 +180,35 @@ export function createCells(store) {
     },
 
     /** Forgets the cells: those that are still there are rendered next. */
-    clear() {
-      specs.clear();
-      shows.clear();
-    },
+    clear: () => specs.clear(),
     /** Shows the values of the cells within a place anew. @param {string} place */
     follow(place) {
-      for (const [path, show] of shows) if (path.startsWith(`${place}.`)) show();
+      for (const [path, spec] of specs) {
+        if (!path.startsWith(`${place}.`)) continue;
+        followed.add(spec);
+        spec.show?.();
+      }
+    },
+    /**
+     * What `make` makes, with the cells in it.
+     * @template T @param {() => T} make
+     */
+    noting(make) {
+      /** @type {CellSpec[]} */
+      const own = (fresh = []);
+      try {
+        return { made: make(), specs: own };
+      } finally {
+        fresh = null;
+      }
+    },
+    /** They are still there, though they are not rendered anew. @param {CellSpec[]} all */
+    know(all) {
+      for (const spec of all) {
+        specs.set(spec.path, spec);
+        // It may be back at the value that its part was rendered with.
+        if (followed.delete(spec)) spec.show?.();
+      }
     },
     /**
      * The document with a text written into a cell as if it were typed there; the cell may be one that is not made yet.

@@ -10,11 +10,13 @@ import { driverName } from '../../core/driven-words.js';
 import { ANGLE_DECIMALS, lengthUnit, plural } from '../../core/format.js';
 import { without } from '../../core/lists.js';
 import { setValue } from '../../core/edits.js';
-import { PAGE } from '../../core/row-window.js';
 import { html, live, nothing, repeat } from '../../ui/render.js';
 import { wear } from '../../ui/style-sheets.js';
 import look from '../../style/drivers.css?inline';
 import { setting } from './settings.js';
+
+/** At most so many values of a driver are shown. */
+const MOST = 100;
 
 /**
  * @param {HTMLElement} root holds the tables
@@ -56,7 +58,7 @@ export function createDriverTable(root, store, cells) {
     const degree = store.doc.angles === 'radians' ? 'rad' : '°';
     const unit = turns ? degree : lengthUnit(store.doc.length_unit);
     const inWords = unit === '°' ? 'degrees' : unit;
-    const rows = values.slice(0, PAGE).map((_, i) => {
+    const rows = values.slice(0, MOST).map((_, i) => {
       const label = `driver ${at + 1}, value ${i + 1}`;
       return html`<tr>
         <td>${cells.input({ path: `${path}[${i}].time`, column: 'time', label: `${label}, time in seconds` })}</td>
@@ -70,7 +72,7 @@ export function createDriverTable(root, store, cells) {
       <thead><tr><th scope="col">time<small>s</small></th><th scope="col">value<small>${unit}</small></th><th><span class="sr">actions</span></th></tr></thead>
       <tbody>${repeat(rows, (_, i) => i, (row) => row)}</tbody>
     </table></div>
-    ${values.length > PAGE ? html`<p class="muted">${plural(values.length - PAGE, 'more value')} in the document, not shown here.</p>` : nothing}`;
+    ${values.length > MOST ? html`<p class="muted">${plural(values.length - MOST, 'more value')} in the document, not shown here.</p>` : nothing}`;
   }
 
   /** @param {number} at */

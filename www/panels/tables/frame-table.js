@@ -22,6 +22,9 @@ export const coordinateHeads = (doc) =>
 /** The forms of a rotation beside longitude, latitude, roll, whose cells are loaded when a document has one. */
 const OTHER = /** @type {const} */ (['quaternion_wxyz', 'quaternion_xyzw', 'matrix', 'roll_pitch_yaw']);
 
+/** Whether a frame's rotation is not longitude, latitude, roll. @param {any} frame */
+export const hasOtherTurn = (frame) => OTHER.some((key) => frame?.[key] != null);
+
 /**
  * The six cells of one frame; in place of the last three one with its rotation, where that has another form.
  * @param {ReturnType<typeof import('./cells.js').createCells>} cells

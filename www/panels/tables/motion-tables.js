@@ -10,12 +10,14 @@ import { addKeyFrame, duplicateKeyFrame, removeKeyFrame, setTime } from '../../c
 import { lengthUnit, plural } from '../../core/format.js';
 import { keyFrameIn, PAGE, pageWith } from '../../core/row-window.js';
 import { hasDrivers } from '../../core/driven.js';
+import { parametersOf } from '../../core/parameter-names.js';
 import { element } from '../../ui/dom.js';
 import { whenSeen } from '../../ui/lazy.js';
 import { html, live, nothing, renderRows, repeat } from '../../ui/render.js';
 import { shownFrame } from '../../core/shown-frame.js';
-import { coordinateCells, coordinateHeads } from './frame-table.js';
+import { coordinateCells, coordinateHeads, hasOtherTurn } from './frame-table.js';
 import { plannerSettings } from './planner-settings.js';
+import { createKeptRows } from './kept-rows.js';
 import { createRowKeys } from './row-keys.js';
 import { pointCells, setting } from './settings.js';
 import { wear } from '../../ui/style-sheets.js';
@@ -38,6 +40,8 @@ export function createMotionTables(panel, store, cells, defaults, arrange, { goT
   // Times stay where they are when poses change places.
   const rowKeys = createRowKeys((/** @type {import('../../core/types.js').KeyFrame} */ { time: _, ...pose }) => pose);
 
+  const keptRows = createKeptRows(cells);
+
   /** The first key frame that is shown. */
   let first = 0;
 
@@ -46,42 +50,48 @@ export function createMotionTables(panel, store, cells, defaults, arrange, { goT
     first = pageWith(keys.length, first);
     const page = keys.slice(first, first + PAGE);
     const places = rowKeys(page);
-    const rows = page.map((_, row) => {
-      const index = first + row;
-      const path = `motion.key_frames[${index}]`;
-      const label = `key frame ${index + 1}`;
-      const name = cells.input({ path: `${path}.name`, column: 'name', label: `name of ${label}`, text: true });
-      const time = cells.input({
-        path: `${path}.time`,
-        column: 'time',
-        label: `${label}, time in seconds`,
-        optional: true,
-        write: (doc, value) => setTime(doc, index, value),
-      });
-      const menu = arrange.menu(path, label, () => [
-        { label: 'Duplicate', act: () => store.edit((doc) => duplicateKeyFrame(doc, index)) },
-        { label: 'Insert the shown pose after it', act: () => addShown('pose', index + 1) },
-        { label: 'Take the shown pose', act: () => takeShown(index) },
-        { label: 'Turn as quaternion, matrix…', act: () => forms.turn(path, label) },
-        { label: 'Remove', disabled: keys.length <= 2 ? 'A motion has at least two key frames' : '', act: () => store.edit((doc) => removeKeyFrame(doc, index)) },
-      ]);
-      return {
-        key: places[row],
-        body: html`<tbody data-path=${path} class="key">
-          <tr>
-            <th scope="rowgroup" colspan="2">${name}</th>
-            <td colspan="2" class="time"><span>time<small>s</small>${time}</span></td>
-            <td colspan="2" class="act"><button class="quiet" aria-label="Go to ${label}" title="Go to its moment in the motion" @click=${() => goTo(index)}>go to</button>${menu}</td>
-          </tr>
-          <tr>${coordinateCells(cells, path, label, store.doc, typed)}</tr>
-        </tbody>`,
-      };
-    });
+    const isShort = keys.length <= 2;
+    // In them are the words of parameters, and rotations in other forms, which may come later.
+    const all = [unit(), store.doc.angles, isShort, store.readonly, Object.keys(parametersOf(store.doc)).length > 0];
+    const rows = keptRows(page.map((key, row) => ({
+      key: places[row],
+      of: [key, first + row, hasOtherTurn(key) && typed.get(), ...all],
+      make: () => keyRow(first + row, isShort),
+    })));
     return html`<div class="scroller" data-path="motion.key_frames"><table class="frames keys">
       <caption class="sr">Key frames</caption>
       <thead><tr>${coordinateHeads(store.doc)}</tr></thead>
       ${repeat(rows, ({ key }) => key, ({ body }) => body)}
     </table></div>${keys.length > PAGE ? pager(keys.length) : nothing}`;
+  }
+
+  /** @param {number} index @param {boolean} isShort whether none can be removed */
+  function keyRow(index, isShort) {
+    const path = `motion.key_frames[${index}]`;
+    const label = `key frame ${index + 1}`;
+    const name = cells.input({ path: `${path}.name`, column: 'name', label: `name of ${label}`, text: true });
+    const time = cells.input({
+      path: `${path}.time`,
+      column: 'time',
+      label: `${label}, time in seconds`,
+      optional: true,
+      write: (doc, value) => setTime(doc, index, value),
+    });
+    const menu = arrange.menu(path, label, () => [
+      { label: 'Duplicate', act: () => store.edit((doc) => duplicateKeyFrame(doc, index)) },
+      { label: 'Insert the shown pose after it', act: () => addShown('pose', index + 1) },
+      { label: 'Take the shown pose', act: () => takeShown(index) },
+      { label: 'Turn as quaternion, matrix…', act: () => forms.turn(path, label) },
+      { label: 'Remove', disabled: isShort ? 'A motion has at least two key frames' : '', act: () => store.edit((doc) => removeKeyFrame(doc, index)) },
+    ]);
+    return html`<tbody data-path=${path} class="key">
+        <tr>
+          <th scope="rowgroup" colspan="2">${name}</th>
+          <td colspan="2" class="time"><span>time<small>s</small>${time}</span></td>
+          <td colspan="2" class="act"><button class="quiet" aria-label="Go to ${label}" title="Go to its moment in the motion" @click=${() => goTo(index)}>go to</button>${menu}</td>
+        </tr>
+        <tr>${coordinateCells(cells, path, label, store.doc, typed)}</tr>
+      </tbody>`;
   }
 
   /** The way to the other pages of key frames. @param {number} count */
@@ -223,8 +233,13 @@ export function createMotionTables(panel, store, cells, defaults, arrange, { goT
   }
 }
 
+/** Means of the positions of lists of key frames: each of the three cells asks for it at every rendering. @type {WeakMap<object, number[]>} */
+const means = new WeakMap();
+
 /** The mean of the key frames' positions; what is no number counts as 0, and is at fault. @param {import('../../core/types.js').MechanismDocument} doc */
 function meanPosition(doc) {
   const keys = keyFramesOf(doc);
-  return /** @type {const} */ (['x', 'y', 'z']).map((axis) => keys.reduce((sum, key) => sum + (Number(key[axis]) || 0), 0) / keys.length);
+  const mean = means.get(keys) ?? /** @type {const} */ (['x', 'y', 'z']).map((axis) => keys.reduce((sum, key) => sum + (Number(key[axis]) || 0), 0) / keys.length);
+  means.set(keys, mean);
+  return mean;
 }

@@ -3,7 +3,6 @@
  * marked and brought into sight there, without taking the focus.
  */
 import { atRest } from '../../core/at-rest.js';
-import { covers } from '../../core/path.js';
 
 /** The things that can be selected: chains, joints, base and gripper frames, key frames, drivers. */
 const THING = /^(?:chains\[\d+\](?:\.joints\[\d+\]|\.base|\.gripper)?|motion\.(?:key_frames|drivers)\[\d+\])/;
@@ -27,16 +26,15 @@ export function createSelection(root, panels, { store, tabs, narrow }, ready) {
   /** @param {string} place @returns {HTMLElement | null} the smallest part of the tables that shows it */
   function find(place) {
     const thing = thingOf(place);
-    /** @type {HTMLElement | null} */
-    let best = null;
-    if (!thing) return best;
-    for (const panel of panels) {
-      for (const part of /** @type {NodeListOf<HTMLElement>} */ (panel.querySelectorAll('[data-path]:not(input, select)'))) {
-        const path = part.dataset.path ?? '';
-        if (thingOf(path) === path && covers(path, thing) > covers(best?.dataset.path ?? ' ', thing)) best = part;
+    if (!thing) return null;
+    // Itself, or the chain that it is part of.
+    for (const path of [thing, /^chains\[\d+\]/.exec(thing)?.[0] ?? thing]) {
+      for (const panel of panels) {
+        const part = /** @type {HTMLElement | null} */ (panel.querySelector(`[data-path="${path}"]:not(input, select)`));
+        if (part) return part;
       }
     }
-    return best;
+    return null;
   }
 
   /** @param {string} name of the class @param {HTMLElement | null} part */
