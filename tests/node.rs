@@ -17,7 +17,6 @@ fn newton_is_as_close_as_the_reference() {
     golden_checks::newton_is_as_close_as_the_reference();
 }
 
-/// With the first package's own methods, so that it runs without the feature `study` too.
 #[wasm_bindgen_test]
 fn a_session_plans_in_portions_as_in_one_go() {
     let joints = |motion: JsValue| {

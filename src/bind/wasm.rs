@@ -1,15 +1,11 @@
 //! The bindings to JavaScript: a session is opened with a document's text and asked many times; copied columns and
-//! small objects come out. No arithmetic.
+//! small objects come out. No arithmetic. What a page asks by itself, without input, and no more: see wasm_study.
 
 #[cfg(feature = "study")]
 use crate::document::comparison::Comparison;
-use crate::document::defaults;
 use crate::document::fault::Fault;
 use crate::document::problem::Problem;
-use crate::document::questions::Posture;
 use crate::document::report::Report;
-
-use crate::document::text::{self, Digits};
 use crate::motion::columns::{COLUMNS, Column, Kind, placed};
 use crate::motion::trajectory::Trajectory;
 use crate::plan::planning::Planning;
@@ -17,6 +13,11 @@ use crate::source::session;
 use js_sys::{Float64Array, Object, Reflect, Uint8Array, Uint32Array};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
+
+/// Smaller than that of the standard library by 6 kB.
+#[cfg(not(feature = "study"))]
+#[global_allocator]
+static ALLOCATOR: rlsf::SmallGlobalTlsf = rlsf::SmallGlobalTlsf::new();
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = include_str!("wasm.d.ts");
@@ -30,14 +31,8 @@ extern "C" {
     #[wasm_bindgen(typescript_type = "Progress")]
     pub type JsProgress;
     /// A type of wasm.d.ts.
-    #[wasm_bindgen(typescript_type = "Posture")]
-    pub type JsPosture;
-    /// A type of wasm.d.ts.
     #[wasm_bindgen(typescript_type = "Insight")]
     pub type JsInsight;
-    /// A type of wasm.d.ts.
-    #[wasm_bindgen(typescript_type = "Defaults")]
-    pub type JsDefaults;
 }
 
 /// Reports panics, which are our own defects, to the console before the instance is lost.
@@ -53,7 +48,7 @@ pub fn start() {
 #[derive(Debug)]
 pub struct Session {
     pub(crate) open: session::Session,
-    portions: Portions,
+    pub(crate) portions: Portions,
     /// What the plan in portions has taken so far.
     milliseconds: f64,
     /// The plans with either metric, while they are made.
@@ -63,7 +58,7 @@ pub struct Session {
 
 /// A plan in portions.
 #[derive(Debug)]
-enum Portions {
+pub(crate) enum Portions {
     None,
     Running(Box<Planning>),
     Done(Box<Trajectory>),
@@ -85,25 +80,13 @@ impl Session {
         })
     }
 
-    /// The document with every default written out.
-    pub fn text(&self) -> String {
-        self.open.text()
-    }
-
-    /// The document with the start that the planner uses written into it.
-    pub fn find_start(&self) -> String {
-        self.open.text_with_start()
-    }
-
-    /// Plans the motion in one go.
+    /// The document with every default written out, as an object: the text of one whose numbers have 15 digits at most.
     ///
     /// # Errors
     /// Never for a reason of the caller's.
-    pub fn plan(&self) -> Result<JsMotion, JsValue> {
-        let clock = Clock::new();
-        let began = clock.now();
-        let trajectory = self.open.plan();
-        self.motion(&trajectory, clock.now() - began)
+    #[cfg(not(feature = "study"))]
+    pub fn document(&self) -> Result<JsValue, JsValue> {
+        to_js(self.open.document())
     }
 
     /// Begins a plan in portions, in place of one that was begun before. The start is searched for here.
@@ -173,19 +156,6 @@ impl Session {
         }
     }
 
-    /// Forgets the plan in portions.
-    pub fn end_plan(&mut self) {
-        self.portions = Portions::None;
-    }
-
-    /// The closest reachable pose to `goal` (7 numbers) from the joint values `joints`, along their branch.
-    ///
-    /// # Errors
-    /// A `Fault` where the joint values or the goal are at fault.
-    pub fn pull(&self, joints: &[f64], goal: &[f64]) -> Result<JsPosture, JsValue> {
-        posture(&self.open, self.open.pull(joints, goal))
-    }
-
     /// What holds the workpiece at the joint values `joints` against the pull of `goal` (7 numbers).
     ///
     /// # Errors
@@ -195,7 +165,7 @@ impl Session {
         to_js(&insight.map_err(|fault| refusal(&fault))?).map(JsCast::unchecked_into)
     }
 
-    fn motion(&self, t: &Trajectory, milliseconds: f64) -> Result<JsMotion, JsValue> {
+    pub(crate) fn motion(&self, t: &Trajectory, milliseconds: f64) -> Result<JsMotion, JsValue> {
         let motion = motion(self.open.problem(), t, milliseconds)?;
         #[cfg(feature = "study")]
         self.tell_typed(&motion)?;
@@ -210,15 +180,6 @@ impl Session {
             Portions::None | Portions::Running(_) => None,
         }
     }
-}
-
-/// What a page starts from: one of everything that can be added to a document.
-///
-/// # Errors
-/// Never for a reason of the caller's.
-#[wasm_bindgen]
-pub fn defaults() -> Result<JsDefaults, JsValue> {
-    to_js(&defaults::defaults()).map(JsCast::unchecked_into)
 }
 
 fn motion(problem: &Problem, t: &Trajectory, milliseconds: f64) -> Result<Object, JsValue> {
@@ -240,7 +201,7 @@ fn motion(problem: &Problem, t: &Trajectory, milliseconds: f64) -> Result<Object
 
 /// The frames of all rows, frame by frame straight into the array that leaves: with 100,000 frames they are 200 MB, and the
 /// memory of wasm never shrinks.
-fn rows(problem: &Problem, t: &Trajectory) -> Float64Array {
+pub(crate) fn rows(problem: &Problem, t: &Trajectory) -> Float64Array {
     let of_frame = |frame| placed(&problem.frames_at(t.joints_at(frame)));
     let count = if t.frames() > 0 { of_frame(0).len() } else { 0 };
     let index = |number: usize| u32::try_from(number).unwrap_or(u32::MAX);
@@ -275,43 +236,21 @@ fn typed(column: &Column, t: &Trajectory) -> JsValue {
     }
 }
 
-pub(crate) fn posture(
-    session: &session::Session,
-    posture: Result<Posture, Fault>,
-) -> Result<JsPosture, JsValue> {
-    let posture = posture.map_err(|fault| refusal(&fault))?;
-    let object = Object::new();
-    let set = |name: &str, value: &JsValue| Reflect::set(&object, &name.into(), value).map(drop);
-    let t = &posture.frame;
-    for column in &COLUMNS {
-        let values = (column.values)(t);
-        match column.kind {
-            Kind::Status => set(column.name, &t.status[0].name().into())?,
-            Kind::Pose | Kind::Joints => set(column.name, &Float64Array::from(&values[..]))?,
-            Kind::Time => {}
-            Kind::Length | Kind::Angle | Kind::Number | Kind::Count => {
-                set(column.name, &values[0].into())?;
-            }
-        }
-    }
-    set("rows", &rows(session.problem(), t))?;
-    if let Some(value) = posture.value {
-        set("value", &value.into())?;
-    }
-    if let Some(obstacle) = &posture.obstacle {
-        set("obstacle", &obstacle.into())?;
-    }
-    Ok(object.unchecked_into())
-}
-
+/// What is thrown for a fault: the `Fault`; null where it has no words.
+#[cfg(feature = "study")]
 pub(crate) fn refusal(fault: &Fault) -> JsValue {
     to_js(fault).unwrap_or_else(|error| error)
 }
 
-/// Small plain data as an object, by way of JSON: documents need its writer anyway, and a second one for objects would
-/// make the package 2 kB larger.
-fn to_js(value: &impl Serialize) -> Result<JsValue, JsValue> {
-    js_sys::JSON::parse(&text::json(value, Digits::All))
+#[cfg(not(feature = "study"))]
+fn refusal(_fault: &Fault) -> JsValue {
+    JsValue::NULL
+}
+
+/// Small plain data as an object, without a way through text.
+pub(crate) fn to_js(value: &impl Serialize) -> Result<JsValue, JsValue> {
+    let serializer = serde_wasm_bindgen::Serializer::json_compatible();
+    value.serialize(&serializer).map_err(JsValue::from)
 }
 
 /// The page's, the worker's or the program's clock.

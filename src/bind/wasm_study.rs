@@ -1,28 +1,37 @@
 //! The bindings that a page asks for only now and then: a joint driven by hand, the planners' iterations, exports,
 //! tables of types, linkages of a type, the schema. The package that a page loads first is built without them (feature `study`).
 
-use crate::bind::wasm::{Clock, JsPosture, Session, posture, refusal};
+use crate::bind::wasm::{Clock, JsMotion, Portions, Session, refusal, rows, to_js};
+use crate::document::defaults;
+use crate::document::fault::Fault;
 use crate::document::make;
 use crate::document::problem::Problem;
+use crate::document::questions::Posture;
 use crate::document::schema::SCHEMA;
-use crate::document::text::{self, Digits};
+use crate::document::text::{self};
+use crate::document::warnings::{WarningReport, warning};
 use crate::exchange::export::{self, Format, Options};
 use crate::exchange::pose_table::read_pose_table_asked;
 use crate::makers::from_type;
 use crate::makers::list;
 use crate::math::pose::Pose;
-use crate::motion::columns::placed;
+use crate::motion::columns::{COLUMNS, Kind, placed};
 use crate::motion::trajectory::Warning;
 use crate::solve::gradient::Arrival;
-use crate::source::session::index;
+use crate::source::session::{self, index};
 use crate::study::iterations::History;
 use crate::types::{enumerate, tables};
 use js_sys::{Float64Array, Object, Reflect, Uint8Array, Uint32Array};
-use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]
 extern "C" {
+    /// A type of wasm.d.ts.
+    #[wasm_bindgen(typescript_type = "Defaults")]
+    pub type JsDefaults;
+    /// A type of wasm.d.ts.
+    #[wasm_bindgen(typescript_type = "Posture")]
+    pub type JsPosture;
     /// A type of wasm.d.ts.
     #[wasm_bindgen(typescript_type = "Trace")]
     pub type JsTrace;
@@ -36,12 +45,60 @@ extern "C" {
     #[wasm_bindgen(typescript_type = "Enumeration")]
     pub type JsEnumeration;
     /// Types of wasm.d.ts.
+    #[wasm_bindgen(typescript_type = "Report['warnings']")]
+    pub type JsWarnings;
+    /// Types of wasm.d.ts.
     #[wasm_bindgen(typescript_type = "Maker[]")]
     pub type JsMakerList;
 }
 
 #[wasm_bindgen]
 impl Session {
+    /// The document with every default written out.
+    pub fn text(&self) -> String {
+        self.open.text()
+    }
+
+    /// The document with the start that the planner uses written into it.
+    pub fn find_start(&self) -> String {
+        self.open.text_with_start()
+    }
+
+    /// Plans the motion in one go.
+    ///
+    /// # Errors
+    /// Never for a reason of the caller's.
+    pub fn plan(&self) -> Result<JsMotion, JsValue> {
+        let clock = Clock::new();
+        let began = clock.now();
+        let trajectory = self.open.plan();
+        self.motion(&trajectory, clock.now() - began)
+    }
+
+    /// Forgets the plan in portions.
+    pub fn end_plan(&mut self) {
+        self.portions = Portions::None;
+    }
+
+    /// The closest reachable pose to `goal` (7 numbers) from the joint values `joints`, along their branch.
+    ///
+    /// # Errors
+    /// A `Fault` where the joint values or the goal are at fault.
+    pub fn pull(&self, joints: &[f64], goal: &[f64]) -> Result<JsPosture, JsValue> {
+        posture(&self.open, self.open.pull(joints, goal))
+    }
+
+    /// Warnings of a motion that the package without this module planned, in words: its report's, as they stand there.
+    ///
+    /// # Errors
+    /// Where they are none.
+    pub fn in_words(&self, warnings: JsValue) -> Result<JsWarnings, JsValue> {
+        let warnings: Vec<Warning> = serde_wasm_bindgen::from_value(warnings)?;
+        let wording = self.open.problem().wording();
+        let told: Vec<WarningReport> = warnings.iter().map(|w| warning(w, &wording)).collect();
+        to_js(&told).map(JsCast::unchecked_into)
+    }
+
     /// The document as the planner has it: numbers, degrees, rows.
     pub fn plain(&self) -> String {
         self.open.document().text()
@@ -164,6 +221,15 @@ impl Session {
     }
 }
 
+/// What a page starts from: one of everything that can be added to a document.
+///
+/// # Errors
+/// Never for a reason of the caller's.
+#[wasm_bindgen]
+pub fn defaults() -> Result<JsDefaults, JsValue> {
+    to_js(&defaults::defaults()).map(JsCast::unchecked_into)
+}
+
 /// A document with a linkage of this type, such as 3RPS or RPS+2TS, closed at its start; or one that a maker makes, such as
 /// `delta?base=400&platform=50`.
 ///
@@ -215,7 +281,7 @@ pub fn make(request: &str) -> Result<String, JsValue> {
 #[wasm_bindgen]
 pub fn read_poses(table: &str, request: &str) -> Result<String, JsValue> {
     let table = read_pose_table_asked(table, request).map_err(|fault| refusal(&fault))?;
-    Ok(text::json(&table, Digits::Short))
+    Ok(text::json(&table))
 }
 
 /// The JSON Schema of a document.
@@ -253,6 +319,35 @@ pub fn assembly_by_index(constraints: f64, k: f64) -> Option<Vec<String>> {
     )
 }
 
+fn posture(
+    session: &session::Session,
+    posture: Result<Posture, Fault>,
+) -> Result<JsPosture, JsValue> {
+    let posture = posture.map_err(|fault| refusal(&fault))?;
+    let object = Object::new();
+    let set = |name: &str, value: &JsValue| Reflect::set(&object, &name.into(), value).map(drop);
+    let t = &posture.frame;
+    for column in &COLUMNS {
+        let values = (column.values)(t);
+        match column.kind {
+            Kind::Status => set(column.name, &t.status[0].name().into())?,
+            Kind::Pose | Kind::Joints => set(column.name, &Float64Array::from(&values[..]))?,
+            Kind::Time => {}
+            Kind::Length | Kind::Angle | Kind::Number | Kind::Count => {
+                set(column.name, &values[0].into())?;
+            }
+        }
+    }
+    set("rows", &rows(session.problem(), t))?;
+    if let Some(value) = posture.value {
+        set("value", &value.into())?;
+    }
+    if let Some(obstacle) = &posture.obstacle {
+        set("obstacle", &obstacle.into())?;
+    }
+    Ok(object.unchecked_into())
+}
+
 fn history(problem: &Problem, history: &History) -> Result<Object, JsValue> {
     let object = Object::new();
     let set = |name: &str, value: &JsValue| Reflect::set(&object, &name.into(), value).map(drop);
@@ -282,10 +377,4 @@ fn history(problem: &Problem, history: &History) -> Result<Object, JsValue> {
     set("last", &history.last.into())?;
     set("converged", &history.converged.into())?;
     Ok(object)
-}
-
-/// Lists of many numbers, as objects without a way through text.
-fn to_js(value: &impl Serialize) -> Result<JsValue, JsValue> {
-    let serializer = serde_wasm_bindgen::Serializer::json_compatible();
-    value.serialize(&serializer).map_err(JsValue::from)
 }

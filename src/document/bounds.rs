@@ -1,6 +1,6 @@
 //! The bounds of a document's numbers, texts and counts, and the faults beyond them.
 
-use crate::document::fault::{Fault, FaultCode, Place};
+use crate::document::fault::{Fault, FaultCode, Place, told};
 use crate::document::number::typed;
 use std::fmt::Display;
 
@@ -32,6 +32,7 @@ pub const MAX_SCHEMA: usize = 2_000;
 pub const MAX_UNIT: usize = 16;
 
 /// A joint variable, degrees or a length, in radians or as it is.
+#[inline(never)]
 pub(crate) fn joint_value(value: f64, turns: bool, place: &Place<'_>) -> Result<f64, Fault> {
     if turns {
         angle(value, place)
@@ -49,6 +50,7 @@ pub(crate) fn length(value: f64, place: &Place<'_>) -> Result<f64, Fault> {
     bounded(value, MAX_LENGTH, "a length", place)
 }
 
+#[inline(never)]
 pub(crate) fn bounded(value: f64, most: f64, what: &str, place: &Place<'_>) -> Result<f64, Fault> {
     // Also refuses NaN.
     if value.abs() <= most {
@@ -57,37 +59,39 @@ pub(crate) fn bounded(value: f64, most: f64, what: &str, place: &Place<'_>) -> R
         Err(out_of_range(
             place,
             typed(value),
-            &format!("{what} from {} to {}", typed(-most), typed(most)),
+            &told!("{what} from {} to {}", typed(-most), typed(most)),
         ))
     }
 }
 
+#[inline(never)]
 pub(crate) fn check_text(text: &str, most: usize, place: &Place<'_>) -> Result<(), Fault> {
     let found = text.chars().count();
     if found <= most {
         return Ok(());
     }
-    let what = format!("{found} characters are too many");
+    let what = told!("{found} characters are too many");
     Err(Fault::new(
         FaultCode::NameTooLong,
         place,
         &what,
-        &format!("up to {most} characters"),
+        &told!("up to {most} characters"),
     ))
 }
 
+#[inline(never)]
 pub(crate) fn wrong_count(place: &Place<'_>, found: usize, accepted: &str) -> Fault {
     let what = match found {
         0 => "there are none".to_owned(),
         1 => "there is only one".to_owned(),
-        _ => format!("there are {found}"),
+        _ => told!("there are {found}"),
     };
     Fault::new(FaultCode::WrongCount, place, &what, accepted)
 }
 
 /// A number that is no index of one of `count` things.
 pub(crate) fn no_index(place: &Place<'_>, found: impl Display, count: usize) -> Fault {
-    let accepted = format!("a whole number from 0 to {}", count - 1);
+    let accepted = told!("a whole number from 0 to {}", count - 1);
     out_of_range(place, found, &accepted)
 }
 
@@ -95,7 +99,7 @@ pub(crate) fn out_of_range(place: &Place<'_>, value: impl Display, accepted: &st
     Fault::new(
         FaultCode::OutOfRange,
         place,
-        &format!("{value} is out of range"),
+        &told!("{value} is out of range"),
         accepted,
     )
 }

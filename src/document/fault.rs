@@ -3,6 +3,18 @@
 use serde::Serialize;
 use std::fmt;
 
+/// Whether faults have words. Those of the package that a page loads first have none: what it refuses is asked of the
+/// whole package, which says what is wrong.
+pub(crate) const TOLD: bool = cfg!(any(feature = "study", not(target_arch = "wasm32")));
+
+/// `format!` for the words of a fault, where it has any.
+macro_rules! told {
+    ($($words:tt)*) => {
+        if $crate::document::fault::TOLD { format!($($words)*) } else { String::new() }
+    };
+}
+pub(crate) use told;
+
 /// The kinds of faults: what a page may decide by. In JSON in kebab-case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
 #[serde(rename_all = "kebab-case")]
@@ -42,6 +54,7 @@ pub enum FaultCode {
 }
 
 /// A fault of a document: a person can mend it.
+#[cfg(any(feature = "study", not(target_arch = "wasm32")))]
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Fault {
     /// The kind of fault.
@@ -66,6 +79,7 @@ pub struct Fault {
     pub column: Option<u32>,
 }
 
+#[cfg(any(feature = "study", not(target_arch = "wasm32")))]
 impl Fault {
     /// `what` and `accepted` are parts of a sentence without a stop at the end.
     #[cold]
@@ -102,17 +116,50 @@ impl Fault {
     }
 }
 
+#[cfg(any(feature = "study", not(target_arch = "wasm32")))]
 #[expect(clippy::trivially_copy_pass_by_ref, reason = "as serde calls it")]
 fn is_false(value: &bool) -> bool {
     !value
 }
 
+#[cfg(any(feature = "study", not(target_arch = "wasm32")))]
 impl fmt::Display for Fault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.message)
     }
 }
 
+#[cfg(any(feature = "study", not(target_arch = "wasm32")))]
+impl std::error::Error for Fault {}
+
+/// Something in a document is wrong, or more than this package knows: without words.
+#[cfg(all(target_arch = "wasm32", not(feature = "study")))]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Fault;
+
+#[cfg(all(target_arch = "wasm32", not(feature = "study")))]
+impl Fault {
+    pub(crate) fn new(_code: FaultCode, _place: &Place<'_>, _what: &str, _accepted: &str) -> Self {
+        Self
+    }
+
+    pub(crate) fn or_null(self) -> Self {
+        self
+    }
+
+    pub(crate) fn at(self, _line: usize, _column: usize) -> Self {
+        self
+    }
+}
+
+#[cfg(all(target_arch = "wasm32", not(feature = "study")))]
+impl fmt::Display for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("refused")
+    }
+}
+
+#[cfg(all(target_arch = "wasm32", not(feature = "study")))]
 impl std::error::Error for Fault {}
 
 /// A place in a document: a step from another place. Nothing is put together before there is a fault
@@ -160,6 +207,7 @@ impl<'a> Place<'a> {
     }
 
     /// The JSON path: `chains[1].base.x`.
+    #[cfg(any(feature = "study", not(target_arch = "wasm32")))]
     pub(crate) fn path(&self) -> String {
         let mut path = self.before.map_or_else(String::new, Place::path);
         match self.step {

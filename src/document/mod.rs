@@ -14,6 +14,8 @@ pub mod make;
 mod motion;
 pub mod number;
 pub(crate) mod parts;
+#[cfg(any(test, all(target_arch = "wasm32", not(feature = "study"))))]
+pub(crate) mod plain_json;
 mod planner;
 pub mod problem;
 pub mod questions;

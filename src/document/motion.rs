@@ -3,7 +3,7 @@
 use crate::document::bounds::{
     MAX_NAME, MAX_TIME, bounded, check_text, length, not_finite, out_of_range, wrong_count,
 };
-use crate::document::fault::{Fault, FaultCode, Place};
+use crate::document::fault::{Fault, FaultCode, Place, told};
 use crate::document::number::{rounded_up, typed};
 use crate::document::parts::{each, frame, point};
 use crate::document::schema::{FrameEntry, KeyFrameEntry, MotionEntry};
@@ -36,7 +36,7 @@ pub(crate) fn goal_of(motion: &MotionEntry) -> Result<(Vec<Goal>, Vec<Warning>),
     let goal = goal_motion(&keys, motion.interpolation, frames, &double_quaternions);
     let GoalMotion { goals, half_turns } = goal.map_err(|fault| match fault {
         KeyFrameFault::TooFew { found } | KeyFrameFault::TooMany { found } => {
-            wrong_count(&list, found, &format!("2 to {MAX_KEY_FRAMES} key frames"))
+            wrong_count(&list, found, &told!("2 to {MAX_KEY_FRAMES} key frames"))
         }
         KeyFrameFault::NotFinite { key } => not_finite(&key_place(key)),
         KeyFrameFault::TimeMissing { key } => {
@@ -45,19 +45,19 @@ pub(crate) fn goal_of(motion: &MotionEntry) -> Result<(Vec<Goal>, Vec<Warning>),
             Fault::new(FaultCode::TimeMissing, &key_place(key).field("time"), what, accepted)
         }
         KeyFrameFault::TimeOrder { key, previous, time } => {
-            let what = format!("{} is not later than the time before", typed(time));
-            let accepted = format!("a time later than {}", typed(previous));
+            let what = told!("{} is not later than the time before", typed(time));
+            let accepted = told!("a time later than {}", typed(previous));
             Fault::new(FaultCode::TimeOrder, &key_place(key).field("time"), &what, &accepted)
         }
         KeyFrameFault::Radius { radius, least } => {
-            let accepted = format!(
+            let accepted = told!(
                 "a positive length that is not below {}, half the distance of the farthest key frame from the reference point",
                 rounded_up(least)
             );
             out_of_range(&MOTION.field("radius"), typed(radius), &accepted).or_null()
         }
         KeyFrameFault::FrameCount { found } => {
-            let accepted = format!("a whole number from 2 to {MAX_FRAMES}");
+            let accepted = told!("a whole number from 2 to {MAX_FRAMES}");
             out_of_range(&MOTION.field("frames"), found, &accepted)
         }
     })?;
@@ -155,7 +155,7 @@ fn turn_note(
     if typed > 360.0 - ROUNDING && turn < SAME {
         return Some(Warning::FullTurn {
             neighbours: neighbours(),
-            angle,
+            angle: angle.into(),
             typed: typed.to_radians(),
             slides: shift > 0.0,
         });
@@ -163,7 +163,7 @@ fn turn_note(
     let names_a_way = from.abs().max(to.abs()) > 180.0 + ROUNDING;
     (typed > 180.0 + ROUNDING && names_a_way).then(|| Warning::ShortWay {
         neighbours: neighbours(),
-        angle,
+        angle: angle.into(),
         typed: typed.to_radians(),
         turn,
     })

@@ -1,5 +1,6 @@
 //! Numbers as text: for people to read, and as documents have them.
 
+use crate::document::fault::TOLD;
 use std::ops::Range;
 
 /// A number with four digits, whatever its size: 12.35, 0.001235, 1.235e−13; with the minus sign of the page.
@@ -29,6 +30,10 @@ pub fn rounded_up(x: f64) -> String {
 
 /// So many digits at most, written out where the power of ten is in `plain`.
 fn decimal(x: f64, digits: usize, plain: Range<i32>) -> String {
+    // Only faults and texts have numbers in words.
+    if !TOLD {
+        return String::new();
+    }
     if x == 0.0 {
         return "0".to_owned();
     }

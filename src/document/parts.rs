@@ -1,7 +1,7 @@
 //! What the readers of a document have in common: frames, points, lists of entries, links within joints.
 
 use crate::document::bounds::{angle, length, wrong_count};
-use crate::document::fault::{Fault, FaultCode, Place};
+use crate::document::fault::{Fault, FaultCode, Place, told};
 use crate::document::number::typed;
 use crate::document::schema::FrameEntry;
 use crate::math::pose::{FrameCoordinates, Pose};
@@ -9,6 +9,7 @@ use crate::model::joint::JointKind;
 use nalgebra::Vector3;
 
 /// The pose of a frame, in radians.
+#[inline(never)]
 pub(crate) fn frame(entry: &FrameEntry, place: &Place<'_>) -> Result<Pose, Fault> {
     let coordinates = FrameCoordinates {
         x: length(entry.x, &place.field("x"))?,
@@ -22,6 +23,7 @@ pub(crate) fn frame(entry: &FrameEntry, place: &Place<'_>) -> Result<Pose, Fault
 }
 
 /// A point, where one is given.
+#[inline(never)]
 pub(crate) fn point(
     entry: Option<&[f64]>,
     place: &Place<'_>,
@@ -53,7 +55,7 @@ pub(crate) fn each<E, T>(
 pub(crate) fn inner_twist(kind: JointKind, alpha: f64, row: &Place<'_>) -> Fault {
     let (letter, alpha) = (kind.letter(), typed(alpha));
     let what =
-        format!("the axes inside a joint of type {letter} are at right angles, here at {alpha}");
+        told!("the axes inside a joint of type {letter} are at right angles, here at {alpha}");
     Fault::new(
         FaultCode::InnerRow,
         &row.field("alpha"),
@@ -65,6 +67,6 @@ pub(crate) fn inner_twist(kind: JointKind, alpha: f64, row: &Place<'_>) -> Fault
 /// The same of a row whose `a` is a link within a joint.
 pub(crate) fn inner_length(kind: JointKind, a: f64, row: &Place<'_>) -> Fault {
     let (letter, a) = (kind.letter(), typed(a));
-    let what = format!("the axes inside a joint of type {letter} meet, here they are {a} apart");
+    let what = told!("the axes inside a joint of type {letter} meet, here they are {a} apart");
     Fault::new(FaultCode::InnerRow, &row.field("a"), &what, "0")
 }

@@ -1,13 +1,14 @@
 //! From the document's planner to settings: every number within its bounds.
 
 use crate::document::bounds::{
-    MAX_DIMENSION_TOLERANCE, MAX_ITERATIONS, MAX_LENGTH, MIN_METRIC_LENGTH, out_of_range,
+    MAX_DIMENSION_TOLERANCE, MAX_ITERATIONS, MAX_LENGTH, MIN_METRIC_LENGTH, not_finite,
+    out_of_range,
 };
-use crate::document::fault::{Fault, Place};
+use crate::document::fault::{Fault, Place, TOLD, told};
 use crate::document::number::typed;
 use crate::document::parts::point;
 use crate::document::schema::PlannerEntry;
-use crate::plan::settings::Settings;
+use crate::plan::settings::{Method, Settings};
 
 /// The planner's settings.
 ///
@@ -20,13 +21,13 @@ pub(crate) fn settings(entry: &PlannerEntry) -> Result<Settings, Fault> {
         .filter(|length| !(MIN_METRIC_LENGTH..=MAX_LENGTH).contains(length))
     {
         let (least, most) = (typed(MIN_METRIC_LENGTH), typed(MAX_LENGTH));
-        let accepted = format!("a length from {least} to {most}");
+        let accepted = told!("a length from {least} to {most}");
         let place = PLACE.field("metric_length");
         return Err(out_of_range(&place, typed(length), &accepted).or_null());
     }
     let tolerance = entry.dimension_tolerance;
     if !(0.0..=MAX_DIMENSION_TOLERANCE).contains(&tolerance) {
-        let accepted = format!(
+        let accepted = told!(
             "a share of the size from 0 to {}",
             typed(MAX_DIMENSION_TOLERANCE)
         );
@@ -37,8 +38,11 @@ pub(crate) fn settings(entry: &PlannerEntry) -> Result<Settings, Fault> {
         .max_iterations
         .filter(|most| !(1..=MAX_ITERATIONS).contains(most))
     {
-        let accepted = format!("a whole number from 1 to {MAX_ITERATIONS}");
+        let accepted = told!("a whole number from 1 to {MAX_ITERATIONS}");
         return Err(out_of_range(&PLACE.field("max_iterations"), most, &accepted).or_null());
+    }
+    if !TOLD && entry.method == Method::Gradient {
+        return Err(not_finite(&PLACE));
     }
     let origin = point(
         entry.metric_origin.as_deref(),

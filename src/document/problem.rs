@@ -7,7 +7,7 @@ use crate::document::bounds::{
 };
 #[cfg(feature = "study")]
 use crate::document::drivers::schedule_of;
-use crate::document::fault::{Fault, FaultCode, Place};
+use crate::document::fault::{Fault, FaultCode, Place, told};
 use crate::document::motion::goal_of;
 use crate::document::number::typed;
 use crate::document::parts::{each, frame, inner_length, inner_twist};
@@ -186,7 +186,7 @@ fn mechanism(entries: &[ChainEntry]) -> Result<Mechanism, Fault> {
             MechanismFault::NoChains => 0,
             MechanismFault::TooManyChains { found } => found,
         };
-        let accepted = format!("1 to {MAX_CHAINS} chains");
+        let accepted = told!("1 to {MAX_CHAINS} chains");
         wrong_count(&CHAINS, found, &accepted)
     })
 }
@@ -204,13 +204,13 @@ fn chain(entry: &ChainEntry, place: &Place<'_>) -> Result<Chain, Fault> {
     let joints = each(&entry.joints, |i, entry| joint(entry, &list.item(i)))?;
     let gripper = frame(&entry.gripper, &place.field("gripper"))?;
     Chain::new(entry.name.clone(), base, joints, gripper).map_err(|fault| {
-        let accepted = format!(
+        let accepted = told!(
             "joints with 1 to {MAX_FREEDOMS} freedoms together (R and P have 1, C and T 2, S and E 3)"
         );
         match fault {
             ChainFault::NoJoints => wrong_count(&list, 0, &accepted),
             ChainFault::TooManyFreedoms { found } => {
-                let what = format!("the joints have {found} freedoms together");
+                let what = told!("the joints have {found} freedoms together");
                 Fault::new(FaultCode::WrongCount, &list, &what, &accepted)
             }
             ChainFault::NotFinite => not_finite(place),
@@ -236,11 +236,11 @@ fn joint(entry: &JointEntry, place: &Place<'_>) -> Result<Joint, Fault> {
     };
     Joint::new(kind, rows, limits).map_err(|fault| match fault {
         JointFault::RowCount { expected, found } => {
-            let accepted = format!("{expected} for a joint of type {letter}");
+            let accepted = told!("{expected} for a joint of type {letter}");
             wrong_count(&row_list, found, &accepted)
         }
         JointFault::LimitCount { expected, found } => {
-            let accepted = format!("{expected} for a joint of type {letter}, null for a free one");
+            let accepted = told!("{expected} for a joint of type {letter}, null for a free one");
             wrong_count(&limit_list, found, &accepted)
         }
         JointFault::NotFinite { row } => not_finite(&row_list.item(row)),
@@ -252,12 +252,12 @@ fn joint(entry: &JointEntry, place: &Place<'_>) -> Result<Joint, Fault> {
         }
         JointFault::InnerOffset { row, .. } => {
             let d = entry.rows[row].d;
-            let what = format!("the axes of a joint of type S meet in one point, here {} apart", typed(d));
+            let what = told!("the axes of a joint of type S meet in one point, here {} apart", typed(d));
             inner(row, "d", what, "0")
         }
         JointFault::InnerAngle { row, .. } => {
             let theta = entry.rows[row].theta;
-            let what = format!(
+            let what = told!(
                 "the axis of a joint of type E is at right angles to both sliders, here turned by {}", typed(theta)
             );
             inner(row, "theta", what, "90 or -90 degrees")
@@ -308,7 +308,7 @@ fn given_start(
         let place = chain_place(i, entry);
         let list = place.field("start");
         if values.len() != chain.freedoms() {
-            let accepted = format!(
+            let accepted = told!(
                 "{}, one for each freedom of {}",
                 chain.freedoms(),
                 chain.type_name()
@@ -336,7 +336,7 @@ fn check_size(mechanism: &Mechanism, frames: usize) -> Result<(), Fault> {
     }
     const MOTION: Place<'static> = Place::WHOLE.field("motion");
     let place = MOTION.field("frames");
-    let accepted = format!(
+    let accepted = told!(
         "up to {} frames for tables of {rows} rows",
         MAX_ROW_FRAMES / rows
     );

@@ -5,7 +5,7 @@
 use crate::document::bounds::{
     MAX_ANGLE, MAX_LENGTH, bounded, no_index, out_of_range, wrong_count,
 };
-use crate::document::fault::{Fault, FaultCode, Place};
+use crate::document::fault::{Fault, FaultCode, Place, told};
 use crate::document::number::typed;
 use crate::document::problem::Problem;
 use crate::document::wording::Wording;
@@ -111,7 +111,7 @@ impl Problem {
             }
         };
         if !(moved <= NEARLY_CLOSED) {
-            let what = format!("the loops are open by {error:.1e}");
+            let what = told!("the loops are open by {error:.1e}");
             let accepted = "joint values that close them";
             return Err(Fault::new(FaultCode::OutOfRange, &JOINTS, &what, accepted));
         }
@@ -176,7 +176,7 @@ impl Problem {
     pub(crate) fn check_joints(&self, joints: &[f64]) -> Result<(), Fault> {
         let turns = self.turns();
         if joints.len() != turns.len() {
-            let accepted = format!("{}, one for each joint variable", turns.len());
+            let accepted = told!("{}, one for each joint variable", turns.len());
             return Err(wrong_count(&JOINTS, joints.len(), &accepted));
         }
         for (i, (&value, turns)) in joints.iter().zip(turns).enumerate() {
@@ -278,7 +278,7 @@ fn pose(numbers: &[f64]) -> Result<Pose, Fault> {
     // Also refuses NaN.
     if !QUATERNION_LENGTHS.contains(&norm) {
         let (least, most) = QUATERNION_LENGTHS.into_inner();
-        let accepted = format!(
+        let accepted = told!(
             "a quaternion of a length from {} to {}",
             typed(least),
             typed(most)

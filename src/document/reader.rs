@@ -3,7 +3,7 @@
 //! serde_json can read into the document's types directly, but then it tells a fault only as English
 //! text without its place, takes a list for an object, and is twice the size for a page to load.
 
-use crate::document::fault::{FaultCode, excerpt};
+use crate::document::fault::{FaultCode, excerpt, told};
 use crate::document::number::written;
 use crate::document::refusal::{Refusal, one_of};
 use serde::de::value::StrDeserializer;
@@ -42,8 +42,8 @@ impl Node {
         match self {
             Self::Null => "null".to_owned(),
             Self::Bool(value) => value.to_string(),
-            Self::Number(value) => format!("the number {}", written(*value)),
-            Self::Text(text) => format!("the text \u{201c}{}\u{201d}", excerpt(text)),
+            Self::Number(value) => told!("the number {}", written(*value)),
+            Self::Text(text) => told!("the text \u{201c}{}\u{201d}", excerpt(text)),
             Self::List(_) => "a list".to_owned(),
             Self::Object(_) => "an object".to_owned(),
         }
@@ -52,7 +52,7 @@ impl Node {
     pub(crate) fn is_not(&self, accepted: &str) -> Refusal {
         Refusal::new(
             FaultCode::WrongType,
-            format!("this is {}", self.describe()),
+            told!("this is {}", self.describe()),
             accepted,
         )
     }
@@ -204,7 +204,7 @@ fn whole(value: f64) -> Result<u32, Refusal> {
     if !(0.0..=f64::from(u32::MAX)).contains(&value) {
         return Err(Refusal::new(
             FaultCode::OutOfRange,
-            format!("{} is out of range", written(value)),
+            told!("{} is out of range", written(value)),
             WHOLE,
         ));
     }

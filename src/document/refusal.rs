@@ -1,10 +1,13 @@
 //! Why a value does not fit a document, and the way to it: serde's error as a fault with its place.
 
-use crate::document::fault::{Fault, FaultCode, Place, excerpt};
+#[cfg(any(feature = "study", not(target_arch = "wasm32")))]
+use crate::document::fault::excerpt;
+use crate::document::fault::{Fault, FaultCode, Place, told};
 use serde::de::Error;
 use std::fmt;
 
 /// Why a derived reader does not take a value, and the way to it from there outwards.
+#[cfg(any(feature = "study", not(target_arch = "wasm32")))]
 #[derive(Debug)]
 pub(crate) struct Refusal {
     code: FaultCode,
@@ -14,12 +17,14 @@ pub(crate) struct Refusal {
     way: Vec<Step>,
 }
 
+#[cfg(any(feature = "study", not(target_arch = "wasm32")))]
 #[derive(Debug)]
 enum Step {
     Field(String),
     Item(usize),
 }
 
+#[cfg(any(feature = "study", not(target_arch = "wasm32")))]
 impl Refusal {
     #[cold]
     #[inline(never)]
@@ -78,15 +83,18 @@ impl Refusal {
     }
 }
 
+#[cfg(any(feature = "study", not(target_arch = "wasm32")))]
 impl fmt::Display for Refusal {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.what)
     }
 }
 
+#[cfg(any(feature = "study", not(target_arch = "wasm32")))]
 impl std::error::Error for Refusal {}
 
 /// What the derived readers say.
+#[cfg(any(feature = "study", not(target_arch = "wasm32")))]
 impl Error for Refusal {
     fn custom<T: fmt::Display>(message: T) -> Self {
         Self::new(FaultCode::WrongType, message.to_string(), "another value")
@@ -138,6 +146,67 @@ impl Error for Refusal {
     }
 }
 
+/// A value that a derived reader does not take: without words.
+#[cfg(all(target_arch = "wasm32", not(feature = "study")))]
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Refusal;
+
+#[cfg(all(target_arch = "wasm32", not(feature = "study")))]
+impl Refusal {
+    pub(super) fn new(_code: FaultCode, _what: String, _accepted: &str) -> Self {
+        Self
+    }
+
+    pub(super) fn in_field(self, _name: &str) -> Self {
+        self
+    }
+
+    pub(super) fn in_item(self, _index: usize) -> Self {
+        self
+    }
+
+    pub(super) fn or_null(self) -> Self {
+        self
+    }
+
+    pub(crate) fn fault(self, _place: &Place<'_>) -> Fault {
+        Fault
+    }
+}
+
+#[cfg(all(target_arch = "wasm32", not(feature = "study")))]
+impl fmt::Display for Refusal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("refused")
+    }
+}
+
+#[cfg(all(target_arch = "wasm32", not(feature = "study")))]
+impl std::error::Error for Refusal {}
+
+#[cfg(all(target_arch = "wasm32", not(feature = "study")))]
+impl Error for Refusal {
+    fn custom<T: fmt::Display>(_message: T) -> Self {
+        Self
+    }
+
+    fn unknown_field(_name: &str, _known: &'static [&'static str]) -> Self {
+        Self
+    }
+
+    fn missing_field(_name: &'static str) -> Self {
+        Self
+    }
+
+    fn duplicate_field(_name: &'static str) -> Self {
+        Self
+    }
+
+    fn unknown_variant(_word: &str, _known: &'static [&'static str]) -> Self {
+        Self
+    }
+}
+
 pub(crate) fn one_of(words: &[&str]) -> String {
-    format!("one of {}", words.join(", "))
+    told!("one of {}", words.join(", "))
 }

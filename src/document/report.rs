@@ -2,7 +2,9 @@
 
 use crate::document::chain_report::{ChainReport, chain};
 use crate::document::problem::start_values;
+#[cfg(any(feature = "study", not(target_arch = "wasm32")))]
 use crate::document::warnings::{WarningReport, warning};
+#[cfg(any(feature = "study", not(target_arch = "wasm32")))]
 use crate::document::wording::Wording;
 use crate::math::metric::MetricKind;
 use crate::model::mechanism::Mechanism;
@@ -30,7 +32,11 @@ pub struct Report {
     /// Largest misfit of rounded dimensions in any frame.
     pub misfit: f64,
     /// What deserves a look.
+    #[cfg(any(feature = "study", not(target_arch = "wasm32")))]
     pub warnings: Vec<WarningReport>,
+    /// The same, which only the whole package has words for.
+    #[cfg(all(target_arch = "wasm32", not(feature = "study")))]
+    pub warnings: Vec<crate::motion::trajectory::Warning>,
     /// Joint values from which the motion was planned, degrees or lengths, chain by chain.
     pub start: Vec<Vec<f64>>,
 }
@@ -60,7 +66,14 @@ pub const fn metric_name(kind: MetricKind) -> &'static str {
 impl Report {
     /// The report of a motion of this mechanism; `unit` is the label of the unit of length, which may be empty.
     pub fn new(mechanism: &Mechanism, unit: &str, trajectory: &Trajectory) -> Self {
-        let wording = Wording { mechanism, unit };
+        #[cfg(any(feature = "study", not(target_arch = "wasm32")))]
+        let warnings = {
+            let wording = Wording { mechanism, unit };
+            let all = trajectory.warnings.iter();
+            all.map(|w| warning(w, &wording)).collect()
+        };
+        #[cfg(all(target_arch = "wasm32", not(feature = "study")))]
+        let (warnings, _) = (trajectory.warnings.clone(), unit);
         let metric = &trajectory.metric_used;
         Self {
             statuses: Status::ALL.map(Status::name).to_vec(),
@@ -77,11 +90,7 @@ impl Report {
             },
             bounds: trajectory.bounds,
             misfit: trajectory.misfit.iter().copied().fold(0.0, f64::max),
-            warnings: trajectory
-                .warnings
-                .iter()
-                .map(|w| warning(w, &wording))
-                .collect(),
+            warnings,
             start: start_values(mechanism, &trajectory.start),
         }
     }

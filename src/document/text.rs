@@ -1,7 +1,9 @@
 //! Text to document and back: reading that says what is wrong, writing that a person can read.
 
-use crate::document::fault::{Fault, FaultCode, Place};
+use crate::document::fault::{Fault, FaultCode, Place, told};
 use crate::document::number::{typed, written};
+#[cfg(all(target_arch = "wasm32", not(feature = "study")))]
+use crate::document::plain_json;
 use crate::document::reader::Node;
 use crate::document::refusal::Refusal;
 use crate::document::schema::{Document, VERSION};
@@ -26,12 +28,12 @@ pub fn parse(text: &str) -> Result<Document, Fault> {
 pub(crate) fn node_of(text: &str) -> Result<Node, Fault> {
     let whole = Place::WHOLE;
     if text.len() > MAX_TEXT {
-        let what = format!("{} bytes of text are too many", text.len());
+        let what = told!("{} bytes of text are too many", text.len());
         return Err(Fault::new(
             FaultCode::TextTooLong,
             &whole,
             &what,
-            &format!("up to {} bytes", grouped(MAX_TEXT)),
+            &told!("up to {} bytes", grouped(MAX_TEXT)),
         ));
     }
     // Some editors put a byte-order mark before the text.
@@ -45,7 +47,10 @@ pub(crate) fn node_of(text: &str) -> Result<Node, Fault> {
             accepted,
         ));
     }
+    #[cfg(any(feature = "study", not(target_arch = "wasm32")))]
     let node = serde_json::from_str(text).map_err(|error| not_json(&error))?;
+    #[cfg(all(target_arch = "wasm32", not(feature = "study")))]
+    let node = plain_json::read(text).ok_or(Fault)?;
     check_version(&node)?;
     Ok(node)
 }
@@ -69,7 +74,7 @@ fn grouped(number: usize) -> String {
     if number < 1000 {
         return number.to_string();
     }
-    format!("{},{:03}", grouped(number / 1000), number % 1000)
+    told!("{},{:03}", grouped(number / 1000), number % 1000)
 }
 
 /// The reader's message, and where it stopped.
@@ -79,7 +84,7 @@ pub(crate) fn not_json(error: &serde_json::Error) -> Fault {
     let message = text
         .rsplit_once(" at line ")
         .map_or(text.as_str(), |(message, _)| message);
-    let what = format!("this is not JSON, {message}");
+    let what = told!("this is not JSON, {message}");
     Fault::new(FaultCode::Syntax, &Place::WHOLE, &what, "JSON text")
         .at(error.line(), error.column())
 }
@@ -90,7 +95,7 @@ fn check_version(node: &Node) -> Result<(), Fault> {
     if let Some(Node::Number(version)) = node.field("version")
         && (version - f64::from(VERSION)).abs() > 0.0
     {
-        let what = format!("this is version {} of the format", typed(*version));
+        let what = told!("this is version {} of the format", typed(*version));
         return Err(Fault::new(
             FaultCode::UnknownVersion,
             &PLACE,
@@ -121,43 +126,32 @@ impl Document {
     /// # Panics
     /// Never: the document holds nothing that JSON cannot.
     pub fn text(&self) -> String {
-        layout(&json(self, Digits::Short))
+        layout(&json(self))
     }
 }
 
-/// How many digits numbers have.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Digits {
-    /// Those of documents.
-    Short,
-    /// As many as tell a double from all others, for objects of JavaScript.
-    #[cfg(target_arch = "wasm32")]
-    All,
-}
+/// Numbers as documents have them.
+struct Written;
 
 /// Compact JSON of plain data.
 ///
 /// # Panics
 /// For a map whose keys are no texts.
-pub(crate) fn json(value: &impl Serialize, digits: Digits) -> String {
-    let mut writer = serde_json::Serializer::with_formatter(Vec::new(), digits);
+pub(crate) fn json(value: &impl Serialize) -> String {
+    let mut writer = serde_json::Serializer::with_formatter(Vec::new(), Written);
     value
         .serialize(&mut writer)
         .expect("plain data becomes JSON");
     String::from_utf8(writer.into_inner()).expect("JSON is text")
 }
 
-impl serde_json::ser::Formatter for Digits {
+impl serde_json::ser::Formatter for Written {
     fn write_f64<W: ?Sized + std::io::Write>(
         &mut self,
         out: &mut W,
         x: f64,
     ) -> std::io::Result<()> {
-        match self {
-            Self::Short => out.write_all(written(x).as_bytes()),
-            #[cfg(target_arch = "wasm32")]
-            Self::All => write!(out, "{x:e}"),
-        }
+        out.write_all(written(x).as_bytes())
     }
 }
 

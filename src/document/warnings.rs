@@ -153,7 +153,7 @@ pub fn warning(warning: &Warning, wording: &Wording<'_>) -> WarningReport {
         } => say("half-turn", half_turn(neighbours, axis), None),
         Warning::FullTurn {
             ref neighbours,
-            angle,
+            ref angle,
             typed,
             slides,
         } => say(
@@ -163,7 +163,7 @@ pub fn warning(warning: &Warning, wording: &Wording<'_>) -> WarningReport {
         ),
         Warning::ShortWay {
             ref neighbours,
-            angle,
+            ref angle,
             typed,
             turn,
         } => say("short-way", short_way(neighbours, angle, typed, turn), None),

@@ -5,7 +5,7 @@ use crate::document::fault::{Fault, FaultCode, Place, excerpt};
 use crate::document::number::typed;
 use crate::document::reader::Node;
 use crate::document::refusal::one_of;
-use crate::document::text::{Digits, json};
+use crate::document::text::json;
 use crate::makers::maker::{Input, Kind, Maker};
 use crate::makers::repeat::repeat;
 use crate::makers::requirements::{Given, check};
@@ -74,7 +74,7 @@ pub fn make(
         (name, value)
     });
     document.set("parameters", Node::Object(all.collect()));
-    match Session::open(&json(&document, Digits::Short)) {
+    match Session::open(&json(&document)) {
         Ok(session) => Ok(session.text()),
         Err(fault) => Err(at_inputs(&fault, given)),
     }

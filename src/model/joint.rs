@@ -120,6 +120,21 @@ impl Limits {
         min: f64::NEG_INFINITY,
         max: f64::INFINITY,
     };
+
+    /// The value in the range that is nearest to `x`; what is no number stays so.
+    #[expect(
+        clippy::manual_clamp,
+        reason = "f64::clamp says what its bounds are where they are none, with 14 kB of formatting"
+    )]
+    pub fn nearest(self, x: f64) -> f64 {
+        if x < self.min {
+            self.min
+        } else if x > self.max {
+            self.max
+        } else {
+            x
+        }
+    }
 }
 
 /// The limit at which a joint is held.

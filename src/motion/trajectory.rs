@@ -2,7 +2,8 @@
 
 use crate::math::metric::Metric;
 use crate::math::pose::Pose;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
 
 /// How a frame ended. Only frames of the first three are answers to the question asked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -47,7 +48,7 @@ impl Status {
 }
 
 /// Two key frames that follow each other.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Neighbours {
     /// The later of the two, from 0.
     pub key: usize,
@@ -56,7 +57,7 @@ pub struct Neighbours {
 }
 
 /// Something that worked, but deserves a look. Joint variables count from 0 through all chains, frames from 0.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[expect(missing_docs, reason = "the fields are what the variants speak of")]
 pub enum Warning {
     /// The start's loops were open, and were closed by moving a joint variable by `moved` (rad or a length).
@@ -136,7 +137,7 @@ pub enum Warning {
     /// workpiece `slides`.
     FullTurn {
         neighbours: Neighbours,
-        angle: &'static str,
+        angle: Cow<'static, str>,
         typed: f64,
         slides: bool,
     },
@@ -144,7 +145,7 @@ pub enum Warning {
     /// turn; the workpiece turns the short way, by `turn` rad.
     ShortWay {
         neighbours: Neighbours,
-        angle: &'static str,
+        angle: Cow<'static, str>,
         typed: f64,
         turn: f64,
     },
@@ -178,7 +179,7 @@ pub enum Warning {
 
 /// Why driven joints stop short of their values. Joint variables count from 0 through all chains.
 #[cfg(feature = "study")]
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum DriveEnd {
     /// Limits of driven joints themselves.
     OwnLimit(Vec<usize>),
@@ -193,7 +194,7 @@ pub enum DriveEnd {
 }
 
 /// The row of a table whose number, changed by the least, would take the most of a misfit away.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Suspect {
     /// The chain, from 0.
     pub chain: usize,
@@ -206,7 +207,7 @@ pub struct Suspect {
 }
 
 /// A number of a Denavit–Hartenberg row.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Dimension {
     /// α, the twist of the link.
     Twist,

@@ -1,6 +1,7 @@
 //! A motion, frame by frame: the start closed, each frame solved from an extrapolation of those before, leaps and
 //! runaways checked, a report.
 
+use crate::math::pose::Pose;
 use crate::model::joint::Limits;
 use crate::model::mechanism::Mechanism;
 use crate::motion::goal::Goal;
@@ -9,7 +10,7 @@ use crate::plan::elsewhere::{self, Runaway};
 use crate::plan::given;
 use crate::plan::leaps::{self, Leap};
 use crate::plan::record::{Singularity, begin, record, warn_of_rounded};
-use crate::plan::settings::{Method, Settings, extent};
+use crate::plan::settings::{Settings, extent};
 use crate::solve::gradient;
 use crate::solve::solver::{End, Solved, Solver};
 
@@ -95,7 +96,7 @@ impl Planning {
             let (count, rank) = (t.mobility_count, t.mobility_rank);
             t.warnings.push(Warning::MobilityDiffers { count, rank });
         }
-        if settings.method == Method::Gradient {
+        if settings.is_gradient() {
             if solver.scaled().limits().iter().any(|l| *l != Limits::NONE) {
                 t.warnings.push(Warning::LimitsUnknown);
             }
@@ -146,7 +147,7 @@ impl Planning {
     pub fn advance(&mut self) -> bool {
         let frame = self.done();
         if frame < self.frames() {
-            if self.settings.method == Method::Gradient && self.closed && self.descend(frame) {
+            if self.settings.is_gradient() && self.closed && self.descend(frame) {
                 return true;
             }
             predict(&self.t.joints, frame, &self.joints, &mut self.predicted);
@@ -175,37 +176,37 @@ impl Planning {
         if !self.closed {
             return Solved::OPEN;
         }
-        match self.settings.method {
-            Method::Newton => {
-                let solved = self.solver.solve(&goal, &mut self.joints, &self.predicted);
-                if solved.end == End::Runaway {
-                    self.search(frame, solved)
-                } else {
-                    solved
-                }
-            }
-            Method::Gradient => {
-                // Its steps were taken by `descend`.
-                let Some(running) = self.descent.take() else {
-                    return Solved::OPEN;
-                };
-                let before = self.joints.clone();
-                let descent = running.leave(&mut self.joints);
-                let certified = self
-                    .solver
-                    .certify(&goal, &before, &self.joints, GRADIENT_FALL);
-                Solved {
-                    // Where rounding keeps f from falling the slope may stay above the one at which the method stops.
-                    end: if descent.projected_gradient <= gradient::CERTIFIED {
-                        certified.end
-                    } else {
-                        End::Stalled
-                    },
-                    iterations: descent.iterations,
-                    projected_gradient: descent.projected_gradient,
-                    ..certified
-                }
-            }
+        if self.settings.is_gradient() {
+            return self.descended(&goal);
+        }
+        let solved = self.solver.solve(&goal, &mut self.joints, &self.predicted);
+        if solved.end == End::Runaway {
+            self.search(frame, solved)
+        } else {
+            solved
+        }
+    }
+
+    /// Where the steps that `descend` took have led.
+    fn descended(&mut self, goal: &Pose) -> Solved {
+        let Some(running) = self.descent.take() else {
+            return Solved::OPEN;
+        };
+        let before = self.joints.clone();
+        let descent = running.leave(&mut self.joints);
+        let certified = self
+            .solver
+            .certify(goal, &before, &self.joints, GRADIENT_FALL);
+        Solved {
+            // Where rounding keeps f from falling the slope may stay above the one at which the method stops.
+            end: if descent.projected_gradient <= gradient::CERTIFIED {
+                certified.end
+            } else {
+                End::Stalled
+            },
+            iterations: descent.iterations,
+            projected_gradient: descent.projected_gradient,
+            ..certified
         }
     }
 
@@ -306,7 +307,7 @@ impl Planning {
                 self.solver.set_holding(holding);
                 continue;
             }
-            if self.settings.method == Method::Gradient {
+            if self.settings.is_gradient() {
                 // The gradient planner keeps the branch that it came to; the leap gets a warning.
                 let whole =
                     Leap::between(scaled, self.t.joints_at(first), self.t.joints_at(first + 1));

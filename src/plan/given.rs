@@ -32,7 +32,7 @@ pub fn outside_limits(mechanism: &Mechanism, start: &[f64], extent: f64) -> Vec<
     let values = start.iter().enumerate().zip(kinds);
     values
         .filter_map(|((variable, &value), (turns, limits))| {
-            let limit = value.clamp(limits.min, limits.max);
+            let limit = limits.nearest(value);
             let least = if turns { PRINTED } else { PRINTED * size };
             let outside = (value - limit).abs() > least;
             outside.then_some(OutsideLimit {

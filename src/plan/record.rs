@@ -5,7 +5,7 @@ use crate::model::mechanism::Mechanism;
 use crate::model::scaled::{CLOSED, Scaled};
 use crate::motion::goal::Goal;
 use crate::motion::trajectory::{Bounds, LengthSource, Status, Trajectory, Warning};
-use crate::plan::settings::{Method, Settings, characteristic_length};
+use crate::plan::settings::{Settings, characteristic_length};
 use crate::solve::gradient;
 use crate::solve::singular_values::SingularValues;
 use crate::solve::solver::{End, Solved, Solver};
@@ -27,9 +27,10 @@ pub fn begin(
     let tolerances = solver.tolerances();
     let metric = settings.metric_for(mechanism, extent);
     let (proposed, source) = characteristic_length(mechanism, extent);
-    let projected_gradient = match settings.method {
-        Method::Newton => tolerances.stationary,
-        Method::Gradient => gradient::CERTIFIED,
+    let projected_gradient = if settings.is_gradient() {
+        gradient::CERTIFIED
+    } else {
+        tolerances.stationary
     };
     let mut t = Trajectory {
         variables: mechanism.variables(),

@@ -49,7 +49,7 @@ impl Variable {
 
     /// The value within the limits that is nearest to `x`.
     pub fn within(&self, x: f64) -> f64 {
-        x.clamp(self.limits.min, self.limits.max)
+        self.limits.nearest(x)
     }
 
     /// A random value within the limits: any angle, and lengths up to two sizes or between minus one and one.

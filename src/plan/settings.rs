@@ -89,11 +89,19 @@ impl Settings {
         )
     }
 
+    /// Is it the paper's projected gradient? The package that a page loads first has only Newton's method, and leaves other
+    /// documents to the whole one.
+    pub const fn is_gradient(&self) -> bool {
+        !cfg!(all(target_arch = "wasm32", not(feature = "study")))
+            && matches!(self.method, Method::Gradient)
+    }
+
     /// Iterations that a frame may take.
     pub fn iterations(&self) -> usize {
-        let own = match self.method {
-            Method::Newton => NEWTON_ITERATIONS,
-            Method::Gradient => GRADIENT_ITERATIONS,
+        let own = if self.is_gradient() {
+            GRADIENT_ITERATIONS
+        } else {
+            NEWTON_ITERATIONS
         };
         self.max_iterations.unwrap_or(own)
     }

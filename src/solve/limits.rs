@@ -74,7 +74,7 @@ impl Holding {
     /// Puts all joints within their limits; with `hold` those that were beyond one stay held there.
     pub fn clamp(&mut self, theta: &mut [f64], hold: bool) {
         for ((t, stop), l) in theta.iter_mut().zip(&mut self.stops).zip(&self.limits) {
-            let within = t.clamp(l.min, l.max);
+            let within = l.nearest(*t);
             if hold && (*t - within).abs() > LIMIT {
                 *stop = if *t < within { Stop::Min } else { Stop::Max };
             }

@@ -3,7 +3,7 @@
 use crate::document::problem::Problem;
 use crate::document::reader::Node;
 use crate::document::schema::Document;
-use crate::document::text::{Digits, document_of, json, node_of};
+use crate::document::text::{document_of, json, node_of};
 use crate::math::pose::gaps;
 use crate::source::chains;
 
@@ -38,7 +38,7 @@ fn as_standard(document: &Document) -> Option<Problem> {
     let mut document = document.clone();
     // Only the first key frame is looked at, and there may be 100,000.
     document.motion.key_frames.truncate(2);
-    let mut node = node_of(&json(&document, Digits::Short)).ok()?;
+    let mut node = node_of(&json(&document)).ok()?;
     let chains = node
         .field_mut("chains")
         .map_or(&mut [][..], Node::items_mut);

@@ -3,7 +3,7 @@
 use crate::document::fault::{Fault, FaultCode, Place, excerpt};
 use crate::document::reader::Node;
 use crate::document::schema::KeyFrameEntry;
-use crate::document::text::{Digits, json, layout, node_of, not_json};
+use crate::document::text::{json, layout, node_of, not_json};
 use crate::source::frames::PLAIN;
 use crate::source::nearest::nearest;
 use crate::source::typed::{Typed, is_in_radians};
@@ -31,7 +31,7 @@ pub fn set(text: &str, place: &str, value: &str) -> Result<String, Fault> {
             .and_then(|all| all.field_mut(name))
     {
         *parameter = value;
-        return Ok(layout(&json(&node, Digits::Short)));
+        return Ok(layout(&json(&node)));
     }
     if find(&mut node, &keys).is_none() {
         // It may be one that the text leaves to its default.
@@ -41,7 +41,7 @@ pub fn set(text: &str, place: &str, value: &str) -> Result<String, Fault> {
         Some(found) => *found = value,
         None => return Err(no_place(&mut node, place, &keys)),
     }
-    Ok(layout(&json(&node, Digits::Short)))
+    Ok(layout(&json(&node)))
 }
 
 /// The text with these key frames, whose angles are in degrees, in place of its own or of its drivers.
@@ -50,7 +50,7 @@ pub fn set(text: &str, place: &str, value: &str) -> Result<String, Fault> {
 /// Where the text is no JSON.
 pub fn set_key_frames(text: &str, key_frames: &[KeyFrameEntry]) -> Result<String, Fault> {
     let mut node = node_of(text)?;
-    let list = json(&key_frames, Digits::Short);
+    let list = json(&key_frames);
     let mut list: Node = serde_json::from_str(&list).map_err(|error| not_json(&error))?;
     if is_in_radians(&node) {
         for entry in list.items_mut() {
@@ -68,7 +68,7 @@ pub fn set_key_frames(text: &str, key_frames: &[KeyFrameEntry]) -> Result<String
         motion.take("drivers");
         motion.set("key_frames", list);
     }
-    Ok(layout(&json(&node, Digits::Short)))
+    Ok(layout(&json(&node)))
 }
 
 /// `place=value` or `place:value`, as the command and the page's address take it, taken apart.

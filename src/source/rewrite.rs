@@ -5,7 +5,7 @@ use crate::document::fault::{Fault, FaultCode, Place};
 use crate::document::number::typed;
 use crate::document::problem::short;
 use crate::document::reader::Node;
-use crate::document::text::{Digits, json};
+use crate::document::text::json;
 use crate::math::pose::{FrameCoordinates, Pose, gaps};
 use crate::model::by_axes::{JointAxis, axes_of, other_variables};
 use crate::model::chain::Chain;
@@ -26,7 +26,7 @@ pub struct Rewritten {
 impl Rewritten {
     /// Both as JSON: an object of `chain` and `home`.
     pub fn text(&self) -> String {
-        json(self, Digits::Short)
+        json(self)
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::document::fault::{Fault, Place};
 use crate::document::reader::Node;
 use crate::document::schema::Document;
-use crate::document::text::{Digits, document_of, json, layout, node_of};
+use crate::document::text::{document_of, json, layout, node_of};
 use crate::math::pose::Pose;
 use crate::motion::trajectory::Warning;
 use crate::source::parameters::{ExpressionValue, Parameters};
@@ -165,7 +165,7 @@ pub(crate) fn is_in_radians(document: &Node) -> bool {
 }
 
 fn written(node: &Node) -> String {
-    layout(&json(node, Digits::Short))
+    layout(&json(node))
 }
 
 /// A typed document with what it leaves out; what it gives in another way is not added.
@@ -178,7 +178,7 @@ fn with_defaults(given: &Node) -> Node {
     }
     bare(&mut shape, "");
     let document = Document::deserialize(&shape).expect("the shape of a document that was read");
-    let defaults = node_of(&json(&document, Digits::Short)).expect("its own text");
+    let defaults = node_of(&json(&document)).expect("its own text");
     for (i, chain) in typed
         .field_mut("chains")
         .map_or(&mut [][..], Node::items_mut)

@@ -163,11 +163,11 @@ test('where no worker starts the page plans by itself; where that cannot be load
 test('what could not be loaded fails all that waited for it, and is not kept', async () => {
   const queue = new Queue();
   const [one, two] = [new Planner(queue), new Planner(queue)];
-  const lost = [one.plan('a'), one.defaults(), two.normalise('b')].map((promise) => assert.rejects(promise, PlannerNotLoaded));
+  const lost = [one.plan('a'), one.ready(), two.normalise('b')].map((promise) => assert.rejects(promise, PlannerNotLoaded));
   answer(workers[0], { kind: 'failure', message: '503', loading: true });
   await Promise.all(lost);
   assert.deepEqual([workers.length, workers[0].ended], [1, true]);
-  const next = one.defaults();
+  const next = one.ready();
   answer(workers[1], { kind: 'value', value: 1 });
   assert.equal(await next, 1);
 });
@@ -294,7 +294,7 @@ test('an asker that leaves takes all of its questions back, and its documents ar
 test('on a slow network the planner may take as long to load as it takes, also for what is taken back', async () => {
   mock.timers.enable({ apis: ['setTimeout'] });
   const planner = new Planner(new Queue());
-  const first = planner.defaults();
+  const first = planner.ready();
   const waits = planner.normalise('a');
   const old = assert.rejects(planner.plan('a'), Superseded);
   mock.timers.tick(1000);
@@ -303,14 +303,14 @@ test('on a slow network the planner may take as long to load as it takes, also f
   mock.timers.tick(600_000);
   assert.deepEqual([workers.length, workers[0].ended], [1, false]);
   answer(workers[0], { kind: 'cancelled' });
-  const [defaults] = workers[0].requests;
-  begin(workers[0], defaults);
+  const [ready] = workers[0].requests;
+  begin(workers[0], ready);
   mock.timers.tick(1000);
-  answer(workers[0], { kind: 'value', value: 1 }, defaults);
+  answer(workers[0], { kind: 'value', value: 1 }, ready);
   answer(workers[0], { kind: 'value', value: 2 });
   answer(workers[0], { kind: 'value', value: 3 }, workers[0].requests[2]);
   assert.deepEqual(await Promise.all([first, waits, plan]), [1, 2, 3]);
-  assert.deepEqual(workers[0].requests.map(({ call }) => call), ['defaults', 'plan', 'plan', 'text']);
+  assert.deepEqual(workers[0].requests.map(({ call }) => call), ['ready', 'plan', 'plan', 'text']);
 });
 
 test('what is taken back on its way into the worker is ended with it where it hangs there', async () => {

@@ -5,8 +5,8 @@ import { test } from 'node:test';
 import { turnedCopies, whyNotCopied, workpieceAt } from '../../www/core/turned-copies.js';
 
 const at = (path) => new URL(`../../www/${path}`, import.meta.url);
-const { initSync, Session } = await import(at('pkg-first/synthetica.js'));
-initSync({ module: readFileSync(at('pkg-first/synthetica_bg.wasm')) });
+const { initSync, Session } = await import(at('pkg/synthetica.js'));
+initSync({ module: readFileSync(at('pkg/synthetica_bg.wasm')) });
 const sample = (name) => JSON.parse(readFileSync(at(`mechanisms/${name}`), 'utf8'));
 
 /** One leg of a sample, with a start that is not that of the paper. */

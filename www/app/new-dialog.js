@@ -87,7 +87,7 @@ function emptyPanel({ planner, open }, done) {
   return element(
     'div',
     { class: 'new-linkage' },
-    choice('By its tables', 'One chain of rows of Denavit and Hartenberg, to go on from.', async () => (await planner.defaults()).document),
+    choice('By its tables', 'One chain of rows of Denavit and Hartenberg, to go on from.', () => planner.small()),
     choice('By its axes', 'One chain of two hinges, given by points and directions in the fixed frame.', async () => JSON.stringify(BY_AXES)),
     said,
   );

@@ -40,8 +40,8 @@
  *   parameters?: Record<string, Entry>, home?: Frame, chains: Chain[],
  *   motion: MotionSpec, planner?: PlannerSpec}} MechanismDocument
  *
- * What Rust offers as a start for new things.
- * @typedef {{document: string, joints: Record<JointType, Joint>, frame: Frame, key_frame: KeyFrame, chain: Chain,
+ * What new things start from.
+ * @typedef {{joints: Record<JointType, Joint>, frame: Frame, key_frame: KeyFrame, chain: Chain,
  *   motion: Partial<MotionSpec>, planner: PlannerSpec}} Defaults
  *
  * The last good motion with the document that it belongs to, and the plain document that this stands for (the same, where

@@ -55,7 +55,7 @@ export function createOpening(element, { started, complain, emptied, settle }) {
     if (!lastAsked) return isEmpty(store) ? nothingYet(now) : clear();
     if (!isStarted) await started;
     if (now !== loads) return;
-    const known = isByType(element) ? linkage.planner.holdDefaults() : () => {};
+    const known = isByType(element) ? linkage.planner.hold() : () => {};
     /** @param {string} type */
     const assemble = (type) => {
       const made = ask(() => linkage.planner.assemble(type), 'make a linkage of this type');

@@ -5,8 +5,9 @@
  * @typedef {import('./workbench.js').AppWithPanels} AppWithPanels
  */
 import markup from './panels.html?raw';
-import { ask, untilAnswered } from '../core/ask.js';
+import { ask } from '../core/ask.js';
 import { allTimes, keyFrameFrames } from '../core/playhead.js';
+import { DEFAULTS } from '../core/defaults.js';
 import { textOf } from '../core/document-text.js';
 import { createDock } from '../panels/dock.js';
 import { createFolds } from '../panels/folds.js';
@@ -25,9 +26,6 @@ import { createWhy } from '../panels/info/why.js';
  */
 export async function createPanels(bare, banners) {
   const { find, store, player, planner, say, findStart } = bare;
-  const made = await untilAnswered(store, () => ask(() => planner.defaults(), 'say what new parts are made of'));
-  if (bare.signal.aborted || made.is !== 'answer') return /** @type {AppWithPanels} */ (bare);
-  const defaults = made.value;
   const template = document.createElement('template');
   template.innerHTML = markup;
   find('frame').append(template.content);
@@ -53,8 +51,9 @@ export async function createPanels(bare, banners) {
     const read = await ask(() => planner.normalise(textOf(doc)), 'read the document');
     return read.is === 'fault' ? read.fault : null;
   };
-  const tables = createTables(places, store, defaults, { markFault: tabs.mark, findStart, goToKey, compareMetrics, readPoses, check, bringOut: (target) => bringOut(target, app), say, rewrite: (text, chain) => ask(() => planner.byAxes(text, chain), 'find the axes'), view: app });
+  const tables = createTables(places, store, DEFAULTS, { markFault: tabs.mark, findStart, goToKey, compareMetrics, readPoses, check, bringOut: (target) => bringOut(target, app), say, rewrite: (text, chain) => ask(() => planner.byAxes(text, chain), 'find the axes'), view: app });
   const selection = createSelection(places.root, [places.mechanism, places.motion], app, tables.ready);
+  for (const kind of ['pointerover', 'focusin']) places.root.addEventListener(kind, () => planner.prepare(), { once: true });
   places.root.addEventListener('focusin', ({ target }) => bringOut(/** @type {Element} */ (target), app));
   createTree(/** @type {HTMLDetailsElement} */ (find('objects')), app, selection.enter);
   createStatus(app);

@@ -7,11 +7,11 @@
  *
  * A question of a document names it by a number of the asker's choice; its text comes with the first question. `stop`
  * asks for what there is so far of a plan, `cancel` for nothing more; `close` frees a document. `wasm`, before all others,
- * says what to load (configure.js).
+ * says what to load (configure.js). `prepare` loads all that questions may need, so that the first of them need not wait.
  * @typedef {{kind: 'ask', id: number, call: Call, args: unknown[], doc?: number, text?: string}
  *   | {kind: 'stop' | 'cancel', id: number}
  *   | {kind: 'close', doc: number}
- *   | {kind: 'wasm', wasm: import('./configuration.js').Wasm}} Message
+ *   | {kind: 'wasm', wasm: import('./configuration.js').Wasm} | {kind: 'prepare'}} Message
  * @typedef {{id: number, kind: 'value', value: unknown}
  *   | {id: number, kind: 'fault', fault: Fault}
  *   | {id: number, kind: 'failure', message: string, loading?: boolean}
@@ -23,65 +23,14 @@
  * @typedef {'plan' | 'pull' | 'explain' | 'text' | 'find_start' | 'drive' | 'trace' | 'matrix' | 'compare_metrics' | 'export_motion' | 'by_axes'
  *   | 'looks_standard'} DocumentCall
  *   methods of the packages' Session
- * @typedef {DocumentCall | 'defaults' | 'enumeration' | 'assemble' | 'make' | 'makers' | 'make_named' | 'read_poses' | 'schema' | 'chain_by_index' | 'assembly_by_index'} Call
- *
- * @typedef {{Session: {open: (text: string) => any}}} Module
- * A document with expressions, axes or other conventions is read by the whole package only.
- * @typedef {{text: string, sessions: Map<Module['Session'], any>, users: number, closed: boolean, forWhole?: boolean}} Open
+ * @typedef {DocumentCall | 'ready' | 'defaults' | 'enumeration' | 'assemble' | 'make' | 'makers' | 'make_named' | 'read_poses' | 'schema' | 'chain_by_index' | 'assembly_by_index'} Call
+ * @typedef {import('./packages.js').Open} Open
  */
-import init, { Session, defaults } from '../pkg-first/synthetica.js';
 import { configuration } from './configuration.js';
-
-/** What a page needs at once, from the smaller of the two packages. */
-const first = { Session, defaults };
-/** @type {Call[]} */
-const FIRST = ['plan', 'pull', 'explain', 'text', 'find_start', 'defaults'];
+import { first, isFault, isRead, NotLoaded, packageFor, putInWords, sessionOf, valueOf, whole } from './packages.js';
 
 /** How long a portion of a plan is, in milliseconds: two pictures of a screen, so that what is dragged goes on. */
 const PORTION = 30;
-
-/** The planner could not be loaded, which is no failure of its own. */
-class NotLoaded extends Error {}
-
-/**
- * Loads once; a load that failed is not kept, and the next question tries again.
- * @template T @param {() => Promise<T>} load
- */
-function once(load) {
-  /** @type {Promise<T> | null} */
-  let loading = null;
-  return {
-    isBegun: () => loading !== null,
-    load: () =>
-      (loading ??= load().catch((error) => {
-        loading = null;
-        throw new NotLoaded(error instanceof Error ? error.message : String(error));
-      })),
-  };
-}
-
-const small = once(async () => {
-  await init();
-  return first;
-});
-
-/** The whole package, for what is not in the smaller one. */
-const whole = once(async () => {
-  // One after the other: in the npm package both are the same.
-  if (small.isBegun()) await small.load();
-  const module = await import('../pkg/synthetica.js');
-  await module.default();
-  return module;
-});
-
-/** Whether the whole package is loaded, or is being loaded. */
-export const isWhole = whole.isBegun;
-
-/**
- * The package that answers: of those that can, the one that is there or comes already.
- * @param {Call} call @param {Open} [doc] @returns {Promise<Record<string, any> & Module>}
- */
-const packageFor = (call, doc) => (FIRST.includes(call) && !doc?.forWhole && (small.isBegun() || !whole.isBegun()) ? small : whole).load();
 
 /** @param {(answer: Answer) => void} send */
 export function createAnswers(send) {
@@ -94,6 +43,8 @@ export function createAnswers(send) {
   function receive(message) {
     if (message.kind === 'ask') return answer(message);
     if (message.kind === 'close') return close(message.doc);
+    // Where it cannot be loaded, the question that needs it tells.
+    if (message.kind === 'prepare') return void whole.load().catch(() => {});
     if (message.kind === 'wasm') {
       configuration.wasm = message.wasm;
       return;
@@ -129,8 +80,10 @@ export function createAnswers(send) {
       if (doc) {
         const session = sessionOf(doc, module);
         const done = await prepare(call, session, { id, question, isWanted });
-        if (done) last = { id, kind: 'value', value: call === 'plan' ? session.plan_so_far() : session[call](...args) };
-      } else last = { id, kind: 'value', value: module[call](...args) };
+        const value = done && valueOf(call, args, session);
+        if (value && call === 'plan') await putInWords(value, doc, module);
+        if (done && isWanted()) last = { id, kind: 'value', value };
+      } else last = { id, kind: 'value', value: call === 'ready' ? undefined : module[call](...args) };
     } catch (error) {
       if (isFault(error)) last = { id, kind: 'fault', fault: error };
       else if (error instanceof NotLoaded) last = { id, kind: 'failure', message: error.message, loading: true };
@@ -196,29 +149,6 @@ export function createAnswers(send) {
   return { receive };
 }
 
-/** The document in one of the packages, opened there if it is not yet. @param {Open} doc @param {Module} module */
-function sessionOf({ text, sessions }, { Session: kind }) {
-  const open = sessions.get(kind) ?? kind.open(text);
-  sessions.set(kind, open);
-  return open;
-}
-
-/**
- * Whether the smaller package reads the document. What it refuses may be at fault, or be more than it knows: the whole
- * package tells.
- * @param {Open} doc
- */
-function isRead(doc) {
-  try {
-    sessionOf(doc, first);
-    return true;
-  } catch (error) {
-    if (!isFault(error)) throw error;
-    doc.forWhole = true;
-    return false;
-  }
-}
-
 /** Frees the memory of a document that is closed, after its last question is answered. @param {Open} doc */
 function free({ sessions, users, closed }) {
   if (!closed || users > 0) return;
@@ -236,6 +166,3 @@ const nextTurn = () =>
     };
     port2.postMessage(null);
   });
-
-/** @param {unknown} error @returns {error is Fault} */
-const isFault = (error) => typeof error === 'object' && error !== null && !(error instanceof Error) && 'where' in error;

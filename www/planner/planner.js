@@ -3,7 +3,6 @@
  *
  * @typedef {import('../core/types.js').Motion} Motion
  * @typedef {import('../core/types.js').Fault} Fault
- * @typedef {import('../core/types.js').Defaults} Defaults
  * @typedef {import('../core/types.js').Posture} Posture
  * @typedef {import('../core/types.js').Insight} Insight
  * @typedef {import('./calls.js').Call} Call
@@ -15,8 +14,8 @@ export { DocumentFault, PlannerFailure, PlannerNotLoaded, Superseded } from './e
 
 export class Planner {
   #queue;
-  /** Asked for once. @type {Promise<Defaults> | null} */
-  #defaults = null;
+  /** @type {Promise<void> | null} */
+  #ready = null;
   /** @type {Promise<void> | null} */
   #held = null;
 
@@ -114,22 +113,21 @@ export class Planner {
     return this.#askLatest('looks_standard', text);
   }
 
-  /** What new things are made of. @returns {Promise<Defaults>} */
-  defaults() {
-    const asked = () => this.#askNoDocument('defaults');
-    this.#defaults ??= (this.#held ? this.#held.then(asked) : asked()).catch((error) => {
-      this.#defaults = null;
+  /** It is loaded, and answers. @returns {Promise<void>} */
+  ready() {
+    const asked = () => this.#askNoDocument('ready');
+    this.#ready ??= (this.#held ? this.#held.then(asked) : asked()).catch((error) => {
+      this.#ready = null;
       throw error;
     });
-    return this.#defaults;
+    return this.#ready;
   }
 
   /**
-   * They are not asked for until it is known whether the whole package is needed, which has them too: then the smaller one
-   * need not be loaded.
+   * `ready` is not asked until it is known whether the whole package is needed: then the smaller one need not be loaded.
    * @returns {() => void} it is known
    */
-  holdDefaults() {
+  hold() {
     /** @type {() => void} */
     let known = () => {};
     this.#held = new Promise((resolve) => (known = resolve));
@@ -169,9 +167,19 @@ export class Planner {
     return this.#queue.ask({ asker: this, latest: true, call: 'make_named', args: [name, JSON.stringify(inputs), unit] });
   }
 
+  /** A small document that plans. @returns {Promise<string>} */
+  async small() {
+    return (await this.#askNoDocument('defaults')).document;
+  }
+
   /** Tables 2 and 3. @returns {Promise<import('../core/types.js').Enumeration>} */
   enumeration() {
     return this.#askNoDocument('enumeration');
+  }
+
+  /** A person may ask for anything soon: what answers it is loaded meanwhile. */
+  prepare() {
+    this.#queue.prepare();
   }
 
   /** Takes back all that it asked, and frees its documents. It may ask again. @returns {boolean} whether a plan was under way */

@@ -80,6 +80,11 @@ export class Queue {
     return answer;
   }
 
+  /** Loads all that questions may need, in a worker that is there already. */
+  prepare() {
+    this.#channel?.post({ kind: 'prepare' });
+  }
+
   /** Frees a document that is not asked about any more. @param {object} asker @param {string} text */
   close(asker, text) {
     this.#documents.close(asker, text);

@@ -2,8 +2,9 @@
  * The planner's worker: answers the messages that channel.js posts to it.
  */
 import { buffers } from './buffers.js';
-import { createAnswers, isWhole } from './calls.js';
+import { createAnswers } from './calls.js';
 import { counted } from './loading.js';
+import { whole as wholePackage } from './packages.js';
 
 const { receive } = createAnswers((answer) => postMessage(answer, { transfer: buffers(answer) }));
 
@@ -18,7 +19,7 @@ if (typeof WASM_BYTES === 'object') {
   const { fetch } = self;
   self.fetch = async (...what) => {
     self.fetch = fetch;
-    const bytes = isWhole() ? whole : first;
+    const bytes = wholePackage.isBegun() ? whole : first;
     return counted(await fetch(...what), bytes, (message) => postMessage(message));
   };
 }

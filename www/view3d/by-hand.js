@@ -14,6 +14,7 @@ export function createByHand(app) {
   async function load() {
     if (loading) return;
     loading = true;
+    app.planner.prepare();
     // Once it has failed, the next pointer tries again too.
     loading = await withPart(app, 'Moving by hand', () => import('./hand/drag.js'), ({ createDrag }) => {
       if (!made) createDrag(app);

@@ -52,7 +52,7 @@ export function createPlanning({ find, store, planner, replan, signal }) {
       show();
     }, LOADS_LONG);
     signal.addEventListener('abort', () => clearTimeout(late), { once: true });
-    const answer = await ask(() => planner.defaults(), 'start');
+    const answer = await ask(() => planner.ready(), 'start');
     clearTimeout(late);
     isLoading = false;
     if (!signal.aborted) show();

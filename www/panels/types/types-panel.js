@@ -9,6 +9,7 @@ import { element, setText } from '../../ui/dom.js';
 import { capital, chainName } from '../../core/chain-name.js';
 import { addChain, setJoints } from '../../core/edits.js';
 import { plural } from '../../core/format.js';
+import { DEFAULTS } from '../../core/defaults.js';
 import { JOINT_TYPES } from '../../core/joint-types.js';
 import { sayUndo } from '../../core/undo.js';
 import { assemblyName, grouped, linkageOfAssembly, typeSentence } from './type-words.js';
@@ -25,12 +26,12 @@ const MOST = 5;
 export async function createTypes(app, panel) {
   const { store, planner } = app;
   wear(app.root, look);
-  const listed = await ask(() => Promise.all([planner.enumeration(), planner.defaults()]), 'list the types');
+  const listed = await ask(() => planner.enumeration(), 'list the types');
   if (listed.is !== 'answer') return notLoaded(panel, 'The types', listed.message, () => createTypes(app, panel));
-  const [tables, defaults] = listed.value;
+  const tables = listed.value;
 
   /** @param {string} type such as RPS */
-  const jointsOf = (type) => Array.from(type, (letter) => defaults.joints[/** @type {JointType} */ (letter)]);
+  const jointsOf = (type) => Array.from(type, (letter) => DEFAULTS.joints[/** @type {JointType} */ (letter)]);
 
   /** @param {string} what @param {(doc: import('../../core/types.js').MechanismDocument) => import('../../core/types.js').MechanismDocument} change */
   function make(what, change) {
@@ -72,7 +73,7 @@ export async function createTypes(app, panel) {
     const button = menuButton(type, () => [
       { label: `New linkage of ${type} legs…`, hint: 'Their number and sizes are asked for', act: () => fresh(`New linkage of ${type} legs`, { chain: legsOf(type) }, button) },
       'line',
-      { label: 'Add as a new chain', act: () => make(`A chain ${type} is added.`, (doc) => addChain(doc, { ...defaults.chain, joints: jointsOf(type) })) },
+      { label: 'Add as a new chain', act: () => make(`A chain ${type} is added.`, (doc) => addChain(doc, { ...DEFAULTS.chain, joints: jointsOf(type) })) },
       ...store.doc.chains.map((chain, index) => ({
         label: `Replace ${chainName(chain, index)}`,
         act: () => make(`${capital(chainName(chain, index))} is ${type} now.`, (doc) => setJoints(doc, index, jointsOf(type))),
