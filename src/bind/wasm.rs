@@ -89,6 +89,17 @@ impl Session {
         to_js(self.open.document())
     }
 
+    /// Plans the motion in one go.
+    ///
+    /// # Errors
+    /// Never for a reason of the caller's.
+    pub fn plan(&self) -> Result<JsMotion, JsValue> {
+        let clock = Clock::new();
+        let began = clock.now();
+        let trajectory = self.open.plan();
+        self.motion(&trajectory, clock.now() - began)
+    }
+
     /// Begins a plan in portions, in place of one that was begun before. The start is searched for here.
     pub fn begin_plan(&mut self) {
         let clock = Clock::new();

@@ -1,5 +1,6 @@
-//! The bindings that a page asks for only now and then: a joint driven by hand, the planners' iterations, exports,
-//! tables of types, linkages of a type, the schema. The package that a page loads first is built without them (feature `study`).
+//! The bindings that a page asks for only when a person does something: the linkage pulled or driven by hand, the planners'
+//! iterations, exports, tables of types, linkages of a type, the schema. The package that a page loads first is built
+//! without them (feature `study`).
 
 use crate::bind::wasm::{Clock, JsMotion, Portions, Session, refusal, rows, to_js};
 use crate::document::defaults;
@@ -62,17 +63,6 @@ impl Session {
     /// The document with the start that the planner uses written into it.
     pub fn find_start(&self) -> String {
         self.open.text_with_start()
-    }
-
-    /// Plans the motion in one go.
-    ///
-    /// # Errors
-    /// Never for a reason of the caller's.
-    pub fn plan(&self) -> Result<JsMotion, JsValue> {
-        let clock = Clock::new();
-        let began = clock.now();
-        let trajectory = self.open.plan();
-        self.motion(&trajectory, clock.now() - began)
     }
 
     /// Forgets the plan in portions.

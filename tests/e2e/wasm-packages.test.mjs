@@ -1,8 +1,12 @@
 // Which of the two wasm packages a page loads: the smaller one for what it can, the whole one alone where that is needed first.
 import assert from 'node:assert/strict';
-import { readdirSync, statSync } from 'node:fs';
+import { readdirSync, readFileSync, statSync } from 'node:fs';
 import { after, before, test } from 'node:test';
+import { gzipSync } from 'node:zlib';
 import { openBrowser } from './browser.mjs';
+
+/** Of the smaller package: bytes after gzip. */
+const MOST = 110_000;
 
 const assets = new URL('../../www/dist/assets/', import.meta.url);
 const [small, whole] = readdirSync(assets)
@@ -36,3 +40,40 @@ for (const [type, more, loaded] of [
     assert.deepEqual(asked, loaded);
   });
 }
+
+test('the smaller package is small', () => {
+  const size = gzipSync(readFileSync(new URL(small, assets)), { level: 9 }).length;
+  console.log(`loaded first: ${size} bytes after gzip`);
+  assert.ok(size <= MOST, `${size}`);
+});
+
+test('the page by itself plans, explains and fills its tables with the smaller package; a pointer over the view fetches the whole one', async () => {
+  const { page } = await browser.blankPage({ viewport: { width: 1280, height: 800 }, serviceWorkers: 'block' });
+  const asked = [];
+  page.context().on('request', (request) => request.url().endsWith('.wasm') && asked.push(request.url().split('/').pop()));
+  await page.goto(browser.address);
+  await page.waitForFunction(() => (page$('#closure')?.textContent ?? '–') !== '–');
+  await page.waitForFunction(() => page$('#why')?.textContent.includes('Freedoms here'));
+  await page.waitForLoadState('networkidle');
+  assert.deepEqual(asked, [small]);
+  const comes = page.waitForRequest(/\.wasm$/);
+  await page.locator('#canvas').hover();
+  await comes;
+  assert.deepEqual(asked, [small, whole]);
+});
+
+test('a motion that the smaller package planned has its warnings in the words of the whole one', async () => {
+  const { page } = await browser.blankPage();
+  const asked = [];
+  page.context().on('request', (request) => request.url().endsWith('.wasm') && asked.push(request.url().split('/').pop()));
+  const address = `${browser.address}warned.html`;
+  await page.route(address, (route) =>
+    route.fulfill({ contentType: 'text/html', body: '<!doctype html><script type="module" src="./element.js"></script><synthetica-linkage src="mechanisms/bennett.json"></synthetica-linkage>' }),
+  );
+  await page.goto(address);
+  const warnings = await page.waitForFunction(() => document.querySelector('synthetica-linkage').trajectory?.report.warnings);
+  const [first] = await warnings.jsonValue();
+  assert.deepEqual(asked, [small, whole]);
+  assert.equal(first.code, 'mobility-differs');
+  assert.match(first.message, /^Counting joints gives −2 degrees of freedom/);
+});
