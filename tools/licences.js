@@ -72,6 +72,15 @@ function standardLibrary() {
 }
 
 let crates;
+/**
+ * Where a crate's licence lies: with it, or in tools/licences/ where only its repository has it.
+ * @param {string} name @param {string} folder
+ */
+function licenceFolder(name, folder) {
+  const ours = at(`licences/${name}`);
+  return existsSync(ours) ? ours : folder;
+}
+
 /** The crates whose code is in the wasm, the standard library among them. @returns {Part[]} */
 function cratesInWasm() {
   if (crates) return crates;
@@ -82,7 +91,7 @@ function cratesInWasm() {
   const parts = packages
     .filter(({ id, name, version }) => inIt.has(`${name} v${version}`) && id !== resolve.root)
     .map(({ name, version, license: licence, repository, manifest_path: manifest }) => ({
-      name, version, licence, from: repository, texts: licenceTexts(dirname(manifest), { name, version, licence }),
+      name, version, licence, from: repository, texts: licenceTexts(licenceFolder(name, dirname(manifest)), { name, version, licence }),
     }));
   crates = [...parts, standardLibrary()].sort((a, b) => (a.name < b.name ? -1 : 1));
   return crates;

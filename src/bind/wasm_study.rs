@@ -2,7 +2,7 @@
 //! iterations, exports, tables of types, linkages of a type, the schema. The package that a page loads first is built
 //! without them (feature `study`).
 
-use crate::bind::wasm::{Clock, JsMotion, Portions, Session, refusal, rows, to_js};
+use crate::bind::wasm::{Clock, Portions, Session, refusal, rows, to_js};
 use crate::document::defaults;
 use crate::document::fault::Fault;
 use crate::document::make;
