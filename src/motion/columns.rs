@@ -134,9 +134,14 @@ const fn column(
 /// x y z qx qy qz qw of each pose.
 pub fn placed<'a>(poses: impl IntoIterator<Item = &'a Pose>) -> Vec<f64> {
     let mut numbers = Vec::new();
-    for pose in poses {
-        numbers.extend_from_slice(pose.translation.vector.as_slice());
-        numbers.extend_from_slice(pose.rotation.coords.as_slice());
-    }
+    place(poses, &mut numbers);
     numbers
+}
+
+/// Appends x y z qx qy qz qw of each pose.
+pub fn place<'a>(poses: impl IntoIterator<Item = &'a Pose>, numbers: &mut Vec<f64>) {
+    for pose in poses {
+        let (p, q) = (&pose.translation.vector, &pose.rotation.coords);
+        numbers.extend([p.x, p.y, p.z, q.x, q.y, q.z, q.w]);
+    }
 }
