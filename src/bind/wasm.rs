@@ -6,7 +6,7 @@ use crate::document::comparison::Comparison;
 use crate::document::fault::Fault;
 use crate::document::problem::Problem;
 use crate::document::report::Report;
-use crate::motion::columns::{COLUMNS, Column, Kind, placed};
+use crate::motion::columns::{COLUMNS, Column, Kind, place};
 use crate::motion::trajectory::Trajectory;
 use crate::plan::planning::Planning;
 use crate::source::session;
@@ -210,16 +210,31 @@ fn motion(problem: &Problem, t: &Trajectory, milliseconds: f64) -> Result<Object
     Ok(motion)
 }
 
-/// The frames of all rows, frame by frame straight into the array that leaves: with 100,000 frames they are 200 MB, and the
-/// memory of wasm never shrinks.
+/// The frames of all rows, some at a time into the array that leaves: with 100,000 frames they are 200 MB, and the memory
+/// of wasm never shrinks.
 pub(crate) fn rows(problem: &Problem, t: &Trajectory) -> Float64Array {
-    let of_frame = |frame| placed(&problem.frames_at(t.joints_at(frame)));
-    let count = if t.frames() > 0 { of_frame(0).len() } else { 0 };
+    /// Frames at a time: of fewer a copy takes longer to call than to make.
+    const AT_A_TIME: usize = 256;
     let index = |number: usize| u32::try_from(number).unwrap_or(u32::MAX);
-    let all = Float64Array::new_with_length(index(count * t.frames()));
+    let mut numbers = Vec::new();
+    let mut all = Float64Array::new_with_length(0);
+    let mut written = 0;
     for frame in 0..t.frames() {
-        let part = all.subarray(index(count * frame), index(count * (frame + 1)));
-        part.copy_from(&of_frame(frame));
+        place(&problem.frames_at(t.joints_at(frame)), &mut numbers);
+        let more = t.frames() - frame - 1;
+        if more == 0 && written == 0 {
+            return Float64Array::from(&numbers[..]);
+        }
+        if more == 0 || (frame + 1).is_multiple_of(AT_A_TIME) {
+            if written == 0 {
+                let of_frame = numbers.len() / (frame + 1);
+                all = Float64Array::new_with_length(index(of_frame * t.frames()));
+            }
+            let end = written + numbers.len();
+            all.subarray(index(written), index(end)).copy_from(&numbers);
+            written = end;
+            numbers.clear();
+        }
     }
     all
 }

@@ -141,11 +141,11 @@ impl Problem {
 
     /// For drawing: each table row's frame before its joint and behind it, at these joint values.
     pub fn frames_at(&self, joints: &[f64]) -> Vec<Pose> {
-        let chains = self.mechanism.split(joints);
-        chains
-            .flat_map(|(chain, theta)| chain.frames(theta))
-            .flat_map(|(seat, moved)| [seat, moved])
-            .collect()
+        let mut frames = Vec::with_capacity(2 * joints.len());
+        for (chain, theta) in self.mechanism.split(joints) {
+            chain.frames_into(theta, &mut frames);
+        }
+        frames
     }
 
     /// The extent of the motion, which stands in for the size of a mechanism without lengths.

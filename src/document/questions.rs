@@ -9,6 +9,7 @@ use crate::document::fault::{Fault, FaultCode, Place, told};
 use crate::document::number::typed;
 use crate::document::problem::Problem;
 use crate::document::wording::Wording;
+use crate::math::norm::{norm, unit};
 use crate::math::pose::Pose;
 use crate::model::chain::Chain;
 use crate::model::scaled::Scaled;
@@ -19,7 +20,7 @@ use crate::solve::drive::Obstacle;
 use crate::study::iterations::{self, Trace};
 use crate::study::matrix::{self, Matrix};
 use crate::study::why::{self, Insight};
-use nalgebra::{Quaternion, Translation3, UnitQuaternion};
+use nalgebra::{Quaternion, Translation3};
 use std::ops::RangeInclusive;
 
 /// Lengths of a quaternion that is read as a rotation. One that is not normalised is; beyond a thousandfold it is four
@@ -274,7 +275,7 @@ fn pose(numbers: &[f64]) -> Result<Pose, Fault> {
         bounded(value, MAX_LENGTH, "a length", &GOAL.item(i))?;
     }
     let rotation = Quaternion::new(qw, qx, qy, qz);
-    let norm = rotation.norm();
+    let norm = norm(&rotation.coords);
     // Also refuses NaN.
     if !QUATERNION_LENGTHS.contains(&norm) {
         let (least, most) = QUATERNION_LENGTHS.into_inner();
@@ -285,6 +286,6 @@ fn pose(numbers: &[f64]) -> Result<Pose, Fault> {
         );
         return Err(out_of_range(&GOAL, typed(norm), &accepted));
     }
-    let rotation = UnitQuaternion::from_quaternion(rotation);
+    let rotation = unit(rotation);
     Ok(Pose::from_parts(Translation3::new(x, y, z), rotation))
 }

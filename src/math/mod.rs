@@ -5,6 +5,7 @@ pub mod dot;
 pub mod lanczos;
 pub mod linalg;
 pub mod metric;
+pub mod norm;
 #[cfg(feature = "study")]
 pub mod orientation;
 pub mod pose;

@@ -1,7 +1,8 @@
 //! Rotations as other programs write them: unit quaternions, matrices, and three angles about axes in a named order.
 
 use crate::math::linalg::svd;
-use nalgebra::{Matrix3, Quaternion, Rotation3, UnitQuaternion, Vector3};
+use crate::math::norm::{self, norm, unit};
+use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 
 /// How far a quaternion's length or a matrix's stretch may be from 1: numbers with three decimals still pass.
 pub const UNIT_TOLERANCE: f64 = 1e-3;
@@ -96,7 +97,7 @@ pub fn from_quaternion_wxyz([w, x, y, z]: [f64; 4]) -> Result<Orientation, NotRo
         return Err(NotRotation::NotFinite);
     }
     let length = if largest > 0.0 {
-        largest * (quaternion / largest).norm()
+        largest * norm(&(quaternion.coords / largest))
     } else {
         0.0
     };
@@ -105,7 +106,7 @@ pub fn from_quaternion_wxyz([w, x, y, z]: [f64; 4]) -> Result<Orientation, NotRo
         return Err(NotRotation::QuaternionLength(length));
     }
     Ok(Orientation {
-        rotation: UnitQuaternion::from_quaternion(quaternion),
+        rotation: unit(quaternion),
         error,
     })
 }
@@ -149,7 +150,7 @@ pub fn from_matrix(rows: [[f64; 3]; 3]) -> Result<Orientation, NotRotation> {
     }
     // The orthogonal factor of the polar decomposition, U Vᵀ.
     let nearest = Matrix3::from_fn(|i, j| (0..3).map(|k| factors.u[k][i] * factors.v[k][j]).sum());
-    let rotation = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(nearest));
+    let rotation = norm::from_matrix(&nearest);
     Ok(Orientation { rotation, error })
 }
 

@@ -1,5 +1,6 @@
 //! Rigid displacements: frames given by coordinates, dual quaternions, and the distance between poses.
 
+use crate::math::norm::{norm, unit};
 use nalgebra::{Isometry3, Quaternion, SVector, Translation3, UnitQuaternion, Vector3};
 
 /// A rigid displacement x ↦ R x + d: the place of a frame in another one.
@@ -89,7 +90,7 @@ pub fn from_dual_quaternion(q: &DualQuaternion, length: f64) -> Pose {
     let dual = Quaternion::new(q[7], q[4], q[5], q[6]);
     // Eq. 17: d = vector part of 2 q_dual ∘ q*.
     let d = (dual * real.conjugate()).imag() * (2.0 * length / real.norm_squared());
-    Pose::from_parts(Translation3::from(d), UnitQuaternion::from_quaternion(real))
+    Pose::from_parts(Translation3::from(d), unit(real))
 }
 
 /// The twist (v, ω) that carries `from` to `to`: the difference of the origins, and 2 sin(φ/2) times
@@ -107,9 +108,9 @@ pub fn difference(to: &Pose, from: &Pose) -> nalgebra::Vector6<f64> {
 
 /// Distance of the origins, and angle of the rotation between two poses (rad).
 pub fn gaps(a: &Pose, b: &Pose) -> (f64, f64) {
-    let translation = (a.translation.vector - b.translation.vector).norm();
+    let translation = norm(&(a.translation.vector - b.translation.vector));
     let r = a.rotation.quaternion() * b.rotation.quaternion().conjugate();
-    (translation, 2.0 * libm::atan2(r.imag().norm(), r.w.abs()))
+    (translation, 2.0 * libm::atan2(norm(&r.imag()), r.w.abs()))
 }
 
 /// The mean of the positions and of the quaternions, whose signs are chosen one after another.
@@ -123,5 +124,5 @@ pub fn mean(poses: &[Pose]) -> Pose {
         sum += if away { -rotation } else { rotation };
     }
     // With these signs the sum is no shorter than the first one.
-    Pose::from_parts(translation.into(), UnitQuaternion::from_quaternion(sum))
+    Pose::from_parts(translation.into(), unit(sum))
 }

@@ -39,6 +39,15 @@ impl PivotedQr {
         self.a.extend_from_slice(column);
     }
 
+    /// Appends a column of zeros, to be written.
+    #[inline]
+    pub fn push_zeros(&mut self) -> &mut [f64] {
+        self.order.push(self.order.len());
+        let at = self.a.len();
+        self.a.resize(at + self.rows, 0.0);
+        &mut self.a[at..]
+    }
+
     /// Factors until no remaining column is longer than `threshold`, or `max_rank` is reached.
     #[inline]
     pub fn factor(&mut self, threshold: f64, max_rank: usize) {

@@ -1,6 +1,7 @@
 //! A space of twists told by its simplest screws: pure shifts, and the principal screws of the rest.
 
 use crate::math::linalg;
+use crate::math::norm::normalized;
 use crate::math::sort::sort_few;
 use nalgebra::{Matrix3, Vector3, Vector6};
 use serde::Serialize;
@@ -83,7 +84,7 @@ pub fn principal(twists: &[Vector6<f64>], size: f64, origin: &Vector3<f64>) -> V
         .chunks_exact(n.max(1))
         .map(|c| {
             let axis: Vector3<f64> = axes.iter().zip(c).map(|(a, c)| a * *c).sum();
-            let axis = upright(axis.normalize());
+            let axis = upright(normalized(&axis));
             screw(&axis, &(velocity * axis * size), size, origin)
         })
         .collect();
@@ -150,7 +151,7 @@ fn aligned(vectors: &[Vector3<f64>]) -> Vec<Vector3<f64>> {
             }
         });
         let column: Vector3<f64> = rest.column(nearest.unwrap_or(0)).into();
-        let axis = upright(column.normalize());
+        let axis = upright(normalized(&column));
         rest -= axis * axis.transpose();
         basis.push(axis);
     }

@@ -1,6 +1,7 @@
 //! A chain given by the axes of its joints in one position becomes base, Denavit–Hartenberg rows and gripper; and the
 //! way back.
 
+use crate::math::norm::{norm, normalized};
 use crate::math::pose::Pose;
 use crate::model::chain::{Chain, ChainFault, MAX_FREEDOMS};
 use crate::model::joint::{Joint, JointFault, JointKind, Limits};
@@ -103,7 +104,7 @@ pub fn chain_by_axes(name: String, joints: &[JointAxis], home: &Pose) -> Result<
         return Err(AxesFault::Chain(ChainFault::NotFinite));
     }
     let (places, origin) = places(joints, home)?;
-    let extent = places.iter().map(|p| p.point.norm()).fold(0.0, f64::max);
+    let extent = places.iter().map(|p| norm(&p.point)).fold(0.0, f64::max);
     let mut table = Rows::new(&origin, extent);
     for (joint, place) in places.iter().enumerate() {
         let axes = place.axes(table.last_axis(), places.get(joint + 1));
@@ -158,8 +159,8 @@ pub fn axes_of(chain: &Chain, theta: &[f64]) -> Vec<JointAxis> {
         JointAxis {
             kind: joint.kind(),
             point: own.last().map(|(point, _)| clean(point, largest)),
-            axis: Some(clean(&first, 1.0).normalize()),
-            second: second.map(|second| clean(&second, 1.0).normalize()),
+            axis: Some(normalized(&clean(&first, 1.0))),
+            second: second.map(|second| normalized(&clean(&second, 1.0))),
             limits: limits
                 .map(|(l, value)| Limits {
                     min: l.min - value,
@@ -180,7 +181,7 @@ pub fn other_variables(chain: &Chain, theta: &[f64]) -> Vec<usize> {
     let lines = lines(chain, theta);
     let other = lines.iter().enumerate().filter(|(_, own)| match own[..] {
         [(_, first), (_, second), (_, third)] => {
-            (first.cross(&second) - third).norm() > RIGHT_ANGLE
+            norm(&(first.cross(&second) - third)) > RIGHT_ANGLE
         }
         _ => false,
     });
@@ -231,7 +232,7 @@ impl Place {
                     .unwrap_or_else(Vector3::z);
                 let third = after
                     .map(|after| after - first * first.dot(&after))
-                    .filter(|across| across.norm() > PARALLEL)
+                    .filter(|across| norm(across) > PARALLEL)
                     .map_or_else(|| aside(&first), |across| square(&across, &first));
                 vec![first, third.cross(&first), third]
             }
@@ -256,7 +257,7 @@ fn places(joints: &[JointAxis], home: &Pose) -> Result<(Vec<Place>, Vector3<f64>
         let axis = direction(joint, given, given.axis, AxesField::Axis)?;
         let mut second = direction(joint, given, given.second, AxesField::Second)?;
         if let (Some(axis), Some(second)) = (&axis, &mut second) {
-            let angle = libm::atan2(axis.cross(second).norm(), axis.dot(second));
+            let angle = libm::atan2(norm(&axis.cross(second)), axis.dot(second));
             if (angle - FRAC_PI_2).abs() > RIGHT_ANGLE {
                 return Err(AxesFault::NotRight { joint, angle });
             }
@@ -314,5 +315,5 @@ fn direction(
 fn unit(v: &Vector3<f64>) -> Option<Vector3<f64>> {
     let largest = v.amax();
     // Squares of very large or small numbers would not be finite, or 0.
-    (largest > 0.0).then(|| (v / largest).normalize())
+    (largest > 0.0).then(|| normalized(&(v / largest)))
 }

@@ -1,9 +1,10 @@
 //! One serial chain from the base to the workpiece: forward kinematics, joint screws, Jacobian.
 
+use crate::math::norm::{self, norm};
 use crate::math::pose::Pose;
 use crate::model::dh::{DhRow, x_displacement, z_displacement};
 use crate::model::joint::{Joint, Limits, Moves};
-use nalgebra::{Matrix3, Rotation3, Translation3, UnitQuaternion, Vector3, Vector6};
+use nalgebra::{Matrix3, Translation3, Vector3, Vector6};
 
 /// A chain that constrains its workpiece has at most five freedoms (Section 4, Eq. 8).
 pub const MAX_FREEDOMS: usize = 5;
@@ -146,7 +147,7 @@ impl Chain {
             .iter()
             .map(|p| p.row.a.abs() + p.row.d.abs())
             .sum();
-        links + self.gripper.translation.vector.norm()
+        links + norm(&self.gripper.translation.vector)
     }
 
     /// The same chain with lengths in multiples of `unit` and its base measured from `origin`. For the kinematics
@@ -179,14 +180,15 @@ impl Chain {
         let mut y: Vector3<f64> = self.base_axes.column(1).into();
         let mut z: Vector3<f64> = self.base_axes.column(2).into();
         let mut o = self.base.translation.vector;
-        let mut axes = [(Vector3::zeros(), Vector3::zeros()); MAX_FREEDOMS];
-        for ((p, &variable), axis) in self.primitives.iter().zip(theta).zip(&mut axes) {
+        let rows = || self.primitives.iter().zip(theta);
+        for ((p, &variable), column) in rows().zip(&mut state.jacobian) {
             o += x * p.row.a;
             (y, z) = (
                 y * p.cos_alpha + z * p.sin_alpha,
                 z * p.cos_alpha - y * p.sin_alpha,
             );
-            *axis = (z, o);
+            // The joint's axis, and a point of it.
+            *column = Vector6::new(o.x, o.y, o.z, z.x, z.y, z.z);
             let (angle, shift) = if p.turns {
                 (p.row.theta + variable, p.row.d)
             } else {
@@ -198,13 +200,12 @@ impl Chain {
         }
         let link = Matrix3::from_columns(&[x, y, z]);
         let d = o + link * self.gripper.translation.vector;
-        let rotation = Rotation3::from_matrix_unchecked(link * self.gripper_axes);
-        state.pose = Pose::from_parts(
-            Translation3::from(d),
-            UnitQuaternion::from_rotation_matrix(&rotation),
-        );
+        let rotation = norm::from_matrix(&(link * self.gripper_axes));
+        state.pose = Pose::from_parts(Translation3::from(d), rotation);
         // Eq. 15: (S × (d − C), S) for a revolute joint, (S, 0) for a prismatic one.
-        for ((p, (s, c)), column) in self.primitives.iter().zip(&axes).zip(&mut state.jacobian) {
+        for ((p, _), column) in rows().zip(&mut state.jacobian) {
+            let c = Vector3::new(column[0], column[1], column[2]);
+            let s = Vector3::new(column[3], column[4], column[5]);
             *column = if p.turns {
                 let v = s.cross(&(d - c));
                 Vector6::new(v.x, v.y, v.z, s.x, s.y, s.z)
@@ -263,10 +264,19 @@ impl Chain {
     /// # Panics
     /// When `theta` is shorter than [`Chain::freedoms`].
     pub fn frames(&self, theta: &[f64]) -> Vec<(Pose, Pose)> {
+        let mut frames = Vec::new();
+        self.frames_into(theta, &mut frames);
+        frames.chunks_exact(2).map(|of| (of[0], of[1])).collect()
+    }
+
+    /// The same, appended one after the other.
+    ///
+    /// # Panics
+    /// When `theta` is shorter than [`Chain::freedoms`].
+    pub fn frames_into(&self, theta: &[f64], frames: &mut Vec<Pose>) {
         let mut variables = theta.iter();
         let mut next = || *variables.next().expect("one value a freedom");
         let mut frame = self.base;
-        let mut frames = Vec::new();
         for joint in &self.joints {
             for (i, row) in joint.rows().iter().enumerate() {
                 let (angle, shift) = match joint.kind().moves(i) {
@@ -276,10 +286,10 @@ impl Chain {
                 };
                 let seat = frame * x_displacement(row.alpha, row.a);
                 frame = seat * z_displacement(row.theta + angle, row.d + shift);
-                frames.push((seat, frame));
+                frames.push(seat);
+                frames.push(frame);
             }
         }
-        frames
     }
 }
 

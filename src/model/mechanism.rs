@@ -1,5 +1,6 @@
 //! A workpiece and the chains that hold it: checks, size, mobility by count.
 
+use crate::math::norm::norm;
 use crate::model::chain::Chain;
 
 /// More chains than any linkage that a person would enter; bounds the time that a document can cost.
@@ -57,7 +58,7 @@ impl Mechanism {
         /// Below it, 1/size and its square are no longer safe from overflow.
         const NONE: f64 = 1e-100;
         let origin = self.chains[0].base().translation.vector;
-        let span = |c: &Chain| (c.base().translation.vector - origin).norm();
+        let span = |c: &Chain| norm(&(c.base().translation.vector - origin));
         let longest = |m: f64, c: &Chain| m.max(c.reach()).max(span(c));
         let size = self.chains.iter().fold(0.0, longest);
         (size > NONE).then_some(size)

@@ -1,8 +1,9 @@
 //! The Denavit–Hartenberg rows of axes that are given one after another: the common normals of neighbours.
 
+use crate::math::norm::{self, norm, normalized};
 use crate::math::pose::Pose;
 use crate::model::dh::{DhRow, x_displacement, z_displacement};
-use nalgebra::{Matrix3, Rotation3, Translation3, UnitQuaternion, Vector3};
+use nalgebra::{Matrix3, Translation3, Vector3};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Angle between neighbouring axes, rad, below which they are parallel: their common normal, whose foot is the more
@@ -25,8 +26,8 @@ pub struct NearlyParallel {
 
 /// The unit vector at right angles to the unit vector `axis` that is next to `v`, which is not nearly parallel to it.
 pub fn square(v: &Vector3<f64>, axis: &Vector3<f64>) -> Vector3<f64> {
-    let v = v.normalize();
-    (v - axis * axis.dot(&v)).normalize()
+    let v = normalized(v);
+    normalized(&(v - axis * axis.dot(&v)))
 }
 
 /// The unit vector at right angles to the unit vector `axis` that is next to the x axis; next to y, for an axis near x.
@@ -92,7 +93,7 @@ impl Rows {
         };
         let between = point - self.end.translation.vector;
         let across = z.cross(s);
-        let angle = libm::atan2(across.norm(), z.dot(s).abs());
+        let angle = libm::atan2(norm(&across), z.dot(s).abs());
         let parallel = angle < PARALLEL;
         let normal = if parallel {
             self.between_parallels(&z, &between)
@@ -145,7 +146,7 @@ impl Rows {
         let foot = self.end * z_displacement(theta, d);
         self.end = foot * x_displacement(alpha, a);
         for frame in [&foot, &self.end] {
-            self.farthest = self.farthest.max(frame.translation.vector.norm());
+            self.farthest = self.farthest.max(norm(&frame.translation.vector));
         }
         self.rows.push(DhRow {
             alpha,
@@ -170,7 +171,7 @@ impl Rows {
     fn between_parallels(&self, z: &Vector3<f64>, between: &Vector3<f64>) -> Normal {
         let lateral = between - z * z.dot(between);
         let rounding = self.rounding(1.0);
-        let meets = lateral.norm() <= rounding;
+        let meets = norm(&lateral) <= rounding;
         Normal {
             direction: if meets {
                 self.end.rotation * Vector3::x()
@@ -184,7 +185,7 @@ impl Rows {
 
     /// From axis to axis, so that a > 0; for axes that meet the sense with the smaller θ.
     fn across(&self, z: &Vector3<f64>, across: &Vector3<f64>, between: &Vector3<f64>) -> Normal {
-        let rounding = self.rounding(across.norm());
+        let rounding = self.rounding(norm(&across));
         let direction = square(across, z);
         let a = between.dot(&direction);
         let meets = a.abs() <= rounding;
@@ -240,6 +241,6 @@ fn axes(pose: &Pose) -> [Vector3<f64>; 3] {
 
 fn frame(x: &Vector3<f64>, z: &Vector3<f64>, o: &Vector3<f64>) -> Pose {
     let axes = Matrix3::from_columns(&[*x, z.cross(x), *z]);
-    let rotation = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(axes));
+    let rotation = norm::from_matrix(&axes);
     Pose::from_parts(Translation3::from(*o), rotation)
 }

@@ -6,6 +6,7 @@
 //! this reading reproduces an independent reference to the last digits. Here d is measured from a
 //! point of reference that the caller chooses; the paper's is the origin of the fixed frame.
 
+use crate::math::norm::{norm, unit};
 use crate::math::pose::Pose;
 use nalgebra::{Quaternion, Translation3, UnitQuaternion, Vector3};
 
@@ -16,7 +17,7 @@ pub(crate) fn to_double_quaternion(
     radius: f64,
 ) -> (Quaternion<f64>, Quaternion<f64>) {
     let d = position / (2.0 * radius);
-    let angle = d.norm();
+    let angle = norm(&d);
     let (s, c) = libm::sincos(angle);
     let d = Quaternion::from_parts(c, if angle > 0.0 { d * (s / angle) } else { d });
     let q = rotation.into_inner();
@@ -26,8 +27,8 @@ pub(crate) fn to_double_quaternion(
 /// The inverse of [`to_double_quaternion`]: the pose with rotation q and position d.
 pub(crate) fn from_double_quaternion(g: Quaternion<f64>, h: Quaternion<f64>, radius: f64) -> Pose {
     let square = g * h.conjugate();
-    let sine = square.imag().norm();
+    let sine = norm(&square.imag());
     let angle = libm::atan2(sine, square.w);
     let d = square.imag() * (if sine > 0.0 { angle / sine } else { 1.0 } * radius);
-    Pose::from_parts(Translation3::from(d), UnitQuaternion::new_normalize(g + h))
+    Pose::from_parts(Translation3::from(d), unit(g + h))
 }

@@ -4,6 +4,7 @@
 //! quaternions (see `double_quaternion`), and each of the two follows Shoemake's spline on its sphere
 //! (see `quaternion_spline`). Steady screw motions and straight lines can be chosen instead.
 
+use crate::math::norm::unit;
 use crate::math::pose::Pose;
 use crate::motion::double_quaternion::{from_double_quaternion, to_double_quaternion};
 use crate::motion::key_frames::{
@@ -12,7 +13,7 @@ use crate::motion::key_frames::{
 };
 use crate::motion::quaternion_spline::{Bezier, de_casteljau, slerp, spline};
 use crate::motion::screw_motion::ScrewMotion;
-use nalgebra::{Translation3, UnitQuaternion, Vector3};
+use nalgebra::{Translation3, Vector3};
 
 /// A frame for each interval of [`MAX_KEY_FRAMES`](crate::motion::key_frames::MAX_KEY_FRAMES) and one more, so that every
 /// key frame can fall on a frame; half an hour at 60 a second.
@@ -209,7 +210,7 @@ impl Curve {
                 let (start, end) = (from.translation.vector, to.translation.vector);
                 Pose::from_parts(
                     Translation3::from(start + (end - start) * u),
-                    UnitQuaternion::new_normalize(slerp(*from.rotation, *to.rotation, u)),
+                    unit(slerp(*from.rotation, *to.rotation, u)),
                 )
             }
         }

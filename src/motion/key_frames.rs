@@ -1,5 +1,6 @@
 //! Key frames: what is asked of them, and what the interpolations need to know of them.
 
+use crate::math::norm::{norm, normalized};
 use crate::math::pose::Pose;
 use nalgebra::{UnitQuaternion, Vector3};
 
@@ -105,7 +106,7 @@ pub(crate) fn times(keys: &[KeyFrame]) -> Result<Vec<f64>, KeyFrameFault> {
 pub(crate) fn check_numbers(keys: &[KeyFrame]) -> Result<(), KeyFrameFault> {
     let unusable = |k: &KeyFrame| {
         let rotation = k.pose.rotation.coords;
-        !(k.pose.translation.vector.norm().is_finite() && rotation.iter().all(|x| x.is_finite()))
+        !(norm(&k.pose.translation.vector).is_finite() && rotation.iter().all(|x| x.is_finite()))
     };
     keys.iter()
         .position(unusable)
@@ -124,7 +125,7 @@ pub(crate) fn mean_position(keys: &[KeyFrame]) -> Vector3<f64> {
 pub(crate) fn farthest(keys: &[KeyFrame], reference: &Vector3<f64>) -> Result<f64, KeyFrameFault> {
     let mut farthest: f64 = 0.0;
     for (key, k) in keys.iter().enumerate() {
-        let distance = (k.pose.translation.vector - reference).norm();
+        let distance = norm(&(k.pose.translation.vector - reference));
         if !distance.is_finite() {
             return Err(KeyFrameFault::NotFinite { key });
         }
@@ -152,7 +153,7 @@ pub(crate) fn on_one_side(keys: &[KeyFrame]) -> (Vec<Pose>, Vec<HalfTurn>) {
             if cosine < -TIE {
                 negative = !negative;
             } else if cosine <= TIE {
-                let axis = (given * before.conjugate()).imag().normalize();
+                let axis = normalized(&(given * before.conjugate()).imag());
                 half_turns.push(HalfTurn { key, axis });
             }
         }
@@ -173,11 +174,11 @@ pub(crate) fn resting(keys: &[Pose]) -> Vec<bool> {
     let position = |k: &Pose| k.translation.vector;
     let extent = keys
         .iter()
-        .map(|k| (position(k) - position(&keys[0])).norm())
+        .map(|k| norm(&(position(k) - position(&keys[0]))))
         .fold(0.0, f64::max);
     let same = |k: &[Pose]| {
-        (position(&k[1]) - position(&k[0])).norm() <= ROUNDING * extent
-            && (k[1].rotation.coords - k[0].rotation.coords).norm() <= ROUNDING
+        norm(&(position(&k[1]) - position(&k[0]))) <= ROUNDING * extent
+            && norm(&(k[1].rotation.coords - k[0].rotation.coords)) <= ROUNDING
     };
     keys.windows(2).map(same).collect()
 }

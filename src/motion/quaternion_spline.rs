@@ -4,6 +4,7 @@
 //! evaluated by de Casteljau's construction with slerp in place of lerp, with inner control points from
 //! the neighbours.
 
+use crate::math::norm::{norm, normalized};
 use nalgebra::{Quaternion, Vector3};
 
 /// The four control points of a cubic segment on the unit sphere of quaternions.
@@ -56,10 +57,10 @@ pub(crate) fn spline(points: &[Quaternion<f64>], times: &[f64], resting: &[bool]
 /// The point halfway between `a` and `b`; between opposite points `otherwise`.
 fn bisect(a: Quaternion<f64>, b: Quaternion<f64>, otherwise: Quaternion<f64>) -> Quaternion<f64> {
     let sum = a + b;
-    if sum.norm() < OPPOSITE {
+    if norm(&sum.coords) < OPPOSITE {
         otherwise
     } else {
-        sum.normalize()
+        Quaternion::from(normalized(&sum.coords))
     }
 }
 
@@ -76,7 +77,7 @@ pub(crate) fn de_casteljau([a, b, c, d]: Bezier, u: f64) -> Quaternion<f64> {
 /// The point at `t` on the great circle from `a` (0) to `b` (1), also outside of both. Unlike the
 /// usual slerp it never changes a sign: that is decided once, for the key frames.
 pub(crate) fn slerp(a: Quaternion<f64>, b: Quaternion<f64>, t: f64) -> Quaternion<f64> {
-    let (difference, sum) = ((b - a).norm(), (b + a).norm());
+    let (difference, sum) = (norm(&(b - a).coords), norm(&(b + a).coords));
     if difference == 0.0 {
         return a;
     }
@@ -88,5 +89,5 @@ pub(crate) fn slerp(a: Quaternion<f64>, b: Quaternion<f64>, t: f64) -> Quaternio
     } else {
         (b - a * a.dot(&b)) / libm::sin(angle)
     };
-    (a * c + across * s).normalize()
+    Quaternion::from(normalized(&(a * c + across * s).coords))
 }

@@ -1,7 +1,8 @@
 //! The steady screw motion from one pose to another (dual-quaternion ScLERP).
 
+use crate::math::norm::{norm, unit};
 use crate::math::pose::Pose;
-use nalgebra::{Quaternion, Translation3, UnitQuaternion, Vector3};
+use nalgebra::{Quaternion, Translation3, Vector3};
 
 /// A screw motion: rotation by `angle` about `axis` with the steady body velocity `velocity` of the
 /// origin, over one unit of u.
@@ -21,7 +22,7 @@ impl ScrewMotion {
             moved.rotation.imag(),
             moved.translation.vector,
         );
-        let sine = v.norm();
+        let sine = norm(&v);
         if sine == 0.0 {
             return Self {
                 axis: v,
@@ -59,5 +60,5 @@ impl ScrewMotion {
 }
 
 fn pose(q: Quaternion<f64>, d: Vector3<f64>) -> Pose {
-    Pose::from_parts(Translation3::from(d), UnitQuaternion::new_normalize(q))
+    Pose::from_parts(Translation3::from(d), unit(q))
 }

@@ -5,6 +5,7 @@
 //! depends on rounding. The least sum of squares is one of them.
 
 use crate::math::linalg::{SvdFactors, svd};
+use crate::math::norm::norm;
 use crate::math::pose::{Pose, difference};
 use crate::model::chain::{Chain, ChainState, MAX_FREEDOMS};
 use crate::solve::solver::Solver;
@@ -63,13 +64,13 @@ pub fn relax(chain: &Chain, own: &mut [f64]) {
     let mut share = 1.0;
     for _ in 0..STEPS {
         let step = -here.still(&values);
-        if !(step.norm() > LEAST) {
+        if !(norm(&step) > LEAST) {
             break;
         }
         let mut trial = values + step * share;
         let there = close(chain, &pose, &mut trial).filter(|there| {
             let falls = trial.norm_squared() < values.norm_squared() * (1.0 - FALL);
-            falls || there.still(&trial).norm() < SHRINKS * step.norm()
+            falls || norm(&there.still(&trial)) < SHRINKS * norm(&step)
         });
         if let Some(there) = there {
             (values, here) = (trial, there);

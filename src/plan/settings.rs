@@ -1,6 +1,7 @@
 //! What a plan needs beside mechanism and goals: method, metric, tolerance of dimensions, limits of iterations.
 
 use crate::math::metric::{Metric, MetricKind};
+use crate::math::norm::norm;
 use crate::model::mechanism::Mechanism;
 use crate::model::scaled::Scaled;
 use crate::motion::goal::Goal;
@@ -131,6 +132,6 @@ pub fn extent(goals: &[Goal]) -> f64 {
         return 0.0;
     };
     positions
-        .map(|position| (position - first).norm())
+        .map(|position| norm(&(position - first)))
         .fold(0.0, f64::max)
 }

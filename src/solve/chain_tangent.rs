@@ -65,11 +65,11 @@ impl ChainTangent {
         unknowns + self.active.len() - self.qr.rank()
     }
 
-    /// Writes constraint `p` (from the rank to 5) as a linear form in y: a column of N_i, and −R22 of the explicit joints.
+    /// Writes constraint `p` (from the rank to 5) over zeros as a linear form in y: a column of N_i, and −R22 of the
+    /// explicit joints.
     #[inline]
     pub fn constraint(&self, p: usize, form: &mut [f64]) {
         let rank = self.qr.rank();
-        form.fill(0.0);
         form[p] = 1.0;
         self.qr.apply_q(&mut form[..6]);
         for j in rank..self.active.len() {
@@ -94,7 +94,9 @@ impl ChainTangent {
     #[inline]
     pub fn combine(&self, multipliers: &[f64]) -> Vector6<f64> {
         let mut wrench = Vector6::zeros();
-        wrench.as_mut_slice()[self.qr.rank()..].copy_from_slice(multipliers);
+        for (part, multiplier) in wrench.iter_mut().skip(self.qr.rank()).zip(multipliers) {
+            *part = *multiplier;
+        }
         self.qr.apply_q(wrench.as_mut_slice());
         wrench
     }
@@ -124,10 +126,9 @@ impl ChainTangent {
 
     /// The second derivative of the workpiece's pose along the wrench (F, M), per pair of joints:
     /// K[j, l] = F·(S_j × (S_l × (d − C_l))) + ½ M·(S_j × S_l), j ≤ l, with S_l in place of
-    /// S_l × (d − C_l) where l slides, and 0 where j slides. Upper triangle.
+    /// S_l × (d − C_l) where l slides, and 0 where j slides. Into the upper triangle; the rest of `k` stays.
     #[inline]
-    pub fn curvature(&self) -> [[f64; MAX_FREEDOMS]; MAX_FREEDOMS] {
-        let mut k = [[0.0; MAX_FREEDOMS]; MAX_FREEDOMS];
+    pub fn curvature(&self, k: &mut [[f64; MAX_FREEDOMS]; MAX_FREEDOMS]) {
         let force = self.wrench.fixed_rows::<3>(0).into_owned();
         let half_moment = self.wrench.fixed_rows::<3>(3) * 0.5;
         let columns = &self.state.jacobian[..self.freedoms];
@@ -138,6 +139,5 @@ impl ChainTangent {
                 k[j][l] = f.dot(&other.fixed_rows::<3>(0)) + m.dot(&other.fixed_rows::<3>(3));
             }
         }
-        k
     }
 }

@@ -195,8 +195,9 @@ impl<'a> Balanced<'a> {
                     - swirl.dot(&twist.fixed_rows::<3>(3));
             }
         }
+        let mut k = [[0.0; MAX_FREEDOMS]; MAX_FREEDOMS];
         for chain in &self.0.0.chains {
-            let k = chain.curvature();
+            chain.curvature(&mut k);
             let own = chain.first..chain.first + chain.freedoms;
             for i in 0..n {
                 let bent = bent(&k, &self.0.rates(i)[own.clone()]);

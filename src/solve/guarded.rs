@@ -2,6 +2,7 @@
 //! motions.
 
 use crate::math::metric::Target;
+use crate::math::norm::norm;
 use crate::model::joint::Stop;
 use crate::model::scaled::{ROUNDING, SOLVED};
 use crate::solve::close::{Reach, Shortest};
@@ -59,7 +60,7 @@ impl Solver {
         self.origin.copy_from_slice(theta);
         let away = target.goal.translation.vector + target.about
             - self.closer.tangent().pose().translation.vector;
-        let farthest = FARTHEST.max(OBLIQUE * away.norm());
+        let farthest = FARTHEST.max(OBLIQUE * norm(&away));
         loop {
             let dependence = self.closer.dependence_anywhere();
             let factored = self
@@ -174,7 +175,7 @@ impl Solver {
                     // f is known to within its rounding, and the pull's work on the closure error.
                     let noise = self.tolerances.rounding
                         + ROUNDING * model.value
-                        + SOLVED * model.gradient.norm();
+                        + SOLVED * norm(&model.gradient);
                     // At that level the gain says nothing; the model is trusted there.
                     let trusted = predicted <= 10.0 * noise || gain >= GOOD * predicted;
                     if trusted && self.region.length() >= WHOLE * *radius {

@@ -30,7 +30,7 @@ pub struct LoopFactor {
     blocks: Vec<Block>,
     tied: Vec<f64>,
     /// The shared rows and those of one chain, and T of each, while factoring.
-    panel: Vec<[f64; WIDTH]>,
+    panel: Vec<f64>,
     panel_tied: Vec<f64>,
     /// Sums over chains while solving, one entry an added row.
     sums: Vec<f64>,
@@ -78,12 +78,13 @@ impl LoopFactor {
     /// differs from it by rounding.
     pub fn factor(&mut self) -> bool {
         let (n, added) = (self.equations(), self.added_rows());
-        self.blocks.clear();
+        // Every entry of a block that is there from before is written anew.
+        self.blocks.resize(self.ends.len(), Block::default());
         self.tied.clear();
         self.start_shared(added);
         let mut first = 0;
         for (chain, &end) in self.ends.iter().enumerate() {
-            for (i, row) in self.panel.iter_mut().enumerate() {
+            for (i, row) in rows(&mut self.panel).iter_mut().enumerate() {
                 for m in 0..added {
                     let t = self.panel_tied[i * added + m];
                     for c in 0..LOOP {
@@ -91,33 +92,39 @@ impl LoopFactor {
                     }
                 }
             }
-            for column in &self.columns[first..end] {
-                let mut row = [0.0; WIDTH];
-                row[..LOOP].copy_from_slice(column);
-                self.panel.push(row);
+            let shared = self.panel.len();
+            let all = shared / WIDTH + end - first;
+            self.panel.resize(all * WIDTH, 0.0);
+            let own = rows(&mut self.panel[shared..]);
+            for (row, column) in own.iter_mut().zip(&self.columns[first..end]) {
+                for c in 0..LOOP {
+                    row[c] = column[c];
+                }
             }
             first = end;
-            self.panel_tied.resize(self.panel.len() * added, 0.0);
-            let done = LOOP.min(self.panel.len());
+            self.panel_tied.resize(all * added, 0.0);
+            let done = LOOP.min(all);
             for p in 0..done {
                 // The six rows of η are a multiple of I at first: those after row p have nothing there.
                 let others = if chain == 0 { LOOP } else { p + 1 };
-                let (pivot, rows) = self.panel[p..].split_at_mut(others - p);
+                let (pivot, rows) = rows(&mut self.panel)[p..].split_at_mut(others - p);
                 let (pivot_tied, tied) =
                     self.panel_tied[p * added..].split_at_mut((others - p) * added);
                 reflect(p, &mut pivot[0], rows, &mut pivot_tied[..added], tied);
             }
-            let mut block = Block::default();
-            block.rows[..done].copy_from_slice(&self.panel[..done]);
-            self.blocks.push(block);
+            let block = self.blocks[chain].rows.as_flattened_mut();
+            block[..done * WIDTH].copy_from_slice(&self.panel[..done * WIDTH]);
+            block[done * WIDTH..].fill(0.0);
             self.tied
                 .extend_from_slice(&self.panel_tied[..done * added]);
-            self.tied.resize(self.blocks.len() * LOOP * added, 0.0);
+            self.tied.resize((chain + 1) * LOOP * added, 0.0);
             // What is left is shared by the later chains.
-            self.panel.drain(..done);
+            self.panel.drain(..done * WIDTH);
             self.panel_tied.drain(..done * added);
-            for row in &mut self.panel {
-                row.copy_within(LOOP.., 0);
+            for row in rows(&mut self.panel) {
+                for c in 0..LOOP {
+                    row[c] = row[LOOP + c];
+                }
             }
         }
         self.scale_rows()
@@ -127,10 +134,10 @@ impl LoopFactor {
     /// as T = I.
     fn start_shared(&mut self, added: usize) {
         self.panel.clear();
-        self.panel.resize(LOOP + added, [0.0; WIDTH]);
-        for c in 0..LOOP {
-            self.panel[c][c] = TWIST;
-            self.panel[c][LOOP + c] = TWIST;
+        self.panel.resize((LOOP + added) * WIDTH, 0.0);
+        for (c, row) in rows(&mut self.panel)[..LOOP].iter_mut().enumerate() {
+            row[c] = TWIST;
+            row[LOOP + c] = TWIST;
         }
         self.panel_tied.clear();
         self.panel_tied.resize((LOOP + added) * added, 0.0);
@@ -161,7 +168,9 @@ impl LoopFactor {
                 }
                 let inverse = 1.0 / pivot;
                 block.weights[p] = inverse * inverse;
-                row[..=p].fill(0.0);
+                for x in &mut row[..=p] {
+                    *x = 0.0;
+                }
                 for (c, x) in row.iter_mut().enumerate() {
                     *x *= inverse;
                     block.columns[c][p] = *x;
@@ -241,6 +250,12 @@ impl LoopFactor {
             own.copy_from_slice(&rest);
         }
     }
+}
+
+/// The rows of a panel.
+#[inline(always)]
+fn rows(panel: &mut [f64]) -> &mut [[f64; WIDTH]] {
+    panel.as_chunks_mut().0
 }
 
 /// Takes row P times unknown P from what is behind it. With a constant the loop unrolls, and the

@@ -135,12 +135,9 @@ impl Tangent {
         self.unknowns = unknowns;
         self.combination = None;
         self.stacked.clear(unknowns);
-        self.scratch.clear();
-        self.scratch.resize(unknowns, 0.0);
         for chain in &self.chains {
             for p in chain.constraint_rows() {
-                chain.constraint(p, &mut self.scratch);
-                self.stacked.push(&self.scratch);
+                chain.constraint(p, self.stacked.push_zeros());
             }
         }
     }

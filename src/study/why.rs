@@ -2,6 +2,7 @@
 //! certificate, the gap's free and blocked parts, and each chain's share in holding back.
 
 use crate::math::linalg::{self, PivotedQr};
+use crate::math::norm::norm;
 use crate::math::pose::Pose;
 use crate::math::screw::{self, Screw};
 use crate::math::sort::sort_few;
@@ -158,7 +159,7 @@ fn twist_between(from: &Pose, to: &Pose) -> Vector6<f64> {
     let v = to.translation.vector - from.translation.vector;
     let r = to.rotation.quaternion() * from.rotation.quaternion().conjugate();
     let r = if r.w < 0.0 { -r } else { r };
-    let sine = r.imag().norm();
+    let sine = norm(&r.imag());
     let w = if sine > 0.0 {
         r.imag() * (2.0 * libm::atan2(sine, r.w) / sine)
     } else {
