@@ -4,6 +4,7 @@ import { readFileSync, readdirSync, statSync, writeFileSync } from 'node:fs';
 import { join, relative } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build, defineConfig } from 'vite';
+import { early } from './early.js';
 import { importedAtOnce } from './imported-at-once.js';
 import { licenceComment, licences, ourselves, packagesIn, partsOf } from './licences.js';
 import { inlineScript } from './package/inline.js';
@@ -138,5 +139,5 @@ export default defineConfig({
   worker: { format: 'es' },
   // For the progress of its loading, see www/planner/worker.js.
   define: { WASM_BYTES: JSON.stringify({ first: bytes('pkg-first'), whole: bytes('pkg') }) },
-  plugins: [pages(), bundle(), tight(), lastingScripts(), licencesOfOthers(), serviceWorker()],
+  plugins: [pages(), early(), bundle(), tight(), lastingScripts(), licencesOfOthers(), serviceWorker()],
 });

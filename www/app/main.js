@@ -26,6 +26,7 @@ const keeper = createKeeper(() => localStorage, Math.random().toString(36).slice
 element.document = null;
 // Both need the planner, and neither the other.
 const [app] = await Promise.all([element.workbench, start(linkage, keeper)]);
+if (!matchMedia('(prefers-reduced-motion: reduce)').matches) linkage.player.play();
 createHistory(linkage.store);
 const documents = createDocuments(app);
 createHeader(app, documents, keeper);
@@ -35,5 +36,4 @@ createHelp(app);
 createAutosave(linkage, keeper);
 // Until here nothing in it would have answered.
 /** @type {HTMLElement} */ (byId('menus').parentElement).inert = false;
-if (!matchMedia('(prefers-reduced-motion: reduce)').matches) linkage.player.play();
 workOffline();

@@ -5,6 +5,26 @@ if (/[?&]embed(?=[=&]|$)/.test(location.search)) {
   const origin = /[?&]origin=/.test(location.search) || !document.referrer ? '' : `&origin=${new URL(document.referrer).origin}`;
   location.replace(`./embed.html${location.search}${origin}${location.hash}`);
 }
+// The planner's worker loads and starts while the page's other scripts do: planner/start-worker.js takes it, with what it has
+// said until then. Its address is written here by the build (tools/early.js).
+else {
+  const address = document.currentScript?.dataset.worker;
+  if (address) {
+    try {
+      const worker = new Worker(address, { type: 'module' });
+      /** @type {Event[]} */
+      const said = [];
+      const hear = (/** @type {Event} */ event) => void said.push(event);
+      worker.onmessage = hear;
+      worker.onerror = hear;
+      // What the page asks first in any case.
+      worker.postMessage({ kind: 'ask', id: 0, call: 'defaults', args: [] });
+      Object.assign(globalThis, { syntheticaWorker: { worker, said } });
+    } catch {
+      // It may not have one: then the page plans by itself.
+    }
+  }
+}
 
 // The chosen colour scheme; app/theme.js goes on from here.
 try {

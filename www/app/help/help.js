@@ -5,7 +5,9 @@ import { byId, targetOf } from '../../ui/dom.js';
 import { loaded, withPart } from '../../ui/lazy.js';
 import { onKeys } from '../../ui/keys.js';
 import { menuButton } from '../../ui/menu.js';
-import { startTour, wasSeen } from './tour.js';
+
+/** Where it is kept that the first minute was seen. */
+export const SEEN = 'synthetica.first-minute';
 
 /** @param {import('../../element/workbench.js').AppWithPanels} app */
 export function createHelp(app) {
@@ -15,7 +17,9 @@ export function createHelp(app) {
   const showNumbers = reference(({ showNumbers: show }) => show());
   const lesson = (/** @type {string} */ id) => withPart(app, 'The lesson', async () => (await import('./open-lesson.js')).openLesson(app, id), () => {});
 
-  const tour = () => startTour(app, { focus: true });
+  /** @param {boolean} focus whether the first note takes the focus: not when it comes unasked */
+  const start = (focus) => withPart(app, 'The first minute', () => import('./tour.js'), ({ startTour }) => startTour(app, { focus }));
+  const tour = () => start(true);
   const items = async () => (await loaded(app, 'The help', () => import('./items.js'))).helpItems({ tour, showKeys, showNumbers, lesson });
   byId('menus').append(menuButton('Help', items));
   onKeys(document, {
@@ -28,5 +32,15 @@ export function createHelp(app) {
   // The lesson of the address, or the first minute of a first visit.
   const asked = new URLSearchParams(location.search).get('lesson');
   if (asked !== null) lesson(asked);
-  else if (!wasSeen()) startTour(app, { focus: false });
+  // The motion first.
+  else if (!wasSeen()) requestAnimationFrame(() => requestAnimationFrame(() => start(false)));
+}
+
+/** Whether the first minute was seen in this browser; where nothing can be kept, it counts as seen, or it would come every time. */
+function wasSeen() {
+  try {
+    return localStorage.getItem(SEEN) !== null;
+  } catch {
+    return true;
+  }
 }

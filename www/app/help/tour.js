@@ -3,8 +3,7 @@
  * note, and does not come again unless asked for.
  */
 import { element, targetOf } from '../../ui/dom.js';
-
-const SEEN = 'synthetica.first-minute';
+import { SEEN } from './help.js';
 
 /** Distance from a note to what it speaks of, and to the window's edge, in pixels. */
 const GAP = 12;
@@ -18,15 +17,6 @@ const NOTES = [
   { at: '#canvas', text: 'Or move things by hand: click a key frame or the workpiece in the view, and drag.' },
   { at: '#menus', text: 'Examples, files, links to share, pictures and films are up here. Help has lessons, and this first minute again.' },
 ];
-
-/** Whether it was seen in this browser; where nothing can be kept, it counts as seen, or it would come every time. */
-export function wasSeen() {
-  try {
-    return localStorage.getItem(SEEN) !== null;
-  } catch {
-    return true;
-  }
-}
 
 function keepSeen() {
   try {

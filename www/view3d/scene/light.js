@@ -15,7 +15,7 @@ export function createLight(slow, changed, isHeld) {
   const sky = new HemisphereLight(0xffffff, 0xb9b4ac, 1.9);
   sky.position.set(0, 0, 1);
   const sun = new DirectionalLight(0xffffff, 2.0);
-  sun.castShadow = true;
+  sun.castShadow = !slow;
   sun.shadow.mapSize.set(1024, 1024);
   sun.shadow.radius = 5;
   sun.shadow.bias = -0.0006;

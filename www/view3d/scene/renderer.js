@@ -75,6 +75,10 @@ export function createDrawing(canvas, root, signal) {
       const ratio = pixelRatio();
       Object.assign(canvas, { width: Math.floor(width * ratio), height: Math.floor(height * ratio) });
     },
+    /** Begins to make the programs for such things, and does not wait for them. @param {import('three').Object3D[]} things @param {import('three').Camera} camera */
+    prepare(things, camera) {
+      for (const one of things) renderer.compile(one, camera, root);
+    },
     /** @param {import('three').Camera} camera */
     draw(camera) {
       const { width, height } = canvas;

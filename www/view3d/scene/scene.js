@@ -23,6 +23,7 @@ import { readPalette } from './palette.js';
 import { createPicker } from './pick.js';
 import { watchPointers } from './refit.js';
 import { createDrawing } from './renderer.js';
+import { samplesOf } from './samples.js';
 import { windowOf } from '../../ui/dom.js';
 
 /** How many times as sharp as the screen's a picture on paper is. */
@@ -54,6 +55,7 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
   const pick = createPicker(things, canvas, () => view.camera);
   const pictured = [...light.objects, ground.group, linkage.group, paths.group];
   root.add(...pictured);
+  drawing.prepare([ground.group, samplesOf(materials)], view.camera);
 
   /** @type {Part[]} */
   const parts = [];
