@@ -28,7 +28,7 @@ export function frameNumbers({ doc, result }, path) {
   if (!frame) return null;
   const [before, plain] = [valueAt(result.doc, path), valueAt(result.plain, path)];
   const isForm = FORMS.some((form) => frame[form] !== undefined);
-  const sameForm = FORMS.every((form) => JSON.stringify(frame[form]) === JSON.stringify(before?.[form]));
+  const sameForm = isForm && FORMS.every((form) => JSON.stringify(frame[form]) === JSON.stringify(before?.[form]));
   const numbers = COORDINATES.map((name) => {
     const own = frame[name] ?? 0;
     const isAngle = name.length > 1;

@@ -168,7 +168,7 @@ function chooser(store) {
   });
   const boxes = rows.map(({ label }) => label);
   const offer = () => rows.forEach(({ group, label }) => (label.hidden = !isOffered(group, store.result.motion)));
-  store.subscribe('result', offer);
+  atRest(store, ['result'], offer);
   offer();
   const list = element('div', { class: 'menu choose', popover: 'auto', id: 'chart-choice', role: 'group', 'aria-label': 'Charts shown' }, ...boxes);
   const button = element('button', { popovertarget: list.id, 'aria-expanded': 'false' }, 'Choose charts');

@@ -18,6 +18,7 @@ import { createGizmo } from './gizmo.js';
 import { keyFrameTarget } from './key-frame.js';
 import { createLookAt } from './look-at.js';
 import { createMoves } from './moves.js';
+import { createMoving } from './moving.js';
 import { createPointerDrags } from './pointer-drags.js';
 import { ANGLE_STEP, lengthStep } from './steps.js';
 import { howWords } from './how-words.js';
@@ -28,9 +29,6 @@ import look from '../../style/drag.css?inline';
 
 /** Axis and direction of each nudging key. @type {[0 | 1 | 2, 1 | -1][]} */
 const NUDGES = [[0, 1], [0, -1], [1, 1], [1, -1], [2, 1], [2, -1]];
-
-/** After how long without a move a hand rests, in milliseconds: then all is shown that is only read. */
-const REST = 500;
 
 /** Half the square around the thing in hand that no name covers, in pixels: names take clicks. */
 const FREE = 7;
@@ -65,22 +63,7 @@ function connect(app, scene) {
   let target = null;
   /** What was taken hold of. */
   let taken = '';
-  /** @type {ReturnType<typeof setTimeout> | undefined} */
-  let rest;
-
-  function stir() {
-    store.setView({ moving: taken });
-    clearTimeout(rest);
-    rest = setTimeout(calm, REST);
-  }
-
-  function calm() {
-    clearTimeout(rest);
-    if (!store.view.moving) return;
-    store.setView({ moving: '' });
-    show();
-  }
-  signal.addEventListener('abort', calm);
+  const moving = createMoving(app, () => show());
 
   /** The posture that the hand waits for is to be told. */
   let saying = false;
@@ -219,8 +202,8 @@ function connect(app, scene) {
       return held && moves.planeDrag(held, place, at);
     },
     click: (event) => take(scene.pick(event)),
-    stir,
-    calm,
+    stir: () => moving.stir(taken),
+    calm: moving.calm,
   });
   // A key frame inside the workpiece is reached by its name.
   app.find('labels').addEventListener('click', ({ target: tag }) => {

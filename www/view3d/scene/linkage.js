@@ -23,7 +23,7 @@ export class Linkage {
   #materials;
   #workpiece = new Group();
   #bodyShape = '';
-  /** @type {{body: ChainBody, shape: string}[]} */
+  /** `from`: the chain of a document that it was built for, which an edit of something else keeps. @type {{body: ChainBody, shape: string, from: object}[]} */
   #chains = [];
 
   /** @param {LinkageMaterials} materials */
@@ -50,15 +50,18 @@ export class Linkage {
     let firstRow = 0;
     motion.report.chains.forEach((chain, index) => {
       const { joints, base } = doc.chains[index];
-      const shape = JSON.stringify([r, firstRow, base, joints.map(({ type, rows }) => [type, rows])]);
-      if (this.#chains[index]?.shape !== shape) {
+      const own = this.#chains[index];
+      const size = `${r} ${firstRow} `;
+      const shape = own?.from === doc.chains[index] && own.shape.startsWith(size) ? own.shape : size + JSON.stringify([base, joints.map(({ type, rows }) => [type, rows])]);
+      if (own?.shape !== shape) {
         anew = true;
-        this.#chains[index]?.body.group.removeFromParent();
+        own?.body.group.removeFromParent();
         const link = this.#materials.chain[index % this.#materials.chain.length];
         const body = new ChainBody(motion, { index, firstRow, base }, { ...this.#materials, link }, r);
-        this.#chains[index] = { body, shape };
+        this.#chains[index] = { body, shape, from: doc.chains[index] };
         this.group.add(body.group);
       }
+      this.#chains[index].from = doc.chains[index];
       const { body } = this.#chains[index];
       body.base.stand(ground);
       body.fit(motion);

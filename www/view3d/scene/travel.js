@@ -27,7 +27,14 @@ export function travels({ rows, frames }, first, last) {
 
 /** From the seat at `at` to the moved frame behind it, along the seat's z. @param {Float64Array} rows @param {number} at */
 function travelAt(rows, at) {
-  const [x, y, z, w] = rows.subarray(at + 3, at + POSE);
-  const along = (/** @type {number} */ axis) => rows[at + POSE + axis] - rows[at + axis];
-  return along(0) * 2 * (x * z + w * y) + along(1) * 2 * (y * z - w * x) + along(2) * (1 - 2 * (x * x + y * y));
+  // Read one by one: a hand that drags a key frame has this done for all frames at every move.
+  const x = rows[at + 3];
+  const y = rows[at + 4];
+  const z = rows[at + 5];
+  const w = rows[at + 6];
+  return (
+    (rows[at + POSE] - rows[at]) * 2 * (x * z + w * y) +
+    (rows[at + POSE + 1] - rows[at + 1]) * 2 * (y * z - w * x) +
+    (rows[at + POSE + 2] - rows[at + 2]) * (1 - 2 * (x * x + y * y))
+  );
 }
