@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { openBrowser, openSample, scrubTo, text, unfoldCharts } from './browser.mjs';
+import { openGuestPage } from './guest-page.mjs';
 
 let browser;
 before(async () => {
@@ -214,4 +215,24 @@ test('a certificate that fails is told on its fold', async () => {
   assert.equal(await page.locator('#closure').isVisible(), false);
   await page.locator('#certificate summary').click();
   assert.equal(await page.locator('#certificate .out').count(), 1);
+});
+
+test('until the planner has been asked why, the panel says what it can and offers the rest', async () => {
+  const { page, problems } = await openGuestPage(browser, '<div id="here"></div>');
+  await page.evaluate(async () => {
+    await customElements.whenDefined('synthetica-linkage');
+    const element = Object.assign(document.createElement('synthetica-linkage'), { type: '3RPS', controls: true, panels: 'info' });
+    // It is not asked, as far as the panel can tell.
+    element.parts.planner.explain = () => new Promise(() => {});
+    document.querySelector('#here').append(element);
+    await element.whenReady();
+  });
+  const why = page.getByRole('region', { name: 'Why not closer' });
+  await why.getByText('The goal is met; nothing holds it back.').waitFor();
+  await why.getByRole('button', { name: 'Show the freedoms here' }).waitFor();
+  await scrubTo(page, 60);
+  await why.getByRole('button', { name: 'Show what holds it back' }).click();
+  await why.getByText('The planner is being asked').waitFor();
+  assert.equal(await focused(page), 'why', 'the focus is not lost with the button');
+  assert.deepEqual(problems, []);
 });
