@@ -40,7 +40,7 @@ const boxes = (page) =>
       });
     }
     for (const column of [motion.goal, motion.pose]) for (let at = 0; at < column.length; at += 7) if (Number.isFinite(column[at])) see(view(), column[at], column[at + 1], column[at + 2]);
-    const over = [...element.shadowRoot.querySelectorAll('.view-bar, .legend, .cube, .banner, .by-hand')]
+    const over = [...element.shadowRoot.querySelectorAll('.view-bar, .legend, .cube, .banner, .by-hand, .fold, #view-only')]
       .map((one) => [one.className, one.getBoundingClientRect()])
       .filter(([, { width: wide }]) => wide > 0)
       .map(([name, { left, top, right, bottom }]) => ({ name, left: left - x0, top: top - y0, right: right - x0, bottom: bottom - y0 }));

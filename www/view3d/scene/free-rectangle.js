@@ -5,13 +5,13 @@
  */
 
 /** What may lie over a view, in the element and in a playing page. */
-const OVER = '.view-bar, .cube, .legend, .by-hand, .banner, #fit, #view-only';
+const OVER = '.view-bar, .cube, .legend, .by-hand, .banner, .fold, #fit, #view-only';
 
 /** Of those, what a fitted view makes way for at once; a message that comes and goes does not make it jump. */
-const STAYING = '.view-bar, .cube, .legend, #view-only';
+const STAYING = '.view-bar, .cube, .legend, .fold, #view-only';
 
-/** A view's canvas is in its stage, whose buttons may lie over it too; in a playing page it is in its parent. @param {HTMLElement} canvas @param {string} what */
-const around = (canvas, what) => [...((canvas.closest('.stage') ?? canvas.parentElement)?.querySelectorAll(what) ?? [])];
+/** A view's canvas is in a frame, whose buttons may lie over it too; in a playing page it is in its parent. @param {HTMLElement} canvas @param {string} what */
+const around = (canvas, what) => [...((canvas.closest('.frame') ?? canvas.parentElement)?.querySelectorAll(what) ?? [])];
 
 /** @param {HTMLElement} canvas */
 export const stayingOver = (canvas) => around(canvas, STAYING);
