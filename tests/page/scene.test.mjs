@@ -2,15 +2,17 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { Mesh, OrthographicCamera, PerspectiveCamera, Raycaster, Vector2, Vector3 } from 'three';
+import { Color, DirectionalLight, Mesh, OrthographicCamera, PerspectiveCamera, Raycaster, Vector2, Vector3 } from 'three';
 import { strokeTriangles } from '../../www/export/strokes.js';
 import { createMaterials } from '../../www/view3d/scene/materials.js';
 import { createMeasure } from '../../www/view3d/scene/measure.js';
 import { gapClass, gapFrames, gapSteps } from '../../www/view3d/scene/gap-lines.js';
 import { ghostFrames } from '../../www/view3d/scene/ghosts.js';
+import { createLight } from '../../www/view3d/scene/light.js';
 import { Linkage } from '../../www/view3d/scene/linkage.js';
 import { hasLeft, showsWell } from '../../www/view3d/scene/refit.js';
 import { curveThrough } from '../../www/view3d/scene/curve.js';
+import { createStops, travelLimits } from '../../www/view3d/scene/stops.js';
 import { Stroke, StrokeMaterial, drawn } from '../../www/view3d/scene/stroke.js';
 
 const sample = JSON.parse(readFileSync(new URL('../../www/mechanisms/3rps.json', import.meta.url), 'utf8'));
@@ -205,4 +207,69 @@ test('a motion far from the origin is as fine as one that is near', () => {
   const { stroke } = curve(placed(poses(100, 1e-3), 1, 1e6), 100, 1e-5);
   const places = stroke.geometry.getAttribute('position');
   assert.ok(Math.abs(places.getX(4 * 98 + 2) - 0.099) < 1e-8);
+});
+
+test('a foot has a soft shadow around it, darkest where it stands on the ground; in a dark scheme shadows are deeper', () => {
+  const materials = createMaterials();
+  const linkage = new Linkage(materials);
+  linkage.update(motionOf(sample, 3, 0.1), sample, 0.03, -0.1);
+  const soft = [];
+  linkage.group.traverse((object) => object.material === materials.contact && soft.push(object));
+  assert.equal(soft.length, 3);
+  linkage.group.updateMatrixWorld(true);
+  for (const { geometry, matrixWorld, castShadow } of soft) {
+    const { count } = geometry.getAttribute('position');
+    const corners = Array.from({ length: count }, (_, i) => [new Vector3().fromBufferAttribute(geometry.getAttribute('position'), i), geometry.getAttribute('color').getW(i)]);
+    const dark = corners.toSorted(([a], [b]) => a.length() - b.length()).map(([, alpha]) => alpha);
+    assert.deepEqual([dark[0], dark.at(-1)], [1, 0]);
+    assert.ok(dark.every((alpha, i) => i === 0 || alpha <= dark[i - 1]), 'it fades outwards');
+    const height = corners[0][0].applyMatrix4(matrixWorld).z;
+    assert.ok(height > -0.1 && height < -0.099 && !castShadow, `it lies on the ground, at ${height}`);
+  }
+  const [light, night] = [0xb9b4ac, 0x3b4247].map((colour) => {
+    materials.paint(new Proxy({}, { get: () => new Color(colour) }));
+    return materials.contact.opacity;
+  });
+  assert.ok(night > light);
+});
+
+test('what the sun does not reach is lit from beside the camera, by a light without a shadow', () => {
+  const { objects, aim, beforeDraw } = createLight(false, () => {}, () => false);
+  const [sun, fill] = objects.filter((object) => object instanceof DirectionalLight);
+  aim(new Vector3(1e3, 0, 0), 2);
+  const camera = new PerspectiveCamera();
+  camera.position.set(1e3, -10, 0);
+  camera.lookAt(1e3, 0, 0);
+  camera.updateMatrixWorld();
+  beforeDraw(camera);
+  const from = fill.position.clone().sub(fill.target.position).normalize();
+  assert.ok(sun.castShadow && !fill.castShadow && fill.intensity < sun.intensity);
+  assert.ok(from.y < -0.5 && from.x < -0.5, `from the left of the camera, ${from.toArray()}`);
+});
+
+test('a slider has a collar at each limit that is given, which is coloured when it is reached; where none is given there is none', () => {
+  const materials = createMaterials();
+  for (const [type, unit, offset] of [['P', 1, 0], ['P', 1000, 0.2], ['C', 1, 0]]) {
+    const r = 0.03 * unit;
+    const limit = { min: (0.5 - offset) * unit, max: (1.5 - offset) * unit };
+    const joint = { type, rows: [{ alpha: 0, a: 0, theta: 0, d: offset * unit }], limits: type === 'C' ? [null, limit] : [limit] };
+    const stops = createStops(type, materials, r);
+    const [least, largest, rail] = stops.group.children;
+    stops.fit(travelLimits(joint), { low: 0.8 * unit, high: unit });
+    stops.group.updateMatrixWorld(true);
+    const at = (object) => object.getWorldPosition(new Vector3()).z / unit;
+    // Beyond the limit by half of what slides and half of the collar: less than two radii of a link.
+    assert.ok(at(least) < 0.5 && at(least) > 0.44 && at(largest) > 1.5 && at(largest) < 1.56, `${type}: ${at(least)}, ${at(largest)}`);
+    assert.ok(rail.visible && Math.abs(rail.getWorldScale(new Vector3()).z / unit - (at(largest) - at(least))) < 1e-9);
+    const marked = (travel) => {
+      stops.mark(travel * unit);
+      return [least, largest].map(({ material }) => material === materials.limit);
+    };
+    assert.deepEqual([marked(1), marked(1.5), marked(0.5), marked(0.5001)], [[false, false], [false, true], [true, false], [false, false]]);
+    stops.fit(travelLimits({ ...joint, limits: type === 'C' ? [{ min: 0, max: 1 }, { max: 1.5 - offset }] : [{ min: null, max: (1.5 - offset) * unit }] }), { low: 0.8 * unit, high: unit });
+    assert.equal(least.visible, false, 'only one limit is given');
+    stops.fit(travelLimits({ ...joint, limits: undefined }), { low: 0.8 * unit, high: unit });
+    assert.ok(![least, largest, rail].some(({ visible }) => visible));
+    assert.deepEqual(marked(0), [false, false]);
+  }
 });

@@ -161,7 +161,8 @@ function draw(scene, wish, canvas) {
     pen.fillRect(0, 0, across, down);
   }
   withoutTools(scene, wish, (camera) => {
-    const suns = scene.pictured.filter((object) => object instanceof DirectionalLight);
+    // The first; the other casts no shadow.
+    const suns = scene.pictured.filter((object) => object instanceof DirectionalLight).slice(0, 1);
     const cast = suns.map((sun) => sun.castShadow);
     for (const sun of suns) sun.castShadow ||= shadows;
     renderer.render(scene.root, camera);

@@ -58,7 +58,7 @@ export function pointsOf(roots) {
   const points = [];
   eachBody(roots, (mesh, place) => {
     const material = Array.isArray(mesh.material) ? mesh.material[0] : mesh.material;
-    if (!material.visible) return;
+    if (!material.visible || material.vertexColors) return;
     const position = mesh.geometry.getAttribute('position');
     for (const vertex of new Set(cornersOf(mesh.geometry))) points.push(new Vector3().fromBufferAttribute(position, vertex).applyMatrix4(place));
   });
@@ -89,7 +89,8 @@ export function viewTriangles(scene, roots, camera, width, height) {
 
   eachBody(roots, (mesh, place) => {
     const material = Array.isArray(mesh.material) ? mesh.material[0] : mesh.material;
-    if (!('color' in material) || material.side === BackSide) return;
+    // A soft shadow has no edge to be drawn by.
+    if (!('color' in material) || material.side === BackSide || material.vertexColors) return;
     const base = /** @type {Color} */ (material.color);
     const list = material.depthTest ? triangles : fronts;
     if (mesh instanceof Stroke) {
@@ -149,16 +150,16 @@ export function viewTriangles(scene, roots, camera, width, height) {
   return { triangles, fronts, veils };
 }
 
-/** Colours under the scene's sky and sun, without shadows: Lambert's law in linear light. @param {Scene} scene */
+/** Colours under the scene's sky, sun and fill light, without shadows: Lambert's law in linear light. @param {Scene} scene */
 function createShade(scene) {
-  const sun = scene.pictured.find((object) => object instanceof DirectionalLight);
+  const suns = scene.pictured.filter((object) => object instanceof DirectionalLight);
   const sky = scene.pictured.find((object) => object instanceof HemisphereLight);
-  const direction = sun ? sun.position.clone().sub(sun.target.position).normalize() : new Vector3(0, 0, 1);
+  const directions = suns.map(({ position, target }) => position.clone().sub(target.position).normalize());
   const light = new Color();
   return (/** @type {Color} */ base, /** @type {Vector3} */ normal) => {
     light.setScalar(0);
     if (sky) light.copy(sky.groundColor).lerp(sky.color, 0.5 * normal.z + 0.5).multiplyScalar(sky.intensity / Math.PI);
-    if (sun) light.addScalar((sun.intensity / Math.PI) * Math.max(0, normal.dot(direction)));
+    suns.forEach(({ intensity }, i) => light.addScalar((intensity / Math.PI) * Math.max(0, normal.dot(directions[i]))));
     light.multiply(base);
     for (const channel of /** @type {const} */ (['r', 'g', 'b'])) light[channel] = Math.min(1, light[channel]);
     return `#${light.getHexString()}`;

@@ -7,13 +7,14 @@
  * @typedef {import('../../core/types.js').JointType} JointType
  * @typedef {import('./joint-shapes.js').JointShape} JointShape
  * @typedef {import('three').Material} Material
- * @typedef {{shape: JointShape, first: number, last: number}} PlacedJoint
+ * @typedef {{shape: JointShape, first: number, last: number, stops: ReturnType<typeof createStops> | null}} PlacedJoint
  */
 import { Group, Quaternion, Vector3 } from 'three';
 import { createBase } from './base.js';
 import { originOf, moveTo, turnOf } from '../../core/poses.js';
 import { PLATE, jointShape } from './joint-shapes.js';
 import { rod } from './solids.js';
+import { createStops, travelLimits } from './stops.js';
 import { travels } from './travel.js';
 
 /** Poses of one row: its seat, then the moved frame. */
@@ -36,7 +37,7 @@ export class ChainBody {
   /**
    * @param {Motion} motion
    * @param {{index: number, firstRow: number, base: import('../../core/types.js').Frame | undefined}} chain its number, and its first row of all chains' rows
-   * @param {{link: Material, metal: Material, dark: Material, axes: Material[]}} materials
+   * @param {{link: Material, metal: Material, dark: Material, contact: Material, limit: Material, axes: Material[]}} materials
    * @param {number} r radius of a link
    */
   constructor(motion, { index, firstRow, base }, materials, r) {
@@ -72,16 +73,23 @@ export class ChainBody {
         object.userData.place = `${place}.joints[${joint}]`;
         this.group.add(object);
       }
-      this.#joints.push({ shape, first, last });
+      const stops = type === 'P' || type === 'C' ? createStops(type, materials, r) : null;
+      if (stops) shape.fixed.add(stops.group);
+      this.#joints.push({ shape, first, last, stops });
       if (end.distanceTo(seat) > r) before = seat;
       body = shape.moved;
     });
     this.end = placeOf(body);
   }
 
-  /** Sizes what slides to another motion of the same chain. @param {Motion} motion */
-  fit(motion) {
-    for (const { shape, first, last } of this.#joints) shape.fit?.(travels(motion, first, last));
+  /** Sizes what slides to another motion of the same chain, and to other limits. @param {Motion} motion @param {import('../../core/types.js').Joint[]} joints */
+  fit(motion, joints) {
+    this.#joints.forEach(({ shape, first, last, stops }, joint) => {
+      if (!shape.fit && !stops) return;
+      const travel = travels(motion, first, last);
+      shape.fit?.(travel);
+      stops?.fit(travelLimits(joints[joint]), travel[0]);
+    });
   }
 
   /**
@@ -90,18 +98,18 @@ export class ChainBody {
    */
   show(rows, offset) {
     const at = (/** @type {number} */ row) => offset + PER_ROW * row;
-    for (const { shape, first, last } of this.#joints) {
+    for (const { shape, first, last, stops } of this.#joints) {
       const seatTurn = shape.fixed.userData.turn;
       moveTo(shape.fixed, rows, at(first));
       if (seatTurn) shape.fixed.quaternion.multiply(seatTurn);
       moveTo(shape.moved, rows, at(last) + 1);
       if (shape.cross) moveTo(shape.cross, rows, at(first + 1));
       if (shape.puck) moveTo(shape.puck, rows, at(last));
-      if (shape.slide) this.#laySlide(shape.slide, rows, at(first));
+      if (shape.slide) stops?.mark(this.#laySlide(shape.slide, rows, at(first)));
     }
   }
 
-  /** @param {NonNullable<JointShape['slide']>} slide @param {Float64Array} rows @param {number} at the seat */
+  /** @param {NonNullable<JointShape['slide']>} slide @param {Float64Array} rows @param {number} at the seat @returns {number} how far it is out */
   #laySlide({ mesh, before, after }, rows, at) {
     const seat = originOf(rows, at);
     const axis = new Vector3(0, 0, 1).applyQuaternion(turnOf(rows, at));
@@ -112,6 +120,7 @@ export class ChainBody {
     moveTo(mesh, rows, at + 1);
     mesh.position.copy(seat).addScaledVector(axis, (from + to) / 2);
     mesh.scale.z = Math.max(to - from, 1e-6 * this.#r);
+    return travel;
   }
 }
 

@@ -11,13 +11,18 @@ export function createGround() {
   group.name = 'ground';
   const material = new LineBasicMaterial({ transparent: true, depthWrite: false, vertexColors: true });
   const lines = new LineSegments(squares(), material);
-  const floor = new Mesh(new PlaneGeometry(4 * SQUARES, 4 * SQUARES), new ShadowMaterial({ opacity: 0.17 }));
+  const shade = new ShadowMaterial();
+  const floor = new Mesh(new PlaneGeometry(4 * SQUARES, 4 * SQUARES), shade);
   floor.receiveShadow = true;
   floor.position.z = -1e-3;
   group.add(lines, floor);
   return {
     group,
-    material,
+    /** @param {import('./palette.js').Palette} palette */
+    paint({ grid, ground }) {
+      material.color.copy(grid);
+      shade.opacity = isDark(ground) ? 0.55 : 0.17;
+    },
     /**
      * @param {import('three').Vector3} centre
      * @param {number} radius of the scene
@@ -30,6 +35,9 @@ export function createGround() {
     },
   };
 }
+
+/** Whether the scheme is dark: a shadow must be deeper there to be seen. @param {import('three').Color} ground */
+export const isDark = ({ g }) => g < 0.2;
 
 /** 1, 2 or 5 times a power of ten, at most `wish`. @param {number} wish */
 export function roundSize(wish) {

@@ -27,7 +27,8 @@ import { shared, solid } from './solids.js';
 export const barrel = (radius, length, segments = 24) =>
   shared(`barrel ${radius} ${length} ${segments}`, () => new CylinderGeometry(radius, radius, length, segments).rotateX(Math.PI / 2));
 
-const cube = () => shared('cube', () => new BoxGeometry(1, 1, 1));
+/** Of edge 1. */
+export const cube = () => shared('cube', () => new BoxGeometry(1, 1, 1));
 /** @param {number} radius */
 const ball = (radius) => shared(`ball ${radius}`, () => new SphereGeometry(radius, 28, 18));
 /** @param {number} radius @param {number} tube */

@@ -1,6 +1,6 @@
 /**
- * Light: a sky, and a sun that casts shadows; on a machine without a graphics card, only once nothing moves and no pointer
- * is down.
+ * Light: a sky, a sun that casts shadows (on a machine without a graphics card, only once nothing moves and no pointer is down),
+ * and a weak light beside the camera, so that what the sun does not reach keeps its shape.
  */
 import { DirectionalLight, HemisphereLight, Vector3 } from 'three';
 
@@ -12,13 +12,16 @@ const REST = 250;
 
 /** @param {boolean} slow whether shadows wait @param {() => void} changed @param {() => boolean} isHeld whether a pointer is down */
 export function createLight(slow, changed, isHeld) {
-  const sky = new HemisphereLight(0xffffff, 0xb9b4ac, 1.9);
+  const sky = new HemisphereLight(0xffffff, 0xb9b4ac, 1.6);
   sky.position.set(0, 0, 1);
   const sun = new DirectionalLight(0xffffff, 2.0);
   sun.castShadow = !slow;
   sun.shadow.mapSize.set(1024, 1024);
   sun.shadow.radius = 5;
   sun.shadow.bias = -0.0006;
+
+  const fill = new DirectionalLight(0xffffff, 0.9);
+  fill.target = sun.target;
 
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let rest;
@@ -33,7 +36,7 @@ export function createLight(slow, changed, isHeld) {
     changed();
   }
   return {
-    objects: [sky, sun, sun.target],
+    objects: [sky, sun, sun.target, fill],
     sky,
     /** @param {Vector3} centre @param {number} radius of what is lit */
     aim(centre, radius) {
@@ -44,8 +47,11 @@ export function createLight(slow, changed, isHeld) {
       Object.assign(sun.shadow.camera, { left: -reach, right: reach, top: reach, bottom: -reach, near: 0.1 * radius, far: 9 * radius });
       sun.shadow.camera.updateProjectionMatrix();
     },
-    /** Called at every draw. */
-    beforeDraw() {
+    /** Called at every draw. @param {import('three').Camera} camera */
+    beforeDraw({ position, matrixWorld }) {
+      // From the left of the camera, as far as it is away: the sun stands on the right of the view that is seen first.
+      const left = new Vector3().setFromMatrixColumn(matrixWorld, 0).negate();
+      fill.position.copy(position).addScaledVector(left, position.distanceTo(fill.target.position));
       if (!slow) return;
       sun.castShadow = resting;
       clearTimeout(rest);

@@ -4,7 +4,7 @@
  * @typedef {import('../../core/types.js').Motion} Motion
  * @typedef {import('../../core/types.js').MechanismDocument} MechanismDocument
  * @typedef {import('three').Material} Material
- * @typedef {{chain: Material[], metal: Material, dark: Material, workpiece: Material, axes: Material[]}} LinkageMaterials
+ * @typedef {{chain: Material[], metal: Material, dark: Material, contact: Material, limit: Material, workpiece: Material, axes: Material[]}} LinkageMaterials
  */
 import { Group, Mesh, Quaternion, Vector3 } from 'three';
 import { ChainBody, PER_ROW } from './chain-body.js';
@@ -64,7 +64,7 @@ export class Linkage {
       this.#chains[index].from = doc.chains[index];
       const { body } = this.#chains[index];
       body.base.stand(ground);
-      body.fit(motion);
+      body.fit(motion, joints);
       firstRow += chain.rows.length;
     });
     for (const { body } of this.#chains.splice(motion.report.chains.length)) body.group.removeFromParent();

@@ -2,6 +2,7 @@
  * What the bodies of the scene are made of, and their colours, which the style sheet has.
  */
 import { DoubleSide, MeshBasicMaterial, MeshStandardMaterial } from 'three';
+import { isDark } from './ground.js';
 import { StrokeMaterial } from './stroke.js';
 
 /** Chains beyond this number begin again with the first colour; labels tell them apart. */
@@ -16,6 +17,8 @@ export function createMaterials() {
     chain: Array.from({ length: CHAIN_COLOURS }, () => new MeshStandardMaterial({ roughness: 0.5, metalness: 0.05, side: DoubleSide })),
     metal: new MeshStandardMaterial({ roughness: 0.4, metalness: 0.15 }),
     dark: new MeshStandardMaterial({ roughness: 0.45, metalness: 0.1 }),
+    /** Of a stop that is reached. */
+    limit: new MeshStandardMaterial({ roughness: 0.5 }),
     workpiece: new MeshStandardMaterial({ roughness: 0.55, metalness: 0.05 }),
     // Lines as the legend shows them. Where the motions are one, the closest lies on the wider goal.
     goal: behind(new StrokeMaterial(5)),
@@ -25,6 +28,8 @@ export function createMaterials() {
     ghost: new MeshStandardMaterial({ transparent: true, opacity: 0.26, depthWrite: false, roughness: 0.9 }),
     /** The workpiece at other frames. */
     ghosts: new MeshStandardMaterial({ transparent: true, opacity: 0.34, depthWrite: false, roughness: 0.9 }),
+    /** The ground beside what stands on it, where little light comes. */
+    contact: new MeshBasicMaterial({ color: 0, transparent: true, depthWrite: false, vertexColors: true }),
     key: new MeshStandardMaterial({ roughness: 0.6 }),
     keyAxes: axes({}),
     axes: axes({}),
@@ -38,6 +43,8 @@ export function createMaterials() {
       materials.metal.color.copy(palette.metal);
       materials.dark.color.copy(palette['dark-metal']);
       materials.workpiece.color.copy(palette.workpiece);
+      materials.contact.opacity = isDark(palette.ground) ? 1 : 0.38;
+      materials.limit.color.copy(palette.gap);
       materials.key.color.copy(palette.goal);
       materials.goal.color.copy(palette.goal);
       materials.closest.color.copy(palette.closest);

@@ -69,7 +69,7 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
     materials.paint(palette);
     marks.paint(palette.accent);
     light.sky.groundColor.copy(palette.ground);
-    ground.material.color.copy(palette.grid);
+    ground.paint(palette);
     for (const part of parts) part.paint(palette);
     changed();
   }
@@ -131,7 +131,7 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
     pose(what);
     marks.follow();
     for (const tell of drawn) tell(width, height);
-    light.beforeDraw();
+    light.beforeDraw(view.camera);
     drawing.draw(view.camera);
     const room = { x: free.x * width, y: free.y * height, width: free.width * width, height: free.height * height };
     marks.labels.place(view.camera, width, height, size, [...covering].flatMap((boxes) => boxes()), room);
