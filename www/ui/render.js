@@ -4,12 +4,45 @@
  */
 import { noChange, render } from 'lit-html';
 import { directive, Directive } from 'lit-html/directive.js';
+import { getCommittedValue, getDirectiveClass } from 'lit-html/directive-helpers.js';
+import { repeat as plainRepeat } from 'lit-html/directives/repeat.js';
 import { focusBeside } from './dom.js';
 
 export { html, nothing, render, svg } from 'lit-html';
 export { ifDefined } from 'lit-html/directives/if-defined.js';
 export { live } from 'lit-html/directives/live.js';
-export { repeat } from 'lit-html/directives/repeat.js';
+
+const Repeat = /** @type {any} */ (getDirectiveClass(plainRepeat([], () => '')));
+
+/** A list with keys. lit-html 3.3 leaves an empty comment in the page for each row that goes: it goes too. @type {typeof plainRepeat} */
+export const repeat = /** @type {any} */ (directive(/** @type {any} */ (
+  class extends Repeat {
+    /** @param {import('lit-html').ChildPart} part @param {unknown[]} what */
+    update(part, what) {
+      const shown = super.update(part, what);
+      if (shown === noChange) sweep(part);
+      return shown;
+    }
+  }
+)));
+
+/** Takes out the comments beside the rows of a list. @param {import('lit-html').ChildPart} list */
+function sweep(list) {
+  let at = list.startNode?.nextSibling ?? null;
+  /** @param {Node | null} end */
+  const sweepTo = (end) => {
+    while (at && at !== end) {
+      const next = at.nextSibling;
+      if (at instanceof Comment && !at.data) at.remove();
+      at = next;
+    }
+  };
+  for (const { startNode, endNode } of /** @type {import('lit-html').ChildPart[]} */ (getCommittedValue(list))) {
+    sweepTo(startNode);
+    at = endNode?.nextSibling ?? null;
+  }
+  sweepTo(list.endNode);
+}
 
 class Attached extends Directive {
   /** @type {((state: any) => void) | null} */
