@@ -40,9 +40,11 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
   const drawing = createDrawing(canvas, root, signal);
   if (!drawing) return null;
   const window = windowOf(canvas);
-  const view = createCamera(canvas, changed, turned, () => (free = freeShare(canvas)));
+  const view = createCamera(canvas, changed, turned, () => (printing ? free : (free = freeShare(canvas))));
   /** The part of the view that it was fitted into. */
   let free = { x: 0, y: 0, width: 1, height: 1 };
+  /** What lies over the view is not on paper, where the picture is still the same. */
+  let printing = false;
   const materials = createMaterials();
   const light = createLight(drawing.slow, changed, () => pointing());
   const ground = createGround();
@@ -288,6 +290,7 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
 
     /** For paper: sharper, in the colours that its place has by then, and without handles. @param {boolean} on */
     print(on) {
+      printing = on;
       const handles = root.children.filter((thing) => on && thing.visible && !pictured.includes(thing));
       for (const one of handles) one.visible = false;
       drawing.setSharpness(on ? PAPER : 1);
