@@ -92,7 +92,7 @@ async function goAround(place) {
 }
 
 /** The numbers of the shown frame, which follow the hand in the info panel. */
-const NUMBERS = /^#(frame-|gap-|metric|closure|misfit|sigma|gradient|curvature|iterations)/;
+const NUMBERS = /^#(frame-|gap-|metric|closure|misfit|sigma|gradient|curvature|iterations|certificate)/;
 
 test('a move of a key frame asks for one plan, draws one picture, writes its own cells only and makes no new bodies', async () => {
   const { page, problems, touched } = await goAround(KEY);

@@ -23,7 +23,12 @@ export function createGizmo(scene, follow) {
   const handle = new Object3D();
   const controls = new TransformControls(scene.camera, null);
   let moving = false;
-  controls.addEventListener('change', () => (moving ? follow() : scene.changed()));
+  /** While a picture is drawn, which shows its size. */
+  let drawn = false;
+  controls.addEventListener('change', () => {
+    if (moving) follow();
+    else if (!drawn) scene.changed();
+  });
   scene.root.add(handle, controls.getHelper());
 
   /** @param {Pointer} at @param {number} button */
@@ -72,12 +77,14 @@ export function createGizmo(scene, follow) {
     /** Looks through the scene's present camera, at its size on the screen. @param {number} height of the view, in pixels */
     look(height) {
       const { camera } = scene;
+      drawn = true;
       controls.camera = camera;
       const { elements } = camera.projectionMatrix;
       const depth = elements[15] + elements[11] * handle.position.clone().applyMatrix4(camera.matrixWorldInverse).z;
       long = (2 * depth * Math.min(LONG, MOST * height)) / elements[5] / height;
       const unit = camera instanceof PerspectiveCamera ? handle.position.distanceTo(camera.position) * SCREEN_SHARE : 2;
       controls.size = (4 * long * elements[5]) / END / unit;
+      drawn = false;
     },
     /** The ends of its arrows, for their names; none for an arrow that is seen end on. @param {'world' | 'local'} space @returns {{at: Vector3, text: string}[]} */
     tips(space) {
