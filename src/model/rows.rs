@@ -185,7 +185,7 @@ impl Rows {
 
     /// From axis to axis, so that a > 0; for axes that meet the sense with the smaller θ.
     fn across(&self, z: &Vector3<f64>, across: &Vector3<f64>, between: &Vector3<f64>) -> Normal {
-        let rounding = self.rounding(norm(&across));
+        let rounding = self.rounding(norm(across));
         let direction = square(across, z);
         let a = between.dot(&direction);
         let meets = a.abs() <= rounding;

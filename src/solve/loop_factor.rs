@@ -97,8 +97,9 @@ impl LoopFactor {
             self.panel.resize(all * WIDTH, 0.0);
             let own = rows(&mut self.panel[shared..]);
             for (row, column) in own.iter_mut().zip(&self.columns[first..end]) {
-                for c in 0..LOOP {
-                    row[c] = column[c];
+                // Not by copy_from_slice, which is a call in WebAssembly.
+                for (x, entry) in row.iter_mut().zip(column) {
+                    *x = *entry;
                 }
             }
             first = end;
