@@ -18,7 +18,7 @@ else {
       worker.onmessage = hear;
       worker.onerror = hear;
       // What the page asks first in any case.
-      worker.postMessage({ kind: 'ask', id: 0, call: 'defaults', args: [] });
+      worker.postMessage({ kind: 'ask', id: 0, call: 'ready', args: [] });
       Object.assign(globalThis, { syntheticaWorker: { worker, said } });
     } catch {
       // It may not have one: then the page plans by itself.
