@@ -34,11 +34,41 @@ pub struct Report {
     /// What deserves a look.
     #[cfg(any(feature = "study", not(target_arch = "wasm32")))]
     pub warnings: Vec<WarningReport>,
-    /// The same, which only the whole package has words for.
+    /// The same.
     #[cfg(all(target_arch = "wasm32", not(feature = "study")))]
-    pub warnings: Vec<crate::motion::trajectory::Warning>,
+    pub warnings: first::Warnings,
     /// Joint values from which the motion was planned, degrees or lengths, chain by chain.
     pub start: Vec<Vec<f64>>,
+}
+
+/// Warnings of the package that a page loads first.
+#[cfg(all(target_arch = "wasm32", not(feature = "study")))]
+mod first {
+    use crate::document::warnings::{WarningReport, mobility_differs};
+    use crate::motion::trajectory::Warning;
+    use serde::Serialize;
+
+    /// In words where it has them, otherwise as data, for which the whole package has.
+    #[derive(Clone, Debug, Serialize)]
+    #[serde(untagged)]
+    pub enum Warnings {
+        Words(Vec<WarningReport>),
+        Data(Vec<Warning>),
+    }
+
+    impl Warnings {
+        pub fn new(all: &[Warning]) -> Self {
+            let words = all.iter().map(|warning| {
+                let Warning::MobilityDiffers { count, rank } = *warning else {
+                    return None;
+                };
+                Some(mobility_differs(count, rank))
+            });
+            words
+                .collect::<Option<_>>()
+                .map_or_else(|| Self::Data(all.to_vec()), Self::Words)
+        }
+    }
 }
 
 /// The metric that was used.
@@ -73,7 +103,7 @@ impl Report {
             all.map(|w| warning(w, &wording)).collect()
         };
         #[cfg(all(target_arch = "wasm32", not(feature = "study")))]
-        let (warnings, _) = (trajectory.warnings.clone(), unit);
+        let (warnings, _) = (first::Warnings::new(&trajectory.warnings), unit);
         let metric = &trajectory.metric_used;
         Self {
             statuses: Status::ALL.map(Status::name).to_vec(),

@@ -23,6 +23,21 @@ pub struct WarningReport {
     pub last: Option<usize>,
 }
 
+/// The warning that a sound mechanism may have: that of every overconstrained one.
+pub fn mobility_differs(count: isize, rank: usize) -> WarningReport {
+    let minus = if count < 0 { "−" } else { "" };
+    let size = count.unsigned_abs();
+    let plural = if count == 1 { "" } else { "s" };
+    WarningReport {
+        code: "mobility-differs",
+        message: format!(
+            "Counting joints gives {minus}{size} degree{plural} of freedom, the rank of the loop equations {rank}: some constraints repeat each other, or the start is a singular position."
+        ),
+        first: None,
+        last: None,
+    }
+}
+
 /// A warning of a motion, in words.
 pub fn warning(warning: &Warning, wording: &Wording<'_>) -> WarningReport {
     let say = |code, message, frames: Option<(usize, usize)>| WarningReport {
@@ -131,15 +146,7 @@ pub fn warning(warning: &Warning, wording: &Wording<'_>) -> WarningReport {
             ),
             Some((first, last)),
         ),
-        Warning::MobilityDiffers { count, rank } => say(
-            "mobility-differs",
-            format!(
-                "Counting joints gives {} degree{} of freedom, the rank of the loop equations {rank}: some constraints repeat each other, or the start is a singular position.",
-                count.to_string().replace('-', "−"),
-                if count == 1 { "" } else { "s" }
-            ),
-            None,
-        ),
+        Warning::MobilityDiffers { count, rank } => mobility_differs(count, rank),
         Warning::LimitsUnknown => say(
             "limits-unknown",
             "The gradient planner knows no joint limits; frames beyond one count as stalled. \

@@ -86,11 +86,11 @@ export function sessionOf({ text, sessions }, { Session: kind }) {
 }
 
 /**
- * The whole package has the words for a motion's warnings.
+ * The whole package has the words for a motion's warnings; the first one has some too.
  * @param {any} motion @param {Open} doc @param {Module} module that planned it
  */
 export async function putInWords({ report }, doc, module) {
-  if (module !== first || areOne || !report.warnings.length) return;
+  if (module !== first || areOne || report.warnings.every(({ message }) => message !== undefined)) return;
   report.warnings = sessionOf(doc, await whole.load()).in_words(report.warnings);
 }
 
