@@ -90,7 +90,7 @@ export function sessionOf({ text, sessions }, { Session: kind }) {
  * @param {any} motion @param {Open} doc @param {Module} module that planned it
  */
 export async function putInWords({ report }, doc, module) {
-  if (module !== first || areOne || report.warnings.every(({ message }) => message !== undefined)) return;
+  if (module !== first || areOne || report.warnings.every((/** @type {{message?: string}} */ { message }) => message !== undefined)) return;
   report.warnings = sessionOf(doc, await whole.load()).in_words(report.warnings);
 }
 
