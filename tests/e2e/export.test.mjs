@@ -356,7 +356,7 @@ for (const [how, change] of [
     assert.deepEqual(problems, []);
 
     const view = await page.locator('#canvas').evaluate((canvas) => [canvas.clientWidth, canvas.clientHeight]);
-    // The sample of the line of “closest motion”, the second in the row at the foot.
+    // The sample of the line of “closest motion”, the second in the row at the foot; the film may be a pixel lower, for an even height.
     const line = await page.evaluate(() => {
       const pen = new OffscreenCanvas(1, 1).getContext('2d');
       const view = page$('.view');
@@ -364,7 +364,7 @@ for (const [how, change] of [
       const probe = view.appendChild(Object.assign(document.createElement('i'), { style: 'color: var(--scene-closest)' }));
       const colour = getComputedStyle(probe).color.match(/\d+/g).map(Number);
       probe.remove();
-      return { at: [Math.round(8 + 7 + 20 + 5 + pen.measureText('goal motion').width + 12 + 10), page$('#canvas').clientHeight - 8 - 3 - 9], colour };
+      return { at: [Math.round(8 + 7 + 20 + 5 + pen.measureText('goal motion').width + 12 + 10), page$('#canvas').clientHeight - 8 - 3 - 9 - 1], colour };
     });
     const seen = await watched(bytes, [0.25, 0.5, 0.75, 0.999], line.at);
     // Without times a motion takes five seconds, here at four times its speed.

@@ -189,11 +189,16 @@ test('without a known origin it tells only that it is ready and how high it is',
 });
 
 test('works in a sandbox: no storage, no origin, no worker of its own', async () => {
-  const { page, problems, frame } = await pageAround('?embed&sample=bennett&panels=info', { attributes: 'sandbox="allow-scripts"' });
-  await heard(page, 'ready');
-  await frame.locator('#play').click();
-  await page.waitForFunction(() => window.heard.some(({ type, state }) => type === 'state' && state.frame > 2));
-  assert.deepEqual(problems.filter((text) => !text.startsWith('asks for')), []);
+  for (const path of ['embed.html?sample=bennett&panels=info', '?embed&sample=bennett&panels=info']) {
+    const { page, problems, frame } = await pageAround(path, { attributes: 'sandbox="allow-scripts"' });
+    await heard(page, 'ready');
+    await frame.locator('#play').click();
+    await page.waitForFunction(() => window.heard.some(({ type, state }) => type === 'state' && state.frame > 2));
+    // The address of older snippets is the applet's, which had begun to load itself before it gave way.
+    const given = path.startsWith('?') ? /^asks for|CORS policy|net::ERR_FAILED/ : /^asks for/;
+    assert.deepEqual(problems.filter((text) => !given.test(text)), []);
+    await page.close();
+  }
 });
 
 test('the helper for the page around: fits the height, gets, sets, hears', async () => {
@@ -228,7 +233,7 @@ test('fits a phone with panels under the view: all of it, and it rests there', a
     frame.on('height', (height) => window.heights.push(height));
     iframe.src += '&';
   }, browser.address);
-  await page.frameLocator('iframe').locator('#closure').filter({ hasText: /\d/ }).waitFor();
+  await page.frameLocator('iframe').locator('#gap-translation').filter({ hasText: /\d/ }).waitFor();
   await page.waitForFunction(() => window.heights.length > 0 && document.querySelector('iframe').offsetHeight > 500);
   // For twenty pictures no other height is told.
   await page.waitForFunction(async () => {

@@ -110,7 +110,7 @@ export function placedNames(scene, camera, wish, widthOf) {
   const room = { x: 0, y: 0, width, height: height * (1 - legendShare(wish, viewStyle(scene).font)) };
   const place = (/** @type {import('three').Vector3} */ at) => placeOf(at, camera, width, height, link);
   const names = scene.names
-    .map(({ at, text }) => ({ ...place(at), text, width: widthOf(text) + 2 * NAME.padding, height: NAME.height, rank: 0, kept: false, spot: -1 }))
+    .map(({ at, text }) => ({ ...place(at), text, width: widthOf(text) + 2 * NAME.padding, height: NAME.height, rank: 0, kept: true, spot: -1 }))
     .filter(({ out }) => !out);
   return layOut(names, [], room, room, place(centre)).flatMap((spot, index) => {
     if (spot < 0) return [];
