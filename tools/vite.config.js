@@ -13,10 +13,10 @@ import { TARGETS, tight } from './tight.js';
 
 const at = (path) => fileURLToPath(new URL(path, import.meta.url));
 
-/** Every file below a folder, by its path from there. @param {string} folder */
 /** The length of a wasm package. @param {string} name */
 const bytes = (name) => statSync(at(`../www/${name}/synthetica_bg.wasm`)).size;
 
+/** Every file below a folder, by its path from there. @param {string} folder */
 const filesIn = (folder) =>
   readdirSync(folder, { recursive: true, withFileTypes: true })
     .filter((entry) => entry.isFile())
