@@ -83,9 +83,12 @@ export function createPointerDrags(canvas, { hover, grab, click, stir, calm }) {
     drag.cancel();
     click(event);
   });
-  first('pointercancel', (/** @type {PointerEvent} */ event) => {
-    if (event.pointerId === held?.id) cancel();
-  });
+  // Capture ends without either of the others where another takes it.
+  for (const end of ['pointercancel', 'lostpointercapture']) {
+    first(end, (/** @type {PointerEvent} */ event) => {
+      if (event.pointerId === held?.id) cancel();
+    });
+  }
 
   /** Lets go as if nothing had been moved. @returns {boolean} whether something was held */
   function cancel() {

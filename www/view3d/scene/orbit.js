@@ -67,7 +67,7 @@ export function createOrbit(canvas, { start, turn, shift, zoom }) {
     const height = canvas.clientHeight;
     const [right, lower] = [(now.x - before.x) / height, (now.y - before.y) / height];
     if (doing === 'pinch') {
-      if (orbit.zooms && now.apart > 0) zoom(before.apart / now.apart);
+      if (orbit.zooms && before.apart * now.apart > 0) zoom(before.apart / now.apart);
       (orbit.leavesOneFinger ? turn : shift)(right, lower);
     } else if (doing === 'turn') turn(right, lower);
     else if (doing === 'shift') shift(right, lower);
@@ -81,7 +81,6 @@ export function createOrbit(canvas, { start, turn, shift, zoom }) {
     if (down.size === 1) withFingers();
     if (down.size > 0) return;
     moving.abort();
-    canvas.releasePointerCapture(pointerId);
     doing = null;
   }
 
@@ -97,7 +96,8 @@ export function createOrbit(canvas, { start, turn, shift, zoom }) {
     if (pointerType === 'touch') withFingers();
     else begin(withMouse(event));
   }, { signal });
-  canvas.addEventListener('pointercancel', up, { signal });
+  // Capture ends without either of them where another takes it.
+  for (const end of /** @type {const} */ (['pointercancel', 'lostpointercapture'])) canvas.addEventListener(end, up, { signal });
   canvas.addEventListener('contextmenu', (event) => event.preventDefault(), { signal });
   canvas.addEventListener('wheel', (event) => {
     if (!orbit.zooms || doing) return;
