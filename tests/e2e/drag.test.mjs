@@ -290,3 +290,24 @@ for (const [sample, count] of [['', 3], ['four-bar.json', 1]]) {
     assert.ok(number(await text(page, 'closure')) <= 1e-10);
   });
 }
+
+test('another document that comes while a key frame is dragged is not changed by the hand, nor by Escape', async () => {
+  await keyInHand();
+  for (const key of ['', 'Escape']) {
+    const from = await placeOf(KEY);
+    await drag(from, 40, -30, { release: false });
+    await page.evaluate(async (name) => {
+      const element = document.querySelector('synthetica-linkage');
+      const { store } = await element.workbench;
+      window.other = { ...store.doc, name, motion: { ...store.doc.motion, key_frames: store.doc.motion.key_frames.map((one) => ({ ...one, x: 0.01, y: 0.02 })) } };
+      store.open(window.other, { title: '', handle: null, saved: window.other });
+    }, `other ${key}`);
+    await page.mouse.move(from.x + 60, from.y - 60);
+    if (key) await page.keyboard.press(key);
+    await page.mouse.up();
+    const same = await page.evaluate(async () => (await document.querySelector('synthetica-linkage').workbench).store.doc === window.other);
+    assert.ok(same, `after ${key || 'a move'}`);
+    await page.locator(`#labels [data-place="${KEY}"]`).click();
+    await settled();
+  }
+});

@@ -259,6 +259,8 @@ function connect(app, scene) {
     tellPlace(width, height);
   });
   store.select(({ view }) => view.selected, hold);
+  // What was held is not in another document.
+  store.select(() => store.origin, drags.cancel);
   store.select(({ view }) => view.posture, follow);
   store.select(({ view }) => view.frame, follow);
   store.subscribe('why', () => {

@@ -47,6 +47,7 @@ export function keyFrameTarget({ store, player, say }, index, size) {
   /** Edits with one mark are one step of undo. */
   let mark = '';
   let before = key();
+  let origin = store.origin;
 
   /** Shows the moment of this key frame: the linkage answers under the hand. */
   function goThere() {
@@ -75,6 +76,7 @@ export function keyFrameTarget({ store, player, say }, index, size) {
     begin(kind) {
       mark = kind === 'drag' ? `drag ${++drags}` : `nudge ${index}`;
       before = key();
+      origin = store.origin;
       goThere();
     },
     to(pose, turned) {
@@ -103,7 +105,8 @@ export function keyFrameTarget({ store, player, say }, index, size) {
       if (gone.length) say(`${gone.join(', ')} of ${this.name} ${gone.length === 1 ? 'was an expression and is a number' : 'were expressions and are numbers'} now. Undo takes that back.`);
     },
     cancel() {
-      store.edit((doc) => setValue(doc, path, before), mark);
+      // Another document has a key frame of its own there.
+      if (store.origin === origin) store.edit((doc) => setValue(doc, path, before), mark);
     },
     tell() {
       const unit = store.doc.length_unit ?? '';
