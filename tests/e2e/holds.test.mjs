@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 import { openBrowser, scrubTo } from './browser.mjs';
+import { LINKAGE, openGuestPage, planned } from './guest-page.mjs';
 import { convertLengths } from '../../www/core/units.js';
 
 let browser;
@@ -101,5 +102,21 @@ test('in millimetres, and far from the origin, the wrenches stand at the same pl
       assert.ok(Math.abs(x - before[i][1]) < 1 && Math.abs(y - before[i][2]) < 1, `${name}: ${text} at ${x}, ${y}, before at ${before[i]}`);
     });
   }
+  assert.deepEqual(problems, []);
+});
+
+test('in another page a press beside the linkage loads nothing; one on it does', async () => {
+  const body = `<p id="beside">beside</p>${LINKAGE.replace(' src', ' panels="info" src')}`;
+  const { page, problems } = await openGuestPage(browser, body, { viewport: { width: 1000, height: 700 } });
+  const scripts = [];
+  page.on('request', (request) => scripts.push(request.url()));
+  await planned(page);
+  await page.locator('#beside').click();
+  await page.evaluate(() => (document.querySelector('synthetica-linkage').currentTime = 0.3));
+  await page.waitForFunction(() => page$('.shares li'));
+  assert.deepEqual(scripts.filter((url) => /holds/.test(url)), []);
+  await page.locator('.shares li').first().click();
+  await page.waitForFunction(() => page$('#canvas').dataset.wrenches);
+  assert.equal(scripts.filter((url) => /holds/.test(url)).length, 1);
   assert.deepEqual(problems, []);
 });

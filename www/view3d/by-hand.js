@@ -2,7 +2,6 @@
  * What moves things by hand in the 3D view is loaded when a hand may come: a pointer over the view, the focus in it,
  * or something chosen that can be moved. What holds the workpiece back is drawn once it is known, after a person did anything.
  */
-
 import { withPart } from '../ui/lazy.js';
 
 /** @param {import('../element/workbench.js').App} app */
@@ -43,7 +42,8 @@ export function createByHand(app) {
     touched = true;
     draw();
   };
-  for (const type of ['pointerdown', 'keydown']) addEventListener(type, touch, { once: true, capture: true, signal: app.signal });
+  // In another page only what is done with the linkage itself.
+  for (const type of ['pointerdown', 'keydown']) app.keys.addEventListener(type, touch, { once: true, capture: true, signal: app.signal });
   app.store.subscribe('why', draw);
   app.store.subscribe('view', draw);
 }
