@@ -46,8 +46,8 @@ export async function openBrowser() {
       await page.waitForFunction(() => (page$('#closure')?.textContent ?? '–') !== '–');
       return { page, problems };
     },
-    /** A page that is nowhere yet; the first minute counts as seen, unless it is the visitor's first; the legend is as it was left, null for never. */
-    async blankPage({ firstVisit = false, legend = 'open', ...options } = {}) {
+    /** A page that is nowhere yet; the first minute counts as seen, unless it is the visitor's first; the legend is open, or as it opens by itself. */
+    async blankPage({ firstVisit = false, legend = true, ...options } = {}) {
       const context = await browser.newContext({ viewport: WINDOW, reducedMotion: 'reduce', ...options });
       if (!firstVisit) {
         await context.addInitScript(() => {
@@ -59,13 +59,13 @@ export async function openBrowser() {
         });
       }
       if (legend) {
-        await context.addInitScript((left) => {
+        await context.addInitScript(() => {
           try {
-            localStorage.setItem('synthetica.legend', left);
+            localStorage.setItem('synthetica.dock', JSON.stringify({ ...JSON.parse(localStorage.getItem('synthetica.dock')), legend: true }));
           } catch {
             // As above.
           }
-        }, legend);
+        });
       }
       await context.addInitScript(lookInside);
       // Other suites may run at the same time.

@@ -63,7 +63,7 @@ for (const [name, options] of Object.entries({
   'phone across': { viewport: { width: 844, height: 390 }, ...TOUCH },
 })) {
   test(`after Fit nothing lies over linkage and motions: ${name}`, async () => {
-    const { page, problems } = await browser.openPage({ ...options, legend: null });
+    const { page, problems } = await browser.openPage({ ...options, legend: false });
     isClear(await boxes(page), `${name}, at first`);
     await page.locator('#canvas').focus();
     for (const key of ['1', '5', '7', 'p', '+', '+', '+', 'Shift+ArrowLeft', 'Home']) await page.keyboard.press(key);
@@ -76,7 +76,7 @@ for (const [name, options] of Object.entries({
 
 test('after Fit nothing lies over linkage and motions: small and low elements', async () => {
   for (const [width, height] of [[300, 220], [600, 190], [400, 300], [240, 320]]) {
-    const { page } = await openGuestPage(browser, LINKAGE.replace(' src', ` style="width: ${width}px; height: ${height}px" src`), { viewport: { width: 700, height: 700 }, legend: null });
+    const { page } = await openGuestPage(browser, LINKAGE.replace(' src', ` style="width: ${width}px; height: ${height}px" src`), { viewport: { width: 700, height: 700 }, legend: false });
     await planned(page);
     isClear(await boxes(page), `${width} × ${height}`);
     await page.close();
@@ -85,7 +85,7 @@ test('after Fit nothing lies over linkage and motions: small and low elements', 
 
 test('the legend folds to its button, is folded at first where there is little room, and stays as it was left', async () => {
   const context = { viewport: { width: 390, height: 844 }, ...TOUCH };
-  const { page } = await browser.openPage({ ...context, legend: null });
+  const { page } = await browser.openPage({ ...context, legend: false });
   const list = page.locator('#legend');
   const button = page.getByRole('button', { name: 'Legend' });
   assert.equal(await button.getAttribute('aria-expanded'), 'false');
@@ -96,7 +96,7 @@ test('the legend folds to its button, is folded at first where there is little r
   isClear(await boxes(page), 'unfolded');
   await page.reload();
   await list.getByText('goal motion').waitFor();
-  const desktop = await browser.openPage({ viewport: { width: 1440, height: 900 }, legend: null });
+  const desktop = await browser.openPage({ viewport: { width: 1440, height: 900 }, legend: false });
   await desktop.page.locator('#legend').getByText('goal motion').waitFor();
   await desktop.page.getByRole('button', { name: 'Legend' }).click();
   await desktop.page.locator('#legend').waitFor({ state: 'hidden' });
@@ -135,7 +135,7 @@ for (const [name, options, chosen] of [
   ['phone', { viewport: { width: 390, height: 844 }, ...TOUCH }, 'workpiece'],
 ]) {
   test(`flags stand off what they name, at the ends of their leaders, clear of each other and of the handle, also while it plays: ${name}`, async () => {
-    const { page, problems } = await browser.openPage({ ...options, legend: null });
+    const { page, problems } = await browser.openPage({ ...options, legend: false });
     const choose = (place) => page.evaluate((what) => document.querySelector('synthetica-linkage').parts.store.setView({ selected: what }), place);
     let sides = 0;
     let before = null;
@@ -251,7 +251,7 @@ test('the view cube shows the direction; a face, an edge and a corner look from 
 
 test('a double click or tap on a thing looks at it, on empty ground at all again', async () => {
   for (const options of [{ viewport: { width: 1440, height: 900 } }, { viewport: { width: 390, height: 844 }, ...TOUCH }]) {
-    const { page, problems } = await browser.openPage({ ...options, legend: null });
+    const { page, problems } = await browser.openPage({ ...options, legend: false });
     const seen = () =>
       page.evaluate(async () => {
         const { scene } = await document.querySelector('synthetica-linkage').workbench;

@@ -4,7 +4,7 @@
  * @typedef {ReturnType<typeof import('../ui/tabs.js').createTabs>} Tabs
  */
 import { windowOf } from '../ui/dom.js';
-import { recall, remember } from './kept-layout.js';
+import { recall, remember } from '../ui/kept-layout.js';
 
 /** Below this height of the whole, in pixels, the view needs the room itself. */
 const LOW = 650;

@@ -4,7 +4,7 @@
  */
 import { setText } from '../ui/dom.js';
 import { KEYS, keyTip, onKeys } from '../ui/keys.js';
-import { recall, remember } from './kept-layout.js';
+import { recall, remember } from '../ui/kept-layout.js';
 
 const SIDES = /** @type {const} */ (['tables', 'info']);
 

@@ -6,10 +6,9 @@ import { atRest } from '../core/at-rest.js';
 import { length } from '../core/format.js';
 import { drivesJoints } from '../core/driven.js';
 import { hasNoGoal } from '../core/shown.js';
+import { recall, remember } from '../ui/kept-layout.js';
 import { html, render } from '../ui/render.js';
 import { gapClass, gapFrames } from './scene/gap-lines.js';
-
-const KEY = 'synthetica.legend';
 
 /** The least view with an unfolded legend, in pixels: not on a phone. */
 const ROOM = { width: 480, height: 300 };
@@ -46,7 +45,7 @@ export function createLegend(app) {
   const { find, store, scene } = app;
   const list = find('legend');
   const button = find('fold-legend');
-  let said = recall();
+  let { legend: said } = recall();
 
   /** @param {boolean} open */
   function unfold(open) {
@@ -55,27 +54,14 @@ export function createLegend(app) {
     button.ariaExpanded = String(open);
   }
   button.addEventListener('click', () => {
-    unfold(list.hidden !== false);
-    said = list.hidden ? 'folded' : 'open';
-    try {
-      localStorage.setItem(KEY, said);
-    } catch {
-      // Then it opens as it does for the first time.
-    }
+    said = list.hidden !== false;
+    unfold(said);
+    remember({ legend: said });
   });
-  scene?.drawn.add((width, height) => unfold(said === 'open' || (!said && width >= ROOM.width && height >= ROOM.height)));
+  scene?.drawn.add((width, height) => unfold(said ?? (width >= ROOM.width && height >= ROOM.height)));
 
   const show = () => render(legendItems(app), list);
   atRest(app.store, ['result', 'view'], show);
   scene?.noted.add(show);
   show();
-}
-
-/** What was said, if it was. */
-function recall() {
-  try {
-    return localStorage.getItem(KEY);
-  } catch {
-    return null;
-  }
 }

@@ -1,7 +1,7 @@
 /**
- * What the browser remembers of the panels' layout: the dock's height, and what a person folded or unfolded.
+ * What the browser remembers of the layout: the dock's height, and what a person folded or unfolded.
  *
- * @typedef {{height?: number, open?: boolean, tables?: boolean, info?: boolean}} Layout height of the dock in pixels; true: not folded, `open` of the dock
+ * @typedef {{height?: number, open?: boolean, tables?: boolean, info?: boolean, legend?: boolean}} Layout height of the dock in pixels; true: not folded, `open` of the dock
  */
 
 const KEY = 'synthetica.dock';
@@ -22,6 +22,6 @@ export function remember(change) {
   try {
     localStorage.setItem(KEY, JSON.stringify({ ...recall(), ...change }));
   } catch {
-    // Then the panels open as they do for the first time.
+    // Then all opens as it does for the first time.
   }
 }
