@@ -27,6 +27,9 @@ export const standInFor = (name) => (/^\.{1,2}\//.test(name) ? (STAND_INS.get(na
 /** Whether a file is the library's or one that stands in for it. @param {string} file */
 export const isOfThree = (file) => file.startsWith(dirname(THREE)) || [...STAND_INS.values()].includes(file);
 
+/** Whether it is `object.name`. @param {Node} node */
+export const isProperty = (node) => node?.type === 'MemberExpression' && !node.computed;
+
 /** A module's parts by the names that they have in it. @param {string} file @param {string} code */
 export function read(file, code) {
   const { body } = parseAst(code);

@@ -1,24 +1,17 @@
 // Which parts of the 3D library nothing in www/ can reach. A bundler leaves out what nobody imports, and no methods; here the
 // world is closed: all code that touches the library's things is in www/ or in the library, so a method that none of it
 // names is never called.
-import { readFileSync, readdirSync } from 'node:fs';
 import { basename, join } from 'node:path';
-import { CONSTANTS, THREE, edited, fileOf, read } from './modules.js';
-import { METHODS, NEVER_SET } from './never.js';
+import { CONSTANTS, THREE, edited, isProperty, read } from './modules.js';
+import { METHODS } from './never.js';
 import { isOfBrowser } from './start.js';
+import { createTruth } from './truth.js';
 
 /** @typedef {import('./modules.js').Node} Node @typedef {import('./modules.js').Edit} Edit */
 
 const isFunction = (/** @type {Node} */ node) => node?.type === 'FunctionExpression' || node?.type === 'ArrowFunctionExpression';
-const isConstant = (/** @type {Node} */ node) => node?.type === 'MemberExpression' && !node.computed;
 /** `this.name = function …;`, which is a method too. @param {Node} node */
-const methodSet = (node) => node.type === 'ExpressionStatement' && node.expression.type === 'AssignmentExpression' && isConstant(node.expression.left) && isFunction(node.expression.right) && node.expression.left.property.name;
-
-/** Flags that classes of the library give themselves, reached or not: `isMesh`. */
-function allFlags() {
-  const files = readdirSync(THREE, { recursive: true, encoding: 'utf8' }).filter((name) => name.endsWith('.js'));
-  return new Set(files.flatMap((name) => [...readFileSync(join(THREE, name), 'utf8').matchAll(/\bthis\.(is[A-Z]\w*) = true/g)].map(([, flag]) => flag)));
-}
+const methodSet = (node) => node.type === 'ExpressionStatement' && node.expression.type === 'AssignmentExpression' && isProperty(node.expression.left) && isFunction(node.expression.right) && node.expression.left.property.name;
 
 /**
  * What is reached from www/.
@@ -41,9 +34,9 @@ export function reached(start, text) {
   /** @type {Map<string, Set<string>>} */
   const used = new Map();
   const usedIn = (/** @type {string} */ file) => used.get(file) ?? used.set(file, new Set()).get(file);
-  const known = allFlags();
   /** Constants of the library that stand somewhere else than in a comparison. */
   const given = new Set(start.imports.filter(({ from }) => from === CONSTANTS || from === join(THREE, 'Three.js')).map(({ name }) => name));
+  const { fixed, isNotGiven, truth } = createTruth({ flags, given, module });
   let grown = true;
   const add = (/** @type {Set<string> | undefined} */ set, /** @type {string} */ name) => {
     if (set?.has(name)) return;
@@ -76,62 +69,6 @@ export function reached(start, text) {
   }
 
   /**
-   * What a property is wherever it is read: undefined is a flag that nothing reached has; a setting that nothing gives is as
-   * it is by default. Null where that is not known.
-   * @param {Node} node @returns {{is: unknown} | null}
-   */
-  function fixed(node) {
-    if (!isConstant(node)) return null;
-    const { object, property } = node;
-    const settings = object.type === 'Identifier' && Object.hasOwn(NEVER_SET, object.name) ? NEVER_SET[object.name] : {};
-    if (Object.hasOwn(settings, property.name)) return { is: settings[property.name] };
-    return known.has(property.name) && !flags.has(property.name) ? { is: undefined } : null;
-  }
-
-  /** @param {Node} node @param {string} file @returns {{is: unknown} | null} */
-  function valueOf(node, file) {
-    if (node.type === 'Literal') return { is: node.value };
-    if (node.type !== 'Identifier') return null;
-    if (node.name === 'undefined') return { is: undefined };
-    const from = module(file).imports.get(node.name);
-    return from?.from === CONSTANTS ? valueOf(module(CONSTANTS).own.get(from.name).init, CONSTANTS) : null;
-  }
-
-  /** A constant that nothing has: a comparison with it fails. @param {Node} node @param {string} file */
-  function isNotGiven(node, file) {
-    const from = node.type === 'Identifier' && module(file).imports.get(node.name);
-    return from && from.from === CONSTANTS && !given.has(from.name);
-  }
-
-  /** @param {Node} node @param {string} file @returns {boolean | null} null where it is known only when it runs */
-  function truth(node, file) {
-    if (node.type === 'ParenthesizedExpression') return truth(node.expression, file);
-    const value = fixed(node);
-    if (value) return Boolean(value.is);
-    if (node.type === 'Literal' && typeof node.value === 'boolean') return node.value;
-    if (node.type === 'UnaryExpression' && node.operator === '!') {
-      const inner = truth(node.argument, file);
-      return inner === null ? null : !inner;
-    }
-    if (node.type === 'BinaryExpression') {
-      const { operator, left, right } = node;
-      if (/^[!=]==?$/.test(operator) && (isNotGiven(left, file) || isNotGiven(right, file))) return operator[0] === '!';
-      const known = fixed(left);
-      const against = valueOf(right, file);
-      if (!known || !against) return null;
-      if (operator === '===' || operator === '!==') return (known.is === against.is) === (operator === '===');
-      return operator === '>' ? Number(known.is) > Number(against.is) : null;
-    }
-    if (node.type === 'LogicalExpression' && node.operator !== '??') {
-      const [left, right] = [truth(node.left, file), truth(node.right, file)];
-      const decides = node.operator === '||';
-      if (left === decides || right === decides) return left === decides ? decides : null;
-      return left === null || right === null ? null : !decides;
-    }
-    return null;
-  }
-
-  /**
    * Visits what can run.
    * @param {Node} node @param {string} file
    * @param {{edit?: (edit: Edit) => void, owner?: boolean}} on
@@ -157,7 +94,7 @@ export function reached(start, text) {
         go(node.object);
         return node.computed ? go(node.property) : isOfBrowser(node.object) ? undefined : add(names, node.property.name);
       case 'AssignmentExpression':
-        if (isConstant(node.left) && node.operator === '=') {
+        if (isProperty(node.left) && node.operator === '=') {
           if (/^is[A-Z]/.test(node.left.property.name)) add(flags, node.left.property.name);
           go(node.left.object);
         } else go(node.left);
