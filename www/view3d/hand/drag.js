@@ -5,7 +5,6 @@
  * @typedef {import('./toolbar.js').How} How
  * @typedef {import('./key-frame.js').Target} Target
  */
-import { Vector3 } from 'three';
 import { element, setText } from '../../ui/dom.js';
 import { onKeys } from '../../ui/keys.js';
 import { lengthUnit, short } from '../../core/format.js';
@@ -13,6 +12,7 @@ import { createLabels } from '../scene/labels.js';
 import { nameOf } from '../../core/things.js';
 import { readPalette } from '../scene/palette.js';
 import { postureActions } from './posture-actions.js';
+import { clearOfNames, onCanvas } from './clear-of-names.js';
 import { createFreedoms } from './freedoms.js';
 import { createGizmo } from './gizmo.js';
 import { keyFrameTarget } from './key-frame.js';
@@ -29,12 +29,6 @@ import look from '../../style/drag.css?inline';
 
 /** Axis and direction of each nudging key. @type {[0 | 1 | 2, 1 | -1][]} */
 const NUDGES = [[0, 1], [0, -1], [1, 1], [1, -1], [2, 1], [2, -1]];
-
-/** Half the square around the thing in hand that no name covers, in pixels: names take clicks. */
-const FREE = 7;
-
-/** Where such squares lie along an arrow, to both of its ends. */
-const ALONG = [-0.9, -0.7, -0.5, -0.3, 0.3, 0.5, 0.7, 0.9];
 
 const KEY_FRAME = /^motion\.key_frames\[(\d+)\]/;
 
@@ -126,14 +120,9 @@ function connect(app, scene) {
   function tellPlace(width, height) {
     const at = target?.pose();
     if (!at) return;
-    const seen = new Vector3(at[0], at[1], at[2]).project(scene.camera);
-    const [x, y] = [((seen.x + 1) / 2) * width, ((1 - seen.y) / 2) * height];
-    canvas.dataset.hand = `${x.toFixed(1)} ${y.toFixed(1)}`;
-    // The arrows too, from end to end, and the squares between them.
-    const ends = free() ? [] : labels.boxes().map((box) => [box.x + box.width / 2 - x, box.y + box.height / 2 - y]);
-    const arrows = ends.flatMap(([right, down]) => ALONG.map((share) => [share * right, share * down]));
-    const squares = ends.map(([right, down], end) => [(right + ends[(end + 1) % ends.length][0]) / 4, (down + ends[(end + 1) % ends.length][1]) / 4]);
-    kept = [[0, 0], ...arrows, ...squares].map(([right, down]) => ({ x: x + right - FREE, y: y + down - FREE, width: 2 * FREE, height: 2 * FREE }));
+    const place = onCanvas(at, scene.camera, width, height);
+    canvas.dataset.hand = place.map((pixels) => pixels.toFixed(1)).join(' ');
+    kept = clearOfNames(place, free() ? [] : labels.boxes());
   }
 
   /** @param {string} selected */
