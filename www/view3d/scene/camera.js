@@ -13,6 +13,7 @@ import { OrthographicCamera, PerspectiveCamera, Vector3 } from 'three';
 import { STANDARD_VIEWS } from '../../core/standard-views.js';
 import { onKeys } from '../../ui/keys.js';
 import { enclose } from './enclosing.js';
+import { createGlide } from './glide.js';
 import { createOrbit } from './orbit.js';
 import { hasLeft, showsWell } from './refit.js';
 
@@ -22,9 +23,6 @@ const SHIFT = 0.05;
 /** Where each arrow key goes, in the order of the list of keys. */
 const ARROWS = [[-1, 0], [1, 0], [0, 1], [0, -1]];
 const ZOOM = 0.9;
-
-/** Milliseconds of a move to another view. */
-const MOVE = 220;
 
 /** The least and the most that the view may reach, and how far its target may go, in radii of the scene. */
 const NEAREST = 0.02;
@@ -36,8 +34,6 @@ const SLOPE = Math.tan(Math.PI / 12);
 
 /** @param {number} value @param {number} low @param {number} high */
 const clamp = (value, low, high) => Math.max(low, Math.min(high, value));
-/** @param {number} from @param {number} to @param {number} share */
-const between = (from, to, share) => from + (to - from) * share;
 
 /** Straight above and below, the view still needs to know what is up. */
 const UPRIGHT = 1e-4;
@@ -65,14 +61,13 @@ export function createCamera(canvas, changed, turned, free) {
   /** It is as it was fitted: no hand has shifted it or come closer. */
   let untouched = false;
   const calm = matchMedia('(prefers-reduced-motion: reduce)');
-  /** @type {{from: Look, to: Look, since: number} | null} */
-  let move = null;
+  const glide = createGlide();
 
   const controls = createOrbit(canvas, {
     start() {
       turned();
       untouched = false;
-      move = null;
+      glide.stop();
     },
     turn(right, down) {
       const from = look();
@@ -126,14 +121,12 @@ export function createCamera(canvas, changed, turned, free) {
   /** @param {Partial<Look>} change @param {boolean} [smooth] */
   function go(change, smooth = true) {
     const from = look();
-    const to = { ...(move?.to ?? from), ...change };
+    const to = { ...(glide.to ?? from), ...change };
     if (!smooth || calm.matches) {
-      move = null;
+      glide.stop();
       return take(to);
     }
-    // The short way around.
-    to.around -= 2 * Math.PI * Math.round((to.around - from.around) / (2 * Math.PI));
-    move = { from, to, since: performance.now() };
+    glide.begin(from, to);
     changed();
   }
 
@@ -150,7 +143,7 @@ export function createCamera(canvas, changed, turned, free) {
    * @returns {Partial<Look>}
    */
   function whole(from, { centre, each, margin }) {
-    const { around, down } = { ...(move?.to ?? look()), ...from };
+    const { around, down } = { ...(glide.to ?? look()), ...from };
     const { x, y, width, height } = free();
     const [wide, high] = [SLOPE * perspective.aspect * width, SLOPE * height];
     const back = armOf(around, down);
@@ -171,7 +164,7 @@ export function createCamera(canvas, changed, turned, free) {
 
   /** What was all in view stays so in another room. */
   function settle() {
-    if (untouched && !move) fit({}, false);
+    if (untouched && !glide.to) fit({}, false);
   }
 
   /** At once. @param {Partial<Look>} to @param {boolean} [fits] whether what fitted goes on to fit */
@@ -204,19 +197,8 @@ export function createCamera(canvas, changed, turned, free) {
     },
     /** A move's next step; called before every draw. */
     step() {
-      if (!move) return;
-      const share = Math.min(1, (performance.now() - move.since) / MOVE);
-      const soft = share * share * (3 - 2 * share);
-      const { from, to } = move;
-      if (share === 1) move = null;
-      take({
-        around: between(from.around, to.around, soft),
-        down: between(from.down, to.down, soft),
-        reach: between(from.reach, to.reach, soft),
-        target: from.target.clone().lerp(to.target, soft),
-        right: between(from.right, to.right, soft),
-        low: between(from.low, to.low, soft),
-      });
+      const now = glide.step();
+      if (now) take(now);
     },
     /** Shows everything, from where it is seen now. */
     fit: () => fit(),
@@ -224,7 +206,7 @@ export function createCamera(canvas, changed, turned, free) {
     begin: () => fit(STANDARD_VIEWS.first, false),
     /** Shows everything where another scene has taken the place of the one that was looked at. */
     refit() {
-      const { target, reach } = move?.to ?? look();
+      const { target, reach } = glide.to ?? look();
       if (!hasLeft(fitted, home) || showsWell({ target, reach: reach * Math.min(1, perspective.aspect) }, home)) return;
       fit({}, false);
     },
