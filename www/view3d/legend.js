@@ -36,7 +36,7 @@ export function legendItems({ store, scene }) {
     [seen.has(1), 'gap-1', `gap ≥ ${size(steps[1])}`],
     [seen.has(2), 'gap-2', `gap ≥ ${size(steps[2])}`],
   ];
-  for (const note of scene.notes) lines.push([true, 'note', note]);
+  for (const note of scene.added.notes) lines.push([true, 'note', note]);
   return lines.filter(([drawn]) => drawn).map(([, line, text]) => html`<li class=${line}>${text}</li>`);
 }
 
@@ -62,6 +62,6 @@ export function createLegend(app) {
 
   const show = () => render(legendItems(app), list);
   atRest(app.store, ['result', 'view'], show);
-  scene?.noted.add(show);
+  scene?.added.noted.add(show);
   show();
 }

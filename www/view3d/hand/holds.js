@@ -49,7 +49,7 @@ export function createHolds({ store, signal }, scene) {
   let palette = null;
   /** What was coloured last. */
   let coloured = '';
-  const told = scene.add({
+  const told = scene.added.add({
     group,
     names: () => names,
     paint(next) {

@@ -3,9 +3,9 @@
  *
  * @typedef {import('../../core/types.js').Motion} Motion
  * @typedef {import('../../core/types.js').Result} Result
- * @typedef {{group: import('three').Group, names: () => import('./labels.js').Label[], paint: (palette: import('./palette.js').Palette) => void}} Part
  */
 import { Scene, Sphere } from 'three';
+import { createAdded } from './added.js';
 import { createCamera } from './camera.js';
 import { gapSteps } from './gap-lines.js';
 import { ghostFrames } from './ghosts.js';
@@ -59,12 +59,17 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
   root.add(...pictured);
   drawing.prepare([ground.group, samplesOf(materials)], view.camera);
 
-  /** @type {Part[]} */
-  const parts = [];
-  /** Of the parts, for the legend: each begins with its sign. @type {string[]} */
-  let notes = [];
-  /** @type {Set<() => void>} */
-  const noted = new Set();
+  const added = createAdded(
+    (part) => {
+      for (const list of [things, pictured]) list.push(part.group);
+      root.add(part.group);
+      part.paint(readPalette(canvas));
+    },
+    () => {
+      name();
+      changed();
+    },
+  );
 
   function paint() {
     const palette = readPalette(canvas);
@@ -72,7 +77,7 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
     marks.paint(palette.accent);
     light.sky.groundColor.copy(palette.ground);
     ground.paint(palette);
-    for (const part of parts) part.paint(palette);
+    added.paint(palette);
     changed();
   }
   paint();
@@ -99,7 +104,7 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
   const over = new window.ResizeObserver(() => !pointing() && view.settle());
   for (const one of stayingOver(canvas)) over.observe(one);
 
-  const names = () => [...paths.labels, ...linkage.bases.map((at, index) => ({ at, text: String(index + 1), place: `chains[${index}].base` })), ...parts.flatMap((part) => part.names())];
+  const names = () => [...paths.labels, ...linkage.bases.map((at, index) => ({ at, text: String(index + 1), place: `chains[${index}].base` })), ...added.names()];
 
   const name = () => marks.name(options.show.names ? names() : []);
 
@@ -160,27 +165,8 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
     changed,
     /** Takes the colours that its place has by now. */
     paint,
-    /**
-     * Adds what is pictured, pointed at and named as the linkage is.
-     * @param {Part} part
-     * @returns {(notes: string[]) => void} tells that it is another now, and what the legend says of it
-     */
-    add(part) {
-      for (const list of [things, pictured]) list.push(part.group);
-      root.add(part.group);
-      parts.push(part);
-      part.paint(readPalette(canvas));
-      return (next) => {
-        notes = next;
-        name();
-        changed();
-        for (const tell of noted) tell();
-      };
-    },
-    get notes() {
-      return notes;
-    },
-    noted,
+    /** What others add, with what the legend says of it. */
+    added,
     /** What belongs into a picture; handles and the like do not. */
     pictured,
     /** The names that always stand in the scene. */

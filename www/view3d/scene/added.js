@@ -1,0 +1,40 @@
+/**
+ * What other files add to the scene, which is pictured, pointed at and named as the linkage is; and what the legend says of it.
+ *
+ * @typedef {{group: import('three').Group, names: () => import('./labels.js').Label[], paint: (palette: import('./palette.js').Palette) => void}} Part
+ */
+
+/** @param {(part: Part) => void} take a new one @param {() => void} changed */
+export function createAdded(take, changed) {
+  /** @type {Part[]} */
+  const parts = [];
+  /** For the legend: each begins with its sign. @type {string[]} */
+  let notes = [];
+  /** @type {Set<() => void>} */
+  const noted = new Set();
+  return {
+    names: () => parts.flatMap((part) => part.names()),
+    /** @param {import('./palette.js').Palette} palette */
+    paint(palette) {
+      for (const part of parts) part.paint(palette);
+    },
+    get notes() {
+      return notes;
+    },
+    /** Called when the notes are others. */
+    noted,
+    /**
+     * @param {Part} part
+     * @returns {(notes: string[]) => void} tells that it is another now, and what the legend says of it
+     */
+    add(part) {
+      parts.push(part);
+      take(part);
+      return (next) => {
+        notes = next;
+        changed();
+        for (const tell of noted) tell();
+      };
+    },
+  };
+}
