@@ -47,6 +47,9 @@ export function sideAt(x, y, m) {
 /** A drag has ended, whose click is none. */
 let hasTurned = false;
 
+/** The view's keys hold from here on, as after a press into the view itself. @param {Scene} scene */
+const focusView = ({ canvas }) => canvas.focus({ preventScroll: true });
+
 /** @param {HTMLElement} place the cube's @param {Scene} scene @param {PointerEvent} event the press */
 export function drag(place, scene, { pointerId, clientX, clientY }) {
   let [x, y] = [clientX, clientY];
@@ -62,7 +65,12 @@ export function drag(place, scene, { pointerId, clientX, clientY }) {
     scene.turn(TURN * (x - event.clientX), TURN * (y - event.clientY));
     [x, y] = [event.clientX, event.clientY];
   });
-  for (const end of ['pointerup', 'pointercancel']) listen(end, () => over.abort());
+  for (const end of ['pointerup', 'pointercancel']) {
+    listen(end, () => {
+      over.abort();
+      focusView(scene);
+    });
+  }
 }
 
 /**
@@ -70,6 +78,7 @@ export function drag(place, scene, { pointerId, clientX, clientY }) {
  * @param {(view: import('../core/standard-views.js').StandardView, name: string) => void} turnTo
  */
 export function click(place, scene, { clientX, clientY }, turnTo) {
+  focusView(scene);
   const box = place.getBoundingClientRect();
   const side = hasTurned ? null : sideAt((clientX - box.x - box.width / 2) / HALF, (box.y + box.height / 2 - clientY) / HALF, scene.camera.matrixWorld.elements);
   hasTurned = false;
