@@ -26,7 +26,9 @@ export function crates() {
     const [name, version] = line.split(' v');
     assert.ok(locked.includes(`name = "${name}"\nversion = "${version}"`), `${line} is locked`);
     const folder = readdirSync(sources).map((registry) => join(sources, registry, `${name}-${version}`)).find(existsSync);
-    return { name, version, texts: licencesIn(folder) };
+    // Where a crate comes without it, it is kept from its repository.
+    const kept = join(root, 'tools/licences', name);
+    return { name, version, texts: [folder, ...(existsSync(kept) ? [kept] : [])].flatMap(licencesIn) };
   });
 }
 

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { Vector3 } from 'three';
-import { enclose } from '../../www/view3d/scene/enclosing.js';
+import { enclose, filled } from '../../www/view3d/scene/enclosing.js';
 import { freeRectangle } from '../../www/view3d/scene/free-rectangle.js';
 
 const box = (x, y, width, height) => ({ x, y, width, height });
@@ -17,6 +17,8 @@ test('the free part lies clear of every box, and gives way where that costs leas
   const free = freeRectangle(room, boxes);
   for (const one of boxes) assert.ok(!overlap(free, one), JSON.stringify([free, one]));
   assert.ok(free.width * free.height > 0.5 * 700 * 450, JSON.stringify(free));
+  // A handle at the edge of a high view: nearly all of its height is worth more than the handle's width.
+  assert.deepEqual(freeRectangle(box(0, 0, 470, 1000), [box(0, 470, 30, 60)]), box(30, 0, 440, 1000));
 });
 
 /** Shares of the free part where a point is seen, from −1 to 1 across and up. */
@@ -40,6 +42,12 @@ test('all points are in view with their balls, two at its edges, from any side, 
         const frame = enclose(each, centre, axes, edges, flat);
         const shares = points.flatMap((point) => seen(point, frame, centre, axes, edges, flat));
         assert.ok(Math.abs(Math.max(...shares) - 1) < 1e-9 && Math.abs(Math.min(...shares) + 1) < 1e-9, `${[unit, far, flat, around]}`);
+        const middle = centre.clone().addScaledVector(axes.right, frame.across).addScaledVector(axes.up, frame.above);
+        const uses = filled(each, middle, axes, edges, frame.distance, flat, 0);
+        for (const side of [0, 1]) {
+          const most = Math.max(...points.map((point) => Math.abs(seen(point, frame, centre, axes, edges, flat)[side])));
+          assert.ok(Math.abs(uses[side] - most) < 1e-6, `fills ${uses[side]} and not ${most}`);
+        }
         const radius = 0.2 * unit;
         const roomy = enclose(each, centre, axes, edges, flat, radius);
         for (const point of points) {

@@ -112,7 +112,7 @@ export function placedNames(scene, camera, wish, widthOf) {
   const names = scene.names
     .map(({ at, text }) => ({ ...place(at), text, width: widthOf(text) + 2 * NAME.padding, height: NAME.height, rank: 0, kept: true, spot: -1 }))
     .filter(({ out }) => !out);
-  return layOut(names, [], room, room, place(centre)).flatMap((spot, index) => {
+  return layOut(names, [], room, place(centre)).flatMap((spot, index) => {
     if (spot < 0) return [];
     const { text, x, y } = names[index];
     const [right, down] = wayOf(spot);

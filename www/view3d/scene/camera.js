@@ -12,7 +12,7 @@
 import { OrthographicCamera, PerspectiveCamera, Vector3 } from 'three';
 import { STANDARD_VIEWS } from '../../core/standard-views.js';
 import { onKeys } from '../../ui/keys.js';
-import { enclose } from './enclosing.js';
+import { enclose, filled } from './enclosing.js';
 import { createGlide } from './glide.js';
 import { createOrbit } from './orbit.js';
 import { hasLeft, showsWell } from './refit.js';
@@ -34,6 +34,12 @@ const SLOPE = Math.tan(Math.PI / 12);
 
 /** @param {number} value @param {number} low @param {number} high */
 const clamp = (value, low, high) => Math.max(low, Math.min(high, value));
+
+/** How far from the middle of a view something stands, in shares of it, that fills a share of a part of it. @param {number} start @param {number} size of the part @param {number} share */
+function aside(start, size, share) {
+  const [middle, spare] = [start + size / 2 - 0.5, (size * Math.max(0, 1 - share)) / 2];
+  return middle - clamp(middle, -spare, spare);
+}
 
 /** Straight above and below, the view still needs to know what is up. */
 const UPRIGHT = 1e-4;
@@ -149,9 +155,13 @@ export function createCamera(canvas, changed, turned, free) {
     const back = armOf(around, down);
     const right = new Vector3(Math.cos(around), Math.sin(around), 0);
     const up = back.clone().cross(right);
-    const found = enclose(each, centre, { right, up, back }, { left: wide, right: wide, low: high, high }, camera === parallel, margin);
+    const axes = { right, up, back };
+    const edges = { left: wide, right: wide, low: high, high };
+    const found = enclose(each, centre, axes, edges, camera === parallel, margin);
     const target = centre.clone().addScaledVector(right, found.across).addScaledVector(up, found.above);
-    return { ...from, target, reach: found.distance * SLOPE, right: x + width / 2 - 0.5, low: y + height / 2 - 0.5 };
+    // What the free part has to spare brings it nearer to the middle of the view.
+    const [across, above] = filled(each, target, axes, edges, found.distance, camera === parallel, margin);
+    return { ...from, target, reach: found.distance * SLOPE, right: aside(x, width, across), low: aside(y, height, above) };
   }
 
   /** Shows all. @param {Partial<Look>} [from] another direction @param {boolean} [smooth] */

@@ -41,3 +41,23 @@ export function enclose(each, from, axes, edges, flat, radius = 0) {
   const above = (t - b + (edges.low - edges.high) * distance) / 2;
   return { across, above, distance, nearest: most[4] };
 }
+
+/**
+ * The shares of such a part that points fill, across and up, about its middle.
+ * @param {(visit: (point: Vector3) => void) => void} each
+ * @param {Vector3} at what is seen in the middle of the part
+ * @param {Axes} axes @param {Edges} edges the same to both sides @param {number} distance of the camera from there @param {boolean} flat
+ * @param {number} radius of a ball around each point
+ */
+export function filled(each, at, { right, up, back }, edges, distance, flat, radius) {
+  const most = [0, 0];
+  const p = new Vector3();
+  each((point) => {
+    p.copy(point).sub(at);
+    const depth = flat ? distance : distance - p.dot(back);
+    const share = (/** @type {number} */ off, /** @type {number} */ slope) => (Math.abs(off) + radius * Math.hypot(1, slope)) / depth / slope;
+    most[0] = Math.max(most[0], share(p.dot(right), edges.right));
+    most[1] = Math.max(most[1], share(p.dot(up), edges.high));
+  });
+  return most;
+}

@@ -22,7 +22,10 @@ const CLEAR = 6;
 /** Width to height of what is shown, roughly. */
 const SHAPE = 4 / 3;
 
-/** The largest part of a room, for something of a usual shape, that no box lies over. @param {Box} room @param {Box[]} boxes @returns {Box} */
+/** What a part is worth for having room to spare, against its size. */
+const SPARE = 0.1;
+
+/** The largest part of a room, for something of a usual shape, that no box lies over; of two that are nearly as large, the roomier one. @param {Box} room @param {Box[]} boxes @returns {Box} */
 export function freeRectangle({ x, y, width, height }, boxes) {
   const [right, bottom] = [x + width, y + height];
   const at = boxes.findIndex((box) => box.x < right && box.x + box.width > x && box.y < bottom && box.y + box.height > y);
@@ -34,19 +37,23 @@ export function freeRectangle({ x, y, width, height }, boxes) {
     { x: box.x + box.width, y, width: right - box.x - box.width, height },
     { x, y: box.y + box.height, width, height: bottom - box.y - box.height },
   ];
-  const size = (/** @type {Box} */ part) => Math.min(part.width, part.height * SHAPE);
+  const size = (/** @type {Box} */ part) => Math.min(part.width, part.height * SHAPE) + SPARE * Math.max(part.width, part.height * SHAPE);
   return cut.map((part) => freeRectangle(part, boxes.slice(at + 1))).reduce((best, part) => (size(part) > size(best) ? part : best));
 }
 
-/** In shares of a view's canvas. @param {HTMLElement} canvas @returns {Box} */
+/** All of a view, in shares of it. */
+export const WHOLE = { x: 0, y: 0, width: 1, height: 1 };
+
+/** In shares of a view's canvas, the free part and what lies over it. @param {HTMLElement} canvas @returns {{free: Box, over: Box[]}} */
 export function freeShare(canvas) {
   const room = canvas.getBoundingClientRect();
   const boxes = around(canvas, OVER)
     .map((one) => one.getBoundingClientRect())
     .filter(({ width }) => width)
     .map((box) => ({ x: box.x - CLEAR, y: box.y - CLEAR, width: box.width + 2 * CLEAR, height: box.height + 2 * CLEAR }));
-  const { x, y, width, height } = freeRectangle(room, boxes);
+  const free = freeRectangle(room, boxes);
   // A view without a size, or hidden under what lies over it, is as good as free.
-  if (!(width > 1 && height > 1)) return { x: 0, y: 0, width: 1, height: 1 };
-  return { x: (x - room.x) / room.width, y: (y - room.y) / room.height, width: width / room.width, height: height / room.height };
+  if (!(free.width > 1 && free.height > 1)) return { free: WHOLE, over: [] };
+  const share = (/** @type {Box} */ { x, y, width, height }) => ({ x: (x - room.x) / room.width, y: (y - room.y) / room.height, width: width / room.width, height: height / room.height });
+  return { free: share(free), over: boxes.map(share) };
 }

@@ -53,12 +53,11 @@ export function boxOn(name, spot) {
 /**
  * @param {Name[]} names
  * @param {Box[]} others what they must not cover
- * @param {Box} room where they are best
  * @param {Box} view where they must be
  * @param {{x: number, y: number}} middle of the scene
  * @returns {number[]} the spot of each; −1 for one that is left out
  */
-export function layOut(names, others, room, view, middle) {
+export function layOut(names, others, view, middle) {
   const taken = [...others];
   const spots = names.map(() => -1);
   const things = names.map(({ x, y, clear }) => ({ x: x - clear / 2, y: y - clear / 2, width: clear, height: clear }));
@@ -69,13 +68,12 @@ export function layOut(names, others, room, view, middle) {
     const covers = (/** @type {number} */ spot, /** @type {Box[]} */ boxes, /** @type {number} */ spare) => boxes.some((box) => overlap(box, boxOn(name, spot), spare));
     const tries = name.clear < 0 ? [0] : [0, 8, 16].flatMap((far) => TURNS.map((turn) => ((best + turn + 16) % 8) + far));
     const turn = Math.abs(((name.spot - best + 12) % 8) - 4);
-    const stays = name.spot >= 0 && turn <= STAYS && !covers(name.spot, taken, 0) && !covers(name.spot, things, 0) && within(boxOn(name, name.spot), room);
+    const stays = name.spot >= 0 && turn <= STAYS && !covers(name.spot, taken, 0) && !covers(name.spot, things, 0) && within(boxOn(name, name.spot), view);
     let spot = name.spot;
     if (!stays) {
       const inView = tries.filter((one) => name.clear < 0 || within(boxOn(name, one), view));
       const free = inView.filter((one) => !covers(one, taken, name.clear < 0 ? 0 : SPARE));
-      const good = free.filter((one) => within(boxOn(name, one), room));
-      spot = good.find((one) => !covers(one, things, 0)) ?? good[0] ?? free[0] ?? (name.kept ? (inView[0] ?? tries[0]) : -1);
+      spot = free.find((one) => !covers(one, things, 0)) ?? free[0] ?? (name.kept ? (inView[0] ?? tries[0]) : -1);
     }
     spots[index] = spot;
     if (spot >= 0) taken.push(boxOn(name, spot));

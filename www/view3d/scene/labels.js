@@ -81,9 +81,8 @@ export function createLabels(layer, bare = false) {
      * @param {import('three').Camera} camera @param {number} width @param {number} height
      * @param {{link: number, centre: Vector3}} size radius of a link, middle of the scene
      * @param {import('./label-layout.js').Box[]} [others] what the names must not cover
-     * @param {import('./label-layout.js').Box} [room] where they are best
      */
-    place(camera, width, height, { link, centre }, others = [], room = { x: 0, y: 0, width, height }) {
+    place(camera, width, height, { link, centre }, others = []) {
       const within = labels.filter((label) => {
         const found = placeOf(label.at, camera, width, height, link, label.reach);
         Object.assign(label, found, bare && { clear: -1 });
@@ -93,7 +92,7 @@ export function createLabels(layer, bare = false) {
       const fresh = within.filter((label) => !label.width);
       for (const { tag } of fresh) tag.hidden = false;
       for (const label of fresh) Object.assign(label, { width: label.tag.offsetWidth, height: label.tag.offsetHeight });
-      layOut(within, others, room, { x: 0, y: 0, width, height }, placeOf(centre, camera, width, height, link)).forEach((spot, index) => {
+      layOut(within, others, { x: 0, y: 0, width, height }, placeOf(centre, camera, width, height, link)).forEach((spot, index) => {
         const label = within[index];
         label.spot = spot;
         if (label.tag.hidden !== spot < 0) label.tag.hidden = spot < 0;

@@ -9,7 +9,7 @@ import { createAdded } from './added.js';
 import { createCamera } from './camera.js';
 import { gapSteps } from './gap-lines.js';
 import { ghostFrames } from './ghosts.js';
-import { freeShare, stayingOver } from './free-rectangle.js';
+import { WHOLE, freeShare, stayingOver } from './free-rectangle.js';
 import { createGround } from './ground.js';
 import { createLight } from './light.js';
 import { Linkage } from './linkage.js';
@@ -40,9 +40,9 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
   const drawing = createDrawing(canvas, root, signal);
   if (!drawing) return null;
   const window = windowOf(canvas);
-  const view = createCamera(canvas, changed, turned, () => (printing ? free : (free = freeShare(canvas))));
-  /** The part of the view that it was fitted into. */
-  let free = { x: 0, y: 0, width: 1, height: 1 };
+  const view = createCamera(canvas, changed, turned, () => (printing ? room : (room = freeShare(canvas))).free);
+  /** The part of the view that it was fitted into, and what lay over the view then. @type {ReturnType<typeof freeShare>} */
+  let room = { free: WHOLE, over: [] };
   /** What lies over the view is not on paper, where the picture is still the same. */
   let printing = false;
   const materials = createMaterials();
@@ -140,8 +140,8 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
     for (const tell of drawn) tell(width, height);
     light.beforeDraw(view.camera);
     drawing.draw(view.camera);
-    const room = { x: free.x * width, y: free.y * height, width: free.width * width, height: free.height * height };
-    marks.labels.place(view.camera, width, height, size, [...covering].flatMap((boxes) => boxes()), room);
+    const over = room.over.map((box) => ({ x: box.x * width, y: box.y * height, width: box.width * width, height: box.height * height }));
+    marks.labels.place(view.camera, width, height, size, [...over, ...[...covering].flatMap((boxes) => boxes())]);
     canvas.dataset.draws = String(++draws);
   }
 
