@@ -242,6 +242,8 @@ test('the view cube shows the direction; a face, an edge and a corner look from 
   assert.notEqual(await turn(), old);
   const [, , up] = await direction();
   assert.ok(up > 0.5 && up < 0.95, `turned by the drag: ${up}`);
+  assert.equal(await page.evaluate(() => pageFocus().id), 'canvas', 'the view has the keys');
+  assert.equal(await page.evaluate(() => String(getSelection())), '', 'no letters of the cube are marked');
   assert.equal(await page.locator('.corner').getAttribute('aria-hidden'), 'true', 'the menu of views does the same');
   assert.deepEqual(problems, []);
   const small = await openGuestPage(browser, LINKAGE.replace(' src', ' style="width: 300px; height: 220px" src') + LINKAGE.replace(' controls', ''));
