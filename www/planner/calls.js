@@ -78,9 +78,8 @@ export function createAnswers(send) {
       }
       send({ id, kind: 'begun' });
       if (doc) {
-        const session = sessionOf(doc, module);
-        const done = await prepare(call, session, { id, question, isWanted });
-        const value = done && valueOf(call, args, session);
+        const done = await prepare(call, sessionOf(doc, module), { id, question, isWanted });
+        const value = done && (await valueOf(call, args, doc, module));
         if (value && call === 'plan') await putInWords(value, doc, module);
         if (done && isWanted()) last = { id, kind: 'value', value };
       } else last = { id, kind: 'value', value: call === 'ready' ? undefined : module[call](...args) };

@@ -72,10 +72,20 @@ export function packageFor(call, doc) {
   return (takesFirst ? small : whole).load();
 }
 
-/** @param {Call} call @param {unknown[]} args @param {any} session of either package */
-export function valueOf(call, args, session) {
+/**
+ * The answer to a question of a document. Where the smaller package refuses it, with null, the whole one says why.
+ * @param {Call} call @param {unknown[]} args @param {Open} doc @param {Module} module that answers
+ */
+export async function valueOf(call, args, doc, module) {
+  const session = sessionOf(doc, module);
   if (call === 'plan') return session.plan_so_far();
-  return call === 'text' && !areOne && session instanceof Session ? JSON.stringify(session.document()) : session[call](...args);
+  if (call === 'text' && module === first && !areOne) return JSON.stringify(session.document());
+  try {
+    return session[call](...args);
+  } catch (error) {
+    if (error !== null) throw error;
+    return sessionOf(doc, await whole.load())[call](...args);
+  }
 }
 
 /** The document in one of the packages, opened there if it is not yet. @param {Open} doc @param {Module} module */
