@@ -107,6 +107,7 @@ test('points are typed by their coordinates; a fault stands beside its cell', as
 
 test('bounds stand beside the numbers of the frame; a misfit only where there is one', async () => {
   const { page, problems } = await browser.openPage({ viewport: { width: 1280, height: 800 } });
+  await page.locator('#certificate summary').click();
   await scrubTo(page, 60);
   for (const name of ['closure', 'gradient']) {
     const bound = (await text(page, `${name}-bound`)).replace('at most ', '');
