@@ -122,11 +122,8 @@ impl Limits {
     };
 
     /// The value in the range that is nearest to `x`; what is no number stays so.
-    #[expect(
-        clippy::manual_clamp,
-        reason = "f64::clamp says what its bounds are where they are none, with 14 kB of formatting"
-    )]
     pub fn nearest(self, x: f64) -> f64 {
+        // f64::clamp says what its bounds are where they are none, with 14 kB of formatting.
         if x < self.min {
             self.min
         } else if x > self.max {
