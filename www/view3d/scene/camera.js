@@ -12,7 +12,7 @@
 import { OrthographicCamera, PerspectiveCamera, Vector3 } from 'three';
 import { STANDARD_VIEWS } from '../../core/standard-views.js';
 import { onKeys } from '../../ui/keys.js';
-import { enclose, filled } from './enclosing.js';
+import { aside, enclose, filled } from './enclosing.js';
 import { createGlide } from './glide.js';
 import { createOrbit } from './orbit.js';
 import { hasLeft, showsWell } from './refit.js';
@@ -34,12 +34,6 @@ const SLOPE = Math.tan(Math.PI / 12);
 
 /** @param {number} value @param {number} low @param {number} high */
 const clamp = (value, low, high) => Math.max(low, Math.min(high, value));
-
-/** How far from the middle of a view something stands, in shares of it, that fills a share of a part of it. @param {number} start @param {number} size of the part @param {number} share */
-function aside(start, size, share) {
-  const [middle, spare] = [start + size / 2 - 0.5, (size * Math.max(0, 1 - share)) / 2];
-  return middle - clamp(middle, -spare, spare);
-}
 
 /** Straight above and below, the view still needs to know what is up. */
 const UPRIGHT = 1e-4;

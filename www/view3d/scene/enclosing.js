@@ -61,3 +61,9 @@ export function filled(each, at, { right, up, back }, edges, distance, flat, rad
   });
   return most;
 }
+
+/** How far from the middle of a view something stands, in shares of it, that fills a share of a part of it. @param {number} start @param {number} size of the part @param {number} share */
+export function aside(start, size, share) {
+  const [middle, spare] = [start + size / 2 - 0.5, (size * Math.max(0, 1 - share)) / 2];
+  return middle - Math.max(-spare, Math.min(spare, middle));
+}
