@@ -243,6 +243,9 @@ test('the view cube shows the direction; a face, an edge and a corner look from 
   const [, , up] = await direction();
   assert.ok(up > 0.5 && up < 0.95, `turned by the drag: ${up}`);
   assert.equal(await page.evaluate(() => pageFocus().id), 'canvas', 'the view has the keys');
+  await page.locator('#play').focus();
+  await page.locator('#labels [data-place="motion.key_frames[1]"]').click();
+  assert.equal(await page.evaluate(() => pageFocus().id), 'canvas', 'after a click on a name too');
   assert.equal(await page.evaluate(() => String(getSelection())), '', 'no letters of the cube are marked');
   assert.equal(await page.locator('.corner').getAttribute('aria-hidden'), 'true', 'the menu of views does the same');
   assert.deepEqual(problems, []);

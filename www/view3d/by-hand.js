@@ -26,7 +26,10 @@ export function createByHand(app) {
   // alone: the names change places when one is chosen, and the second to hear of a click would read another's.
   app.find('labels').addEventListener('click', ({ target }) => {
     const place = target instanceof HTMLElement ? target.dataset.place : '';
-    if (!made && place?.startsWith('motion.key_frames')) app.store.setView({ selected: place });
+    if (!place?.startsWith('motion.key_frames')) return;
+    if (!made) app.store.setView({ selected: place });
+    // Keys move it from here on, as after a click on the key frame itself.
+    canvas.focus({ preventScroll: true });
   });
   app.store.select(({ view }) => view.selected, (selected) => selected && load());
 
