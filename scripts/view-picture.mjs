@@ -35,7 +35,7 @@ export async function viewOf({ context, address }, file, size) {
   // Only the picture: without what lies over the view, in its proportions.
   await page.evaluate(({ width, height }) => {
     const canvas = page$('#canvas');
-    for (const other of canvas.parentElement.children) if (other !== canvas) other.style.display = 'none';
+    for (const other of canvas.parentElement.children) if (!other.matches('canvas')) other.style.display = 'none';
     Object.assign(canvas.parentElement.style, { position: 'fixed', left: '0', top: '0', width: `${width}px`, height: `${height}px`, zIndex: '99' });
   }, size);
   await page.waitForTimeout(300);
