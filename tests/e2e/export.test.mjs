@@ -313,14 +313,14 @@ async function watched(bytes, shares, [x, y]) {
     const { duration, videoWidth: width, videoHeight: height } = video;
     const pen = new OffscreenCanvas(width, height).getContext('2d');
     const changed = (one, other) => one.reduce((sum, value, index) => sum + (Math.abs(value - other[index]) > 40), 0);
-    // On a loaded machine the picture comes after the event: it is waited for, while it is still the one before.
+    // On a loaded machine the picture comes after the event: it is waited for, while there is none or still the one before.
     const pictureAt = async (time, before) => {
       video.currentTime = time;
       await comes('seeked');
       for (let tries = 0; ; tries++) {
         pen.drawImage(video, 0, 0);
         const { data } = pen.getImageData(0, 0, width, height);
-        if (!before || tries === 50 || changed(before, data) > 0) return data;
+        if (tries === 50 || (before ? changed(before, data) > 0 : data[3] > 0)) return data;
         await new Promise((next) => setTimeout(next, 50));
       }
     };
