@@ -5,7 +5,7 @@
 mod golden;
 
 use js_sys::{Float64Array, Reflect};
-use synthetica::bind::wasm::{self, Session};
+use synthetica::bind::wasm::Session;
 use synthetica::bind::wasm_study;
 use synthetica::plan::follow::plan;
 use synthetica::plan::settings::Settings;
@@ -172,7 +172,7 @@ fn documents_come_back_whole() {
     assert_eq!(open(&whole).text(), whole);
     let started = open(&whole).find_start();
     assert!(started.contains("\"start\""));
-    let defaults: JsValue = wasm::defaults().expect("plain data").into();
+    let defaults: JsValue = wasm_study::defaults().expect("plain data").into();
     let text = get(&defaults, "document").as_string().expect("text");
     assert!(open(&text).plan().is_ok(), "the default document plans");
     assert!(wasm_study::schema().contains("$schema"));
