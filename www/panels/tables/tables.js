@@ -75,6 +75,8 @@ export function createTables({ root, mechanism, motion }, store, defaults, { mar
   let note = null;
   /** @type {HTMLElement | null} */
   let culprit = null;
+  /** What brings a panel to the front, while the cell at fault is wanted and not there. @type {((panel: HTMLElement) => void) | null} */
+  let wanted = null;
 
   /** Shown now, and the document that they are of. @type {{faults: Fault[], doc: import('../../core/types.js').MechanismDocument}} */
   let told = { faults: [], doc: store.doc };
@@ -109,6 +111,17 @@ export function createTables({ root, mechanism, motion }, store, defaults, { mar
     const fold = culprit?.closest('details');
     if (fold) fold.open = true;
     markFault(culprit && (mechanism.contains(culprit) ? mechanism : motion));
+    if (!all.length) wanted = null;
+    if (wanted) focusFault(wanted);
+  }
+
+  /** Goes to the cell at fault, when it is there: its table may be on its way. @param {(panel: HTMLElement) => void} bring its panel to the front */
+  function focusFault(bring) {
+    wanted = culprit?.isConnected ? null : bring;
+    if (!culprit || wanted) return;
+    bring(mechanism.contains(culprit) ? mechanism : motion);
+    const cell = culprit.matches('input, select') ? culprit : culprit.querySelector('input');
+    if (cell instanceof HTMLElement) cell.focus();
   }
 
   function show() {
@@ -139,12 +152,6 @@ export function createTables({ root, mechanism, motion }, store, defaults, { mar
 
   return {
     ready,
-    /** Goes to the cell at fault. @param {(panel: HTMLElement) => void} show brings its panel to the front */
-    focusFault(show) {
-      if (!culprit?.isConnected) return;
-      show(mechanism.contains(culprit) ? mechanism : motion);
-      const cell = culprit.matches('input, select') ? culprit : culprit.querySelector('input');
-      if (cell instanceof HTMLElement) cell.focus();
-    },
+    focusFault,
   };
 }
