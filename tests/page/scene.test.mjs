@@ -79,7 +79,7 @@ test('a line is as wide under the pointer as it is drawn, however near or far it
   drawn.set(800, 600);
   const stroke = new Stroke(new StrokeMaterial(6));
   // From far away to behind the camera, a little below it.
-  stroke.lay([0, 0, 100, 0, 0, -100], 2);
+  stroke.lay(Float64Array.of(0, 0, 100, 0, 0, -100), 2);
   for (const camera of [new PerspectiveCamera(50, 800 / 600, 0.1, 1000), new OrthographicCamera(-4, 4, 3, -3, 0.1, 1000)]) {
     camera.position.set(0, 1, 5);
     camera.updateMatrixWorld();
@@ -103,7 +103,7 @@ test('a drawing has the line in its width and in its dashes, in pixels of the dr
   // 200 pixels long, up to the middle.
   const lay = (material) => {
     const stroke = new Stroke(material);
-    stroke.lay([-2, 0, 0, 0, 0, 0], 2);
+    stroke.lay(Float64Array.of(-2, 0, 0, 0, 0, 0), 2);
     return strokeTriangles(stroke, camera, 800, 600).flatMap(({ points }) => [points]);
   };
   const area = (all) => all.reduce((sum, [ax, ay, bx, by, cx, cy]) => sum + Math.abs((bx - ax) * (cy - ay) - (by - ay) * (cx - ax)) / 2, 0);

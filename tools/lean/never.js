@@ -16,7 +16,7 @@ export const NEVER_SET = {
   material: { ...all(MAPS, null), ...all(STRENGTHS, 0), ...all(SWITCHES, false), clippingPlanes: null },
   parameters: { ...all(`${MAPS} ${STRENGTHS} ${SWITCHES.replace(' flatShading', '')} ${OF_SHADERS}`, false), ...all(MAPS.replaceAll('ap ', 'apUv ').concat('Uv'), false), ...all(COUNTS, 0) },
   scene: { fog: null, environment: null, background: null, overrideMaterial: null },
-  object: { customDepthMaterial: undefined, customDistanceMaterial: undefined, morphTargetInfluences: undefined, morphTexture: null },
+  object: { customDistanceMaterial: undefined, morphTargetInfluences: undefined, morphTexture: null },
 };
 
 /** Shaders of the materials that are used; with `depth` shadows are drawn. */

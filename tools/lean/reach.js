@@ -30,7 +30,7 @@ export function reached(start, text) {
   };
   /** Names of properties that are read, names of flags that are set, and names that modules have for what is reached. */
   const names = new Set(start.names);
-  const flags = new Set();
+  const flags = new Set(start.flags);
   /** @type {Map<string, Set<string>>} */
   const used = new Map();
   const usedIn = (/** @type {string} */ file) => used.get(file) ?? used.set(file, new Set()).get(file);

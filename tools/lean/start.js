@@ -7,11 +7,12 @@ import { fileOf } from './modules.js';
 /** What has no thing of the library's: `Math.min` is no vector's. @param {any} node */
 export const isOfBrowser = (node) => node.type === 'Identifier' && /^(Math|Number|Object|Array|String|JSON|Date|Promise|Reflect|Symbol|Intl|document|window|console|performance|navigator|gl|_gl)$/.test(node.name);
 
-/** All names in www/ by which something of the library could be meant, and what is imported from it. @param {string} www */
+/** All names in www/ by which something of the library could be meant, what is imported from it, and the flags that are set. @param {string} www */
 export function startOf(www) {
   const imports = [];
   const names = new Set();
   const shaders = [];
+  const flags = new Set();
   const collect = (/** @type {any} */ node) => {
     if (!node || typeof node !== 'object') return;
     if (Array.isArray(node)) return node.forEach(collect);
@@ -19,6 +20,7 @@ export function startOf(www) {
       for (const one of node.specifiers) imports.push({ from: fileOf(node.source.value, ''), name: one.imported.name });
     }
     if (node.type === 'MemberExpression' && !node.computed && !isOfBrowser(node.object)) names.add(node.property.name);
+    if (node.type === 'AssignmentExpression' && /^is[A-Z]/.test(node.left.property?.name)) flags.add(node.left.property.name);
     if (node.type === 'ObjectPattern') for (const one of node.properties) if (one.key?.name) names.add(one.key.name);
     if (node.type === 'Literal' && /^[\w$]+$/.test(node.value)) names.add(node.value);
     for (const key of Object.keys(node)) collect(node[key]);
@@ -29,5 +31,5 @@ export function startOf(www) {
     collect(parseAst(code).body);
     if (code.includes('gl_')) shaders.push(code);
   }
-  return { imports, names, shaders };
+  return { imports, names, shaders, flags };
 }

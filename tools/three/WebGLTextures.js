@@ -1,8 +1,8 @@
-import { HalfFloatType, LinearFilter, RGFormat, UnsignedByteType } from 'three/src/constants.js';
+import { FloatType, HalfFloatType, LinearFilter, RGBAFormat, RGFormat, UnsignedByteType } from 'three/src/constants.js';
 
 /**
- * The textures that there are: a table of the lit materials, the depths of shadows, and pictures that are read back. None has
- * smaller copies of itself, and none is drawn with several samples.
+ * The textures that there are: a table of the lit materials, the places of packed bodies, which are others in each picture, the
+ * depths of shadows, and pictures that are read back. None has smaller copies of itself, and none is drawn with several samples.
  */
 export function WebGLTextures(gl, extensions, state, properties, capabilities, utils, info) {
   const made = new Set();
@@ -34,27 +34,41 @@ export function WebGLTextures(gl, extensions, state, properties, capabilities, u
     properties.remove(target);
   }
 
-  /** Bound, and new where its contents or its size are. @param {import('three').Texture} texture */
+  /** How a texture lies in the graphics card, and how what is given to it does. @param {import('three').Texture} texture */
+  function formOf({ format, type, isDepthTexture, isRenderTargetTexture }) {
+    if (isDepthTexture) return [gl.DEPTH_COMPONENT24];
+    if (format === RGFormat && type === HalfFloatType) return [gl.RG16F, gl.RG, gl.HALF_FLOAT];
+    if (format === RGBAFormat && type === FloatType) return [gl.RGBA32F, gl.RGBA, gl.FLOAT];
+    if (isRenderTargetTexture && type === UnsignedByteType) return [gl.RGBA8];
+    throw new Error('A texture has a form that tools/three leaves out.');
+  }
+
+  /** Bound, with its contents: new where its size is. @param {import('three').Texture} texture */
   function load(texture, slot, { width, height, data }) {
     const own = properties.get(texture);
-    if (own.__webglTexture) gl.deleteTexture(own.__webglTexture);
-    else {
-      texture.addEventListener('dispose', forget);
-      made.add(texture);
-      info.memory.textures++;
-    }
-    own.__webglTexture = gl.createTexture();
+    const [within, given, type] = formOf(texture);
     own.__version = texture.version;
+    const size = `${width} ${height}`;
+    const isThere = own.__webglTexture && own.size === size;
+    if (!isThere) {
+      if (own.__webglTexture) gl.deleteTexture(own.__webglTexture);
+      else {
+        texture.addEventListener('dispose', forget);
+        made.add(texture);
+        info.memory.textures++;
+      }
+      own.__webglTexture = gl.createTexture();
+      own.size = size;
+    }
     state.bindTexture(gl.TEXTURE_2D, own.__webglTexture, gl.TEXTURE0 + slot);
-    filter(texture);
-    if (texture.isDepthTexture) return gl.texStorage2D(gl.TEXTURE_2D, 1, gl.DEPTH_COMPONENT24, width, height);
-    const isTable = texture.format === RGFormat && texture.type === HalfFloatType;
-    if (!isTable && !(texture.isRenderTargetTexture && texture.type === UnsignedByteType)) throw new Error('A texture has a form that tools/three leaves out.');
-    gl.texStorage2D(gl.TEXTURE_2D, 1, isTable ? gl.RG16F : gl.RGBA8, width, height);
+    if (!isThere) {
+      filter(texture);
+      gl.texStorage2D(gl.TEXTURE_2D, 1, within, width, height);
+    }
     if (!data) return;
     state.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
     state.pixelStorei(gl.UNPACK_ALIGNMENT, 4);
-    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, height, gl.RG, gl.HALF_FLOAT, data);
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, height, given, type, data);
   }
 
   const textures = {

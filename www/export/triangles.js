@@ -16,6 +16,7 @@
  * @property {number} opacity
  */
 import { BackSide, Color, DirectionalLight, DoubleSide, HemisphereLight, InstancedMesh, Matrix4, Mesh, MeshBasicMaterial, Vector3 } from 'three';
+import { Packed } from '../view3d/scene/packed.js';
 import { Stroke } from '../view3d/scene/stroke.js';
 import { hull } from './hull.js';
 import { strokeTriangles } from './strokes.js';
@@ -32,7 +33,7 @@ export function eachBody(roots, visit) {
   for (const root of roots) {
     root.updateWorldMatrix(true, true);
     root.traverseVisible((object) => {
-      if (!(object instanceof Mesh) || !object.geometry.getAttribute('position')) return;
+      if (!(object instanceof Mesh) || object instanceof Packed || !object.geometry.getAttribute('position')) return;
       if (!(object instanceof InstancedMesh)) return visit(object, object.matrixWorld);
       for (let index = 0; index < object.count; index++) {
         const own = new Matrix4();

@@ -3,8 +3,9 @@
  *
  * @typedef {import('./pointer-drags.js').Pointer} Pointer
  */
-import { MathUtils, Object3D, PerspectiveCamera, Quaternion, Vector3 } from 'three';
+import { MathUtils, Mesh, MeshBasicMaterial, Object3D, PerspectiveCamera, Quaternion, Vector3 } from 'three';
 import { TransformControls } from 'three/addons/controls/TransformControls.js';
+import { Packed } from '../scene/packed.js';
 
 /** From its middle to the ends of its arrows, in pixels, and at most in shares of the view's height. */
 const LONG = 90;
@@ -30,6 +31,7 @@ export function createGizmo(scene, follow) {
     else if (!drawn) scene.changed();
   });
   scene.root.add(handle, controls.getHelper());
+  lighten(/** @type {any} */ (controls)._gizmo, scene);
 
   /** @param {Pointer} at @param {number} button */
   const pointer = (at, button) => /** @type {any} */ ({ ...at, button });
@@ -98,4 +100,19 @@ export function createGizmo(scene, follow) {
       });
     },
   };
+}
+
+/**
+ * Nothing is scaled, and what moves and turns is drawn as one.
+ * @param {Record<'gizmo' | 'picker' | 'helper', Record<'translate' | 'rotate' | 'scale', Object3D>>} gizmo of three.js
+ * @param {Pick<NonNullable<import('../../element/workbench.js').App['scene']>, 'drawAsOne'>} scene
+ */
+function lighten({ gizmo, picker, helper }, { drawAsOne }) {
+  for (const { scale } of [gizmo, picker, helper]) scale.removeFromParent();
+  /** @type {Set<import('three').Material>} */
+  const materials = new Set();
+  for (const handles of [gizmo.translate, gizmo.rotate]) handles.traverse((part) => part instanceof Mesh && materials.add(part.material));
+  const packed = new Packed(new MeshBasicMaterial({ depthTest: false, depthWrite: false, transparent: true }));
+  packed.renderOrder = Infinity;
+  drawAsOne(packed, [...materials]);
 }

@@ -27,7 +27,7 @@ const AXIS = [7, 5];
 /** How much of a turn a moment's arrow goes. */
 const TURN = 1.6 * Math.PI;
 
-/** The rest in milliseconds after which it is drawn: in a drag the answers follow each other. */
+/** The rest in milliseconds after which it is drawn: answers may follow each other. */
 const REST = 150;
 
 /** How faint the others are while one chain is pointed at or chosen. */
@@ -115,7 +115,7 @@ export function createHolds({ store, signal }, scene) {
     const { why, view } = store;
     const what = shown(store);
     const fits = why && what && why.of.joints === what.joints && why.of.goal === what.goal && why.of.index === what.index;
-    return fits && !view.playing && shownEnd(store)?.status !== 'closure_lost' ? { why, what } : null;
+    return fits && !view.playing && !view.moving && shownEnd(store)?.status !== 'closure_lost' ? { why, what } : null;
   }
 
   /** @type {unknown[]} */

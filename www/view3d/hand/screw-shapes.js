@@ -57,9 +57,9 @@ export function screwPath(screw, origin, radius) {
 
 /** A line in front of all bodies. @param {Vector3[]} points @param {number} width in CSS pixels @param {[number, number]} [dash] */
 export function line(points, width, dash) {
-  const stroke = new Stroke(Object.assign(new StrokeMaterial(width, dash), { depthTest: false, transparent: true }));
+  const stroke = new Stroke(Object.assign(new StrokeMaterial(width, { dash }), { depthTest: false, transparent: true }));
   stroke.position.copy(points[0]);
-  stroke.lay(points.flatMap((point) => point.clone().sub(points[0]).toArray()), points.length);
+  stroke.lay(Float64Array.from(points.flatMap((point) => point.clone().sub(points[0]).toArray())), points.length);
   return inFront(stroke);
 }
 

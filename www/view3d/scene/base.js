@@ -11,7 +11,9 @@ const SOFT = [[3.6, 1], [4.2, 0.8], [5, 0.45], [6, 0.2], [7.2, 0.06], [8.6, 0]];
 const SIDES = 32;
 
 /** A flat ring whose corners grow fainter outwards. */
-function softRing() {
+export const softRing = () => shared('soft ring', ring);
+
+function ring() {
   const corners = SOFT.flatMap(([radius, dark]) => Array.from({ length: SIDES }, (_, i) => [radius, dark, (2 * Math.PI * i) / SIDES]));
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new Float32BufferAttribute(corners.flatMap(([radius, , angle]) => [radius * Math.cos(angle), radius * Math.sin(angle), 0.02]), 3));
@@ -39,7 +41,7 @@ export function createBase(frame, { link, metal, contact, axes }, r) {
   const post = part(shared('post', () => new CylinderGeometry(1.1, 1.7, 1, 28).rotateX(Math.PI / 2)), metal);
   foot.add(part(shared('foot', () => new CylinderGeometry(3.6, 4.0, 0.8, 40).rotateX(Math.PI / 2)), link, 0.4), post);
   foot.add(part(barrel(2.0, 0.5, 28), link, 1.0));
-  const soft = new Mesh(shared('soft ring', softRing), contact);
+  const soft = new Mesh(softRing(), contact);
   soft.userData.faint = true;
   soft.raycast = () => {};
   foot.add(soft);

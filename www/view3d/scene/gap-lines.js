@@ -55,7 +55,7 @@ export class GapLines {
     this.#strokes.forEach((stroke, size) => {
       const own = frames.filter((frame) => gapClass(motion.translation_gap[frame], steps) === size);
       const points = own.flatMap((frame) => [motion.goal, motion.pose].flatMap((column) => originOf(column, frame).sub(first).toArray()));
-      stroke.lay(points, 2 * own.length, 2);
+      stroke.lay(Float64Array.from(points), 2 * own.length, 2);
       stroke.userData.places = own.map((frame) => `gap[${frame}]`);
     });
   }

@@ -18,6 +18,10 @@ export function createGround() {
   group.add(lines, floor);
   return {
     group,
+    /** Called at every draw. @param {boolean} shadows whether this picture has them: without them the floor shows nothing */
+    beforeDraw(shadows) {
+      floor.visible = shadows;
+    },
     /** @param {import('./palette.js').Palette} palette */
     paint({ grid, ground }) {
       material.color.copy(grid);

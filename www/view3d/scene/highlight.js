@@ -3,7 +3,7 @@
  */
 import { BackSide, Box3, Color, InstancedMesh, Mesh, ShaderMaterial, Vector2 } from 'three';
 import { belongs } from '../../core/things.js';
-import { behind } from './materials.js';
+import { Packed } from './packed.js';
 import { Stroke, StrokeMaterial } from './stroke.js';
 
 /** Widths in CSS pixels: what is chosen and what is pointed at are told apart by them. */
@@ -14,8 +14,10 @@ const VERTEX = `
   uniform float width;
   uniform vec2 window;
   void main() {
-    vec4 place = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
-    vec2 outwards = (projectionMatrix * vec4(normalMatrix * normal, 0.0)).xy * window;
+    #include <beginnormal_vertex>
+    #include <begin_vertex>
+    vec4 place = projectionMatrix * modelViewMatrix * vec4(transformed, 1.0);
+    vec2 outwards = (projectionMatrix * vec4(normalMatrix * objectNormal, 0.0)).xy * window;
     float size = length(outwards);
     if (size > 1e-9) place.xy += (outwards / size) * width * 2.0 / window * place.w;
     gl_Position = place;
@@ -27,12 +29,13 @@ const FRAGMENT = `
     #include <colorspace_fragment>
   }`;
 
-/** @param {import('three').Object3D[]} roots */
-export function createHighlight(roots) {
+/** @param {import('three').Object3D[]} roots @param {import('./packed.js').DrawAsOne} drawAsOne */
+export function createHighlight(roots, drawAsOne) {
   const window = { value: new Vector2(1, 1) };
   const outline = (/** @type {number} */ width) =>
     new ShaderMaterial({ vertexShader: VERTEX, fragmentShader: FRAGMENT, side: BackSide, uniforms: { width: { value: width }, window, color: { value: new Color() } } });
   const materials = { chosen: outline(CHOSEN), pointed: outline(POINTED) };
+  for (const material of Object.values(materials)) drawAsOne(new Packed(material), [material]);
   /** @type {Mesh[]} */
   let shells = [];
   /** The bodies of a thing that were found last: a name follows its thing at every picture. @type {{place: string, bodies: import('three').Object3D[]}} */
@@ -65,8 +68,7 @@ export function createHighlight(roots) {
 
   /** @param {Stroke} line @param {ShaderMaterial} outline */
   function wider({ material: { width } }, { uniforms }) {
-    const made = behind(new StrokeMaterial(width + 2 * uniforms.width.value));
-    made.polygonOffsetUnits *= 2;
+    const made = new StrokeMaterial(width + 2 * uniforms.width.value, { behind: 2 });
     made.color.copy(uniforms.color.value);
     return made;
   }

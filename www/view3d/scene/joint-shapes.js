@@ -6,6 +6,7 @@
  * after it, at the moved frame of its last row; z is the joint's axis in both. Parts are made in link radii.
  */
 import { BoxGeometry, CylinderGeometry, Group, Mesh, SphereGeometry, TorusGeometry } from 'three';
+import { mergeGeometries } from 'three/addons/utils/BufferGeometryUtils.js';
 import { shared, solid } from './solids.js';
 
 /**
@@ -33,7 +34,16 @@ export const cube = () => shared('cube', () => new BoxGeometry(1, 1, 1));
 const ball = (radius) => shared(`ball ${radius}`, () => new SphereGeometry(radius, 28, 18));
 /** @param {number} radius @param {number} tube */
 const ring = (radius, tube) => shared(`ring ${radius} ${tube}`, () => new TorusGeometry(radius, tube, 10, 44));
-const cup = () => shared('cup', () => new SphereGeometry(2.3, 28, 12, 0, 2 * Math.PI, 0, 0.55 * Math.PI).rotateX(-Math.PI / 2));
+/** Open, so that it has an inside too. */
+const cup = () =>
+  shared('cup', () => {
+    const outside = new SphereGeometry(2.3, 28, 12, 0, 2 * Math.PI, 0, 0.55 * Math.PI).rotateX(-Math.PI / 2);
+    const inside = outside.clone();
+    inside.getIndex()?.array.reverse();
+    const normals = inside.getAttribute('normal').array;
+    for (let i = 0; i < normals.length; i++) normals[i] *= -1;
+    return mergeGeometries([outside, inside]);
+  });
 
 /** @param {import('three').BufferGeometry} geometry @param {Material} material @param {number} [z] */
 export function part(geometry, material, z = 0) {

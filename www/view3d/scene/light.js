@@ -1,21 +1,17 @@
 /**
- * Light: a sky, a sun that casts shadows (on a machine without a graphics card, only once nothing moves and no pointer is down),
- * and a weak light beside the camera, so that what the sun does not reach keeps its shape.
+ * Light: a sky, a sun that casts shadows, and a weak light beside the camera, so that what the sun does not reach keeps its shape.
  */
 import { DirectionalLight, HemisphereLight, Vector3 } from 'three';
 
 /** How far beside a surface its shadow is looked up, as a share of the scene's radius: less shows stripes, more detaches shadows. */
 const NORMAL_BIAS = 0.01;
 
-/** Without a graphics card, the rest in milliseconds after which the picture is drawn once more, with shadows. */
-const REST = 250;
-
-/** @param {boolean} slow whether shadows wait @param {() => void} changed @param {() => boolean} isHeld whether a pointer is down */
-export function createLight(slow, changed, isHeld) {
+/** @param {boolean} shadows whether the first picture has them */
+export function createLight(shadows) {
   const sky = new HemisphereLight(0xffffff, 0xb9b4ac, 1.6);
   sky.position.set(0, 0, 1);
   const sun = new DirectionalLight(0xffffff, 2.0);
-  sun.castShadow = !slow;
+  sun.castShadow = shadows;
   sun.shadow.mapSize.set(1024, 1024);
   sun.shadow.radius = 5;
   sun.shadow.bias = -0.0006;
@@ -23,18 +19,6 @@ export function createLight(slow, changed, isHeld) {
   const fill = new DirectionalLight(0xffffff, 0.9);
   fill.target = sun.target;
 
-  /** @type {ReturnType<typeof setTimeout> | undefined} */
-  let rest;
-  let resting = false;
-  function settle() {
-    // What it holds it may move on.
-    if (isHeld()) {
-      rest = setTimeout(settle, REST);
-      return;
-    }
-    resting = true;
-    changed();
-  }
   return {
     objects: [sky, sun, sun.target, fill],
     sky,
@@ -47,16 +31,12 @@ export function createLight(slow, changed, isHeld) {
       Object.assign(sun.shadow.camera, { left: -reach, right: reach, top: reach, bottom: -reach, near: 0.1 * radius, far: 9 * radius });
       sun.shadow.camera.updateProjectionMatrix();
     },
-    /** Called at every draw. @param {import('three').Camera} camera */
-    beforeDraw({ position, matrixWorld }) {
+    /** Called at every draw. @param {import('three').Camera} camera @param {boolean} shadows whether this picture has them */
+    beforeDraw({ position, matrixWorld }, shadows) {
       // From the left of the camera, as far as it is away: the sun stands on the right of the view that is seen first.
       const left = new Vector3().setFromMatrixColumn(matrixWorld, 0).negate();
       fill.position.copy(position).addScaledVector(left, position.distanceTo(fill.target.position));
-      if (!slow) return;
-      sun.castShadow = resting;
-      clearTimeout(rest);
-      if (!resting) rest = setTimeout(settle, REST);
-      resting = false;
+      sun.castShadow = shadows;
     },
   };
 }

@@ -7,9 +7,9 @@ import { Sphere, Vector3 } from 'three';
 import { createHighlight } from './highlight.js';
 import { createLabels } from './labels.js';
 
-/** @param {HTMLCanvasElement} canvas @param {import('three').Object3D[]} things @param {HTMLElement} layer for the names */
-export function createMarks(canvas, things, layer) {
-  const highlight = createHighlight(things);
+/** @param {HTMLCanvasElement} canvas @param {import('three').Object3D[]} things @param {HTMLElement} layer for the names @param {import('./packed.js').DrawAsOne} drawAsOne */
+export function createMarks(canvas, things, layer, drawAsOne) {
+  const highlight = createHighlight(things, drawAsOne);
   const labels = createLabels(layer);
   const marks = [
     { place: '', text: '', at: new Vector3(), reach: 0 },

@@ -29,6 +29,10 @@ const AXES = 6;
 const MARKS = 61;
 const NAMES = 11;
 
+/** From the goal to what is reached of it. */
+const way = new Vector3();
+const ends = new Float64Array(6);
+
 export class MotionPaths {
   group = new Group();
   /** Key frames' places and names. @type {{at: Vector3, text: string, place: string}[]} */
@@ -143,8 +147,8 @@ export class MotionPaths {
     moveTo(this.#ghost, goal, index);
     moveTo(this.#reached, pose, index);
     this.#gap.position.copy(this.#ghost.position);
-    const way = this.#reached.position.clone().sub(this.#ghost.position).toArray();
-    this.#gap.lay([0, 0, 0, ...way], way.some(Boolean) ? 2 : 0);
+    way.subVectors(this.#reached.position, this.#ghost.position).toArray(ends, 3);
+    this.#gap.lay(ends, way.lengthSq() > 0 ? 2 : 0);
   }
 }
 

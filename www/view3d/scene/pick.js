@@ -14,6 +14,8 @@ const AROUND = Array.from({ length: 8 }, (_, i) => [Math.cos((i * Math.PI) / 4),
  */
 export function createPicker(roots, canvas, camera) {
   const ray = new Raycaster();
+  // What is drawn packed too.
+  ray.layers.enableAll();
   const point = new Vector2();
 
   /** @param {number} x @param {number} y in CSS pixels of the canvas @returns {string} */

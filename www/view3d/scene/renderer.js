@@ -5,9 +5,10 @@
  */
 import { WebGLRenderer } from 'three';
 import { windowOf } from '../../ui/dom.js';
+import { createSmoothScreen } from './smooth-screen.js';
 import { drawn as pictureSize } from './stroke.js';
 
-/** @type {{renderer: WebGLRenderer, context: WebGL2RenderingContext, slow: boolean} | null} */
+/** @type {{renderer: WebGLRenderer, context: WebGL2RenderingContext, screen: ReturnType<typeof createSmoothScreen>, slow: boolean} | null} */
 let shared = null;
 
 /**
@@ -21,14 +22,14 @@ function theRenderer() {
   if (shared) return shared;
   const canvas = document.createElement('canvas');
   canvas.className = 'drawn';
-  const context = canvas.getContext('webgl2', { antialias: true, alpha: true });
+  const context = canvas.getContext('webgl2', { antialias: false, alpha: true });
   if (!context) return null;
   const renderer = new WebGLRenderer({ canvas, context });
   renderer.shadowMap.enabled = true;
   renderer.setScissorTest(true);
   // What happens to it happens to every view.
   for (const name of ['webglcontextlost', 'webglcontextrestored']) canvas.addEventListener(name, () => views.forEach((view) => view.canvas.dispatchEvent(new Event(name))));
-  return (shared = { renderer, context, slow: isSoftware(context) });
+  return (shared = { renderer, context, screen: createSmoothScreen(renderer, context), slow: isSoftware(context) });
 }
 
 /**
@@ -41,7 +42,7 @@ export function createDrawing(canvas, root, signal) {
   const all = theRenderer();
   const pen = canvas.getContext('2d');
   if (!all || !pen) return null;
-  const { renderer, context, slow } = all;
+  const { renderer, context, screen, slow } = all;
   const drawn = renderer.domElement;
   const view = { canvas, width: 0, height: 0, again: () => {} };
   let sharpness = 1;
@@ -75,24 +76,40 @@ export function createDrawing(canvas, root, signal) {
       const ratio = pixelRatio();
       Object.assign(canvas, { width: Math.floor(width * ratio), height: Math.floor(height * ratio) });
     },
-    /** Begins to make the programs for such things, and does not wait for them. @param {import('three').Object3D[]} things @param {import('three').Camera} camera */
-    prepare(things, camera) {
-      for (const one of things) renderer.compile(one, camera, root);
+    /**
+     * Makes the programs for such things beside what is in the scene, and does not wait for them. Some are only finished when
+     * something is drawn with them: one pixel is, which the first picture takes the place of.
+     * @param {import('three').Object3D} samples @param {import('three').Camera} camera
+     */
+    prepare(samples, camera) {
+      const withSamples = (/** @type {() => void} */ act) => {
+        root.add(samples);
+        act();
+        root.remove(samples);
+      };
+      withSamples(() => renderer.compile(root, camera));
+      // By then the programs are linked: nobody waits.
+      setTimeout(() => {
+        if (!this.isReady || drawn.isConnected || views.size > 1) return;
+        for (const set of /** @type {const} */ (['setViewport', 'setScissor'])) renderer[set](0, 0, 1, 1);
+        withSamples(() => renderer.render(root, camera));
+      });
     },
-    /** @param {import('three').Camera} camera */
-    draw(camera) {
+    /** @param {import('three').Camera} camera @param {boolean} smooth whether edges are */
+    draw(camera, smooth) {
       const { width, height } = canvas;
       // It has no size yet, or none any more.
       if (!view.width || !view.height) return;
       const ratio = pixelRatio();
       makeRoom(renderer, ratio);
       // The part at the upper left; the renderer counts from below.
-      const part = /** @type {const} */ ([0, (drawn.height - height) / ratio, width / ratio, height / ratio]);
-      renderer.setViewport(...part);
-      renderer.setScissor(...part);
+      const below = drawn.height - height;
       pictureSize.set(view.width, view.height);
+      if (smooth) screen.begin(0, below, width, height);
+      else for (const set of /** @type {const} */ (['setViewport', 'setScissor'])) renderer[set](0, below / ratio, width / ratio, height / ratio);
       renderer.render(root, camera);
-      view.again = () => this.draw(camera);
+      if (smooth) screen.end();
+      view.again = () => this.draw(camera, smooth);
       if (isAlone()) {
         if (drawn.previousSibling === canvas) return;
         pen.clearRect(0, 0, width, height);

@@ -19,10 +19,12 @@ import { createMeasure } from './measure.js';
 import { MotionPaths } from './motion-paths.js';
 import { hasNoGoal, isDriven } from '../../core/shown.js';
 import { STANDARD_VIEWS } from '../../core/standard-views.js';
+import { pack } from './packed.js';
 import { readPalette } from './palette.js';
 import { createPicker } from './pick.js';
 import { watchPointers } from './refit.js';
 import { createDrawing } from './renderer.js';
+import { createRest } from './rest.js';
 import { samplesOf } from './samples.js';
 import { windowOf } from '../../ui/dom.js';
 
@@ -46,18 +48,28 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
   /** What lies over the view is not on paper, where the picture is still the same. */
   let printing = false;
   const materials = createMaterials();
-  const light = createLight(drawing.slow, changed, () => pointing());
+  const light = createLight(!drawing.slow);
+  const rest = createRest(drawing.slow, changed, () => pointing());
   const ground = createGround();
   const linkage = new Linkage(materials);
   const paths = new MotionPaths(materials);
   const { size, take } = createMeasure();
   const pointing = watchPointers(() => built && view.refit(), signal);
   const things = [linkage.group, paths.group];
-  const marks = createMarks(canvas, things, layer);
+  /** By the materials of their parts. @type {Map<import('three').Material, import('./packed.js').Packed>} */
+  const packs = new Map();
+  /** @type {import('./packed.js').DrawAsOne} */
+  function drawAsOne(packed, materials) {
+    for (const material of materials) packs.set(material, packed);
+    root.add(packed);
+  }
+  const marks = createMarks(canvas, things, layer, drawAsOne);
   const pick = createPicker(things, canvas, () => view.camera);
-  const pictured = [...light.objects, ground.group, linkage.group, paths.group];
+  const pictured = [...light.objects, ground.group, linkage.group, paths.group, ...materials.packs.map(([packed]) => packed)];
   root.add(...pictured);
-  drawing.prepare([ground.group, samplesOf(materials)], view.camera);
+  for (const packs of materials.packs) drawAsOne(...packs);
+  root.onBeforeRender = () => pack(root, packs);
+  drawing.prepare(samplesOf(materials), view.camera);
 
   const added = createAdded(
     (part) => {
@@ -138,8 +150,10 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
     pose(what);
     marks.follow();
     for (const tell of drawn) tell(width, height);
-    light.beforeDraw(view.camera);
-    drawing.draw(view.camera);
+    const fine = printing || rest.next();
+    light.beforeDraw(view.camera, fine);
+    ground.beforeDraw(fine);
+    drawing.draw(view.camera, fine);
     const over = room.over.map((box) => ({ x: box.x * width, y: box.y * height, width: box.width * width, height: box.height * height }));
     marks.labels.place(view.camera, width, height, size, [...over, ...[...covering].flatMap((boxes) => boxes())]);
     canvas.dataset.draws = String(++draws);
@@ -162,6 +176,7 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
     canvas,
     /** Where other bodies, such as handles, are added. */
     root,
+    drawAsOne,
     changed,
     /** Takes the colours that its place has by now. */
     paint,

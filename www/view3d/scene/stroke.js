@@ -24,20 +24,30 @@ const SIDEWAYS = `
   way = size > 1e-5 ? way / size : vec2(1.0, 0.0);
   here += width * ((1.0 - 2.0 * end) * side * vec2(-way.y, way.x) - 0.5 * way);
   along = end * (size + width) - 0.5 * width;
-  gl_Position = max(a, b) < 0.0 ? vec4(2.0) : vec4(here / half_, own.z / own.w, 1.0);`;
+  gl_Position = max(a, b) < 0.0 ? vec4(2.0) : vec4(here / half_, own.z / own.w + behind, 1.0);`;
+
+/** How far behind what is at the same place a line is drawn, once: so many of the smallest steps of a depth of 24 bits. */
+const STEPS = 40;
+
+const point = new Vector3();
 
 export class StrokeMaterial extends MeshBasicMaterial {
-  /** @param {number} width in CSS pixels @param {[number, number]} [dash] its length and that of the gap after it, in CSS pixels */
-  constructor(width, dash = [1, 0]) {
+  /**
+   * @param {number} width in CSS pixels
+   * @param {{dash?: [number, number], behind?: number}} [more] length of a dash and of the gap after it, in CSS pixels; how many
+   *   times it is behind what is at the same place
+   */
+  constructor(width, { dash = [1, 0], behind = 0 } = {}) {
     super({ side: DoubleSide });
     this.width = width;
     this.dash = dash;
+    this.behind = behind;
   }
 
   /** @param {{vertexShader: string, fragmentShader: string, uniforms: object}} shader */
   onBeforeCompile(shader) {
-    Object.assign(shader.uniforms, { drawn: { value: drawn }, width: { value: this.width }, dash: { value: this.dash } });
-    shader.vertexShader = `attribute vec3 other; uniform vec2 drawn; uniform float width; varying float along;\n${shader.vertexShader.replace('#include <project_vertex>', SIDEWAYS)}`;
+    Object.assign(shader.uniforms, { drawn: { value: drawn }, width: { value: this.width }, dash: { value: this.dash }, behind: { value: (2 * STEPS * this.behind) / 2 ** 24 } });
+    shader.vertexShader = `attribute vec3 other; uniform vec2 drawn; uniform float width, behind; varying float along;\n${shader.vertexShader.replace('#include <project_vertex>', SIDEWAYS)}`;
     shader.fragmentShader = `uniform vec2 dash; varying float along;\n${shader.fragmentShader.replace('{', '{ if (mod(max(along, 0.0), dash.x + dash.y) > dash.x) discard;')}`;
   }
 }
@@ -55,7 +65,7 @@ export class Stroke extends Mesh {
   }
 
   /**
-   * @param {ArrayLike<number>} points 3 numbers each, counted from the line's own origin
+   * @param {Float64Array} points 3 numbers each, counted from the line's own origin
    * @param {number} count of points
    * @param {number} [step] 1 for a curve through them all, 2 for a line from each other one to the next
    */
@@ -65,17 +75,19 @@ export class Stroke extends Mesh {
     if (!pieces) return;
     this.#reserve(pieces);
     const { geometry } = this;
-    const [own, other] = ['position', 'other'].map((name) => geometry.getAttribute(name));
+    const own = geometry.getAttribute('position');
+    const other = geometry.getAttribute('other');
+    const [corners, others] = [own.array, other.array];
     const box = /** @type {Box3} */ (geometry.boundingBox).makeEmpty();
-    const point = new Vector3();
-    for (let at = 0; at < count; at++) box.expandByPoint(point.fromArray(points, 3 * at));
+    for (let at = 0; at < count; at++) box.expandByPoint(point.set(points[3 * at], points[3 * at + 1], points[3 * at + 2]));
     for (let piece = 0, at = 0; piece < pieces; piece++) {
       const from = 3 * step * piece;
       for (let corner = 0; corner < 4; corner++) {
-        const [here, there] = corner < 2 ? [from, from + 3] : [from + 3, from];
+        const here = corner < 2 ? from : from + 3;
+        const there = corner < 2 ? from + 3 : from;
         for (let axis = 0; axis < 3; axis++, at++) {
-          own.array[at] = points[here + axis];
-          other.array[at] = points[there + axis];
+          corners[at] = points[here + axis];
+          others[at] = points[there + axis];
         }
       }
     }

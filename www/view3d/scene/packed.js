@@ -1,0 +1,162 @@
+/**
+ * Bodies of many small parts that are drawn as one: their corners lie in one geometry, and where each part is, and its colour, in a
+ * texture that is written for every picture. To draw a hundred bodies one by one takes the page's own thread longer than all else
+ * of a picture, and a machine without a graphics card has fewer programs to make.
+ *
+ * The parts stay in the scene, where they are placed, pointed at and outlined; they are only not drawn by themselves.
+ */
+import { BufferAttribute, BufferGeometry, DataTexture, DoubleSide, FloatType, Mesh, MeshDepthMaterial, RGBAFormat } from 'three';
+
+/** To a part: the columns of its matrix, which end in its roughness, its metalness and its opacity, and its colour. */
+const TEXELS = 5;
+
+/** A layer of the scene that no camera looks at. */
+const UNSEEN = 1;
+
+const VERTEX = `
+  uniform highp sampler2D parts;
+  attribute float part;
+  varying vec3 partColor;
+  varying vec3 partLook;
+  vec4 texel(int which) { return texelFetch(parts, ivec2(which, int(part)), 0); }
+`;
+/** The parts' own places, before that of the whole. A normal goes with the inverse transpose of a matrix. */
+const PLACED = `
+  vec3 transformed = texel(0).xyz * position.x + texel(1).xyz * position.y + texel(2).xyz * position.z + texel(3).xyz;
+  partColor = texel(4).rgb;
+  partLook = vec3(texel(0).w, texel(1).w, texel(2).w);`;
+const NORMAL = `
+  vec3 a = texel(0).xyz, b = texel(1).xyz, c = texel(2).xyz;
+  vec3 objectNormal = a * (normal.x / max(dot(a, a), 1e-30)) + b * (normal.y / max(dot(b, b), 1e-30)) + c * (normal.z / max(dot(c, c), 1e-30));`;
+
+/** @typedef {(packed: Packed, materials: import('three').Material[]) => void} DrawAsOne bodies of these materials are drawn by it */
+
+export class Packed extends Mesh {
+  /** In the order in which they lie in the geometry. @type {Mesh[]} */
+  #parts = [];
+  /** Their geometries then. @type {BufferGeometry[]} */
+  #shapes = [];
+  /** What is found for the next picture. @type {Mesh[]} */
+  #found = [];
+  /** @type {boolean[]} */
+  #seen = [];
+  #texture = { value: /** @type {DataTexture | null} */ (null) };
+
+  /** @param {import('three').Material} material of the whole; colour, opacity, roughness and metalness are the parts' own @param {boolean} shadows whether parts cast them, and have them on themselves */
+  constructor(material, shadows = false) {
+    super(new BufferGeometry(), material);
+    this.visible = false;
+    this.frustumCulled = false;
+    this.castShadow = this.receiveShadow = shadows;
+    this.raycast = () => {};
+    const placed = (/** @type {import('three').WebGLProgramParametersWithUniforms} */ shader) => {
+      shader.uniforms.parts = this.#texture;
+      shader.vertexShader = VERTEX + shader.vertexShader.replace('#include <beginnormal_vertex>', NORMAL).replace('#include <begin_vertex>', PLACED);
+    };
+    material.onBeforeCompile = (shader) => {
+      placed(shader);
+      shader.fragmentShader = `varying vec3 partColor; varying vec3 partLook;\n${shader.fragmentShader
+        .replace('#include <color_fragment>', 'diffuseColor = vec4(partColor, partLook.z);')
+        .replace('#include <roughnessmap_fragment>', 'float roughnessFactor = partLook.x;')
+        .replace('#include <metalnessmap_fragment>', 'float metalnessFactor = partLook.y;')}`;
+    };
+    if (!shadows) return;
+    // Of what is open both sides cast shadows.
+    material.shadowSide = DoubleSide;
+    this.customDepthMaterial = new MeshDepthMaterial();
+    this.customDepthMaterial.onBeforeCompile = placed;
+  }
+
+  /** @param {Mesh} part @param {boolean} seen whether it is drawn; one that is not keeps its place */
+  take(part, seen) {
+    this.#found.push(part);
+    this.#seen.push(seen);
+  }
+
+  /** Puts what was taken since the last time to where it is. */
+  lay() {
+    const [found, parts] = [this.#found, this.#parts];
+    if (found.length !== parts.length || found.some((part, at) => part !== parts[at] || part.geometry !== this.#shapes[at])) this.#build();
+    this.visible = this.#seen.includes(true);
+    if (this.visible) this.#place();
+    found.length = this.#seen.length = 0;
+  }
+
+  #place() {
+    const texture = /** @type {DataTexture} */ (this.#texture.value);
+    const data = /** @type {Float32Array} */ (texture.image.data);
+    // Counted from the first of them: the graphics card's numbers have 7 digits, too few far from the document's origin.
+    this.position.setFromMatrixPosition(this.#parts[0].matrixWorld);
+    this.updateMatrixWorld(true);
+    const [x, y, z] = this.position.toArray();
+    this.#parts.forEach(({ matrixWorld: { elements: m }, material }, index) => {
+      const at = 4 * TEXELS * index;
+      if (!this.#seen[index]) return data.fill(0, at, at + 16);
+      const { color, opacity, roughness = 0, metalness = 0 } = /** @type {import('three').MeshStandardMaterial} */ (material);
+      for (let i = 0; i < 12; i++) data[at + i] = m[i];
+      data[at + 3] = roughness;
+      data[at + 7] = metalness;
+      data[at + 11] = opacity;
+      data[at + 12] = m[12] - x;
+      data[at + 13] = m[13] - y;
+      data[at + 14] = m[14] - z;
+      color?.toArray(data, at + 16);
+    });
+    texture.needsUpdate = true;
+  }
+
+  #build() {
+    const parts = (this.#parts = [...this.#found]);
+    this.#shapes = parts.map(({ geometry }) => geometry);
+    const corners = this.#shapes.map((shape) => shape.getAttribute('position').count);
+    const all = corners.reduce((sum, count) => sum + count, 0);
+    const position = new Float32Array(3 * all);
+    const normal = new Float32Array(3 * all);
+    const part = new Float32Array(all);
+    const index = new Uint32Array(this.#shapes.reduce((sum, shape, at) => sum + (shape.getIndex()?.count ?? corners[at]), 0));
+    let [first, next] = [0, 0];
+    this.#shapes.forEach((shape, own) => {
+      position.set(shape.getAttribute('position').array, 3 * first);
+      normal.set(shape.getAttribute('normal').array, 3 * first);
+      part.fill(own, first, first + corners[own]);
+      const order = shape.getIndex();
+      for (let i = 0; i < (order?.count ?? corners[own]); i++) index[next++] = first + (order ? order.array[i] : i);
+      first += corners[own];
+    });
+    const former = /** @type {Mesh} */ (this).geometry;
+    former.dispose();
+    const whole = new BufferGeometry();
+    for (const [name, array, size] of /** @type {const} */ ([['position', position, 3], ['normal', normal, 3], ['part', part, 1]])) whole.setAttribute(name, new BufferAttribute(array, size));
+    whole.setIndex(new BufferAttribute(index, 1));
+    this.geometry = whole;
+    const { value: texture } = this.#texture;
+    if (texture && texture.image.height >= parts.length) return;
+    texture?.dispose();
+    this.#texture.value = new DataTexture(new Float32Array(4 * TEXELS * parts.length), TEXELS, parts.length, RGBAFormat, FloatType);
+  }
+
+  /** Frees what it has in the graphics card. */
+  dispose() {
+    this.#texture.value?.dispose();
+    this.customDepthMaterial?.dispose();
+  }
+}
+
+/**
+ * Called before every picture: what lies in the scene and is of such a material is drawn packed.
+ * @param {import('three').Object3D} root
+ * @param {Map<import('three').Material, Packed>} packs by the materials of the parts
+ */
+export function pack(root, packs) {
+  const look = (/** @type {import('three').Object3D} */ object, /** @type {boolean} */ within) => {
+    const seen = within && object.visible;
+    const own = object instanceof Mesh && !(object instanceof Packed) && packs.get(object.material);
+    if (own) {
+      object.layers.set(UNSEEN);
+      own.take(object, seen && object.material.visible);
+    }
+    for (const child of object.children) look(child, seen);
+  };
+  look(root, true);
+  for (const one of new Set(packs.values())) one.lay();
+}
