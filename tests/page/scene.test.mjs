@@ -112,7 +112,7 @@ test('a drawing has the line in its width and in its dashes, in pixels of the dr
   const [xs, ys] = [0, 1].map((axis) => whole.flatMap((three) => three.filter((_, at) => at % 2 === axis)));
   assert.deepEqual([Math.min(...ys), Math.max(...ys)], [298, 302]);
   assert.deepEqual([Math.min(...xs), Math.max(...xs)].map(Math.round), [198, 402]);
-  const dashes = lay(new StrokeMaterial(4, [6, 4]));
+  const dashes = lay(new StrokeMaterial(4, { dash: [6, 4] }));
   assert.equal(dashes.length, 2 * 21);
   assert.ok(Math.abs(area(dashes) - 4 * (2 + 20 * 6 + 2)) < 1e-6);
 });
@@ -234,14 +234,14 @@ test('a foot has a soft shadow around it, darkest where it stands on the ground;
 });
 
 test('what the sun does not reach is lit from beside the camera, by a light without a shadow', () => {
-  const { objects, aim, beforeDraw } = createLight(false, () => {}, () => false);
+  const { objects, aim, beforeDraw } = createLight(true);
   const [sun, fill] = objects.filter((object) => object instanceof DirectionalLight);
   aim(new Vector3(1e3, 0, 0), 2);
   const camera = new PerspectiveCamera();
   camera.position.set(1e3, -10, 0);
   camera.lookAt(1e3, 0, 0);
   camera.updateMatrixWorld();
-  beforeDraw(camera);
+  beforeDraw(camera, true);
   const from = fill.position.clone().sub(fill.target.position).normalize();
   assert.ok(sun.castShadow && !fill.castShadow && fill.intensity < sun.intensity);
   assert.ok(from.y < -0.5 && from.x < -0.5, `from the left of the camera, ${from.toArray()}`);
