@@ -12,6 +12,8 @@ import { describeScene } from '../core/status-words.js';
 export function createStage({ find, store, player, signal }) {
   /** What the view was last turned to: another document's motion is seen from the front. @type {unknown} */
   let origin = null;
+  /** Whether the last motion came while a hand moved something. */
+  let shownMoving = false;
   const note = find('view-note');
   const poster = find('poster');
   const tell = (/** @type {string} */ text) => {
@@ -37,11 +39,13 @@ export function createStage({ find, store, player, signal }) {
     const afresh = store.originOf(doc) !== origin;
     origin = store.originOf(doc);
     find('fallback').hidden = true;
-    scene?.show({ ...store.result, doc: store.result.plain }, afresh);
+    scene?.show({ ...store.result, doc: store.result.plain }, afresh, (shownMoving = store.view.moving !== ''));
     if (afresh && store.view.side) scene?.turnTo(store.view.side, false);
     if (!store.view.moving) setText(find('canvas-text'), describeScene(store));
   }
   store.select(({ result }) => result.motion, show);
+  // Measured when the hand rests.
+  store.select(({ view }) => view.moving, (moving) => !moving && shownMoving && show());
   store.select(({ view }) => view.side, (side) => side && scene?.turnTo(side));
   store.select(({ view }) => view.posture, () => player.invalidate());
   const describe = () => {

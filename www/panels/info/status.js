@@ -33,9 +33,16 @@ export function createStatus({ find, store, player, planner, unfold }) {
     const tree = /** @type {ShadowRoot} */ (find('warnings').getRootNode());
     /** @type {HTMLElement | null} */ (tree.querySelector('[data-path$=".convention"]'))?.focus();
   }
-  const outputs = ['gap-translation', 'gap-rotation', 'metric', 'closure', 'misfit', 'sigma', 'gradient', 'curvature', 'iterations'];
+  /** Where joints are driven there is no goal: nothing is said of one. @param {string[]} ids of numbers */
+  function showWithGoal(ids) {
+    for (const id of ids) {
+      const row = find(id).closest('div');
+      if (row) row.hidden = hasNoGoal(store);
+    }
+  }
 
-  function showFrame() {
+  /** What stands first: how the shown posture ended, and its gap. */
+  function showVerdict() {
     const end = shownEnd(store);
     if (!end) return;
     const { posture } = store.view;
@@ -48,27 +55,29 @@ export function createStatus({ find, store, player, planner, unfold }) {
     setText(find('frame-word'), word);
     const special = posture ? (posture.note ? '' : PULLED[name]) : drivesJoints(store.result.motion) ? told.words.statusMeaning(name) : '';
     setText(find('frame-meaning'), special || meaning);
-    // Where joints are driven there is no goal: nothing is said of one.
-    for (const id of ['gap-translation', 'gap-rotation', 'metric', 'gradient', 'curvature']) {
-      const row = find(id).closest('div');
-      if (row) row.hidden = hasNoGoal(store);
-    }
+    showWithGoal(['gap-translation', 'gap-rotation']);
+    setText(find('gap-translation'), length(end.translation_gap, store.result.doc?.length_unit));
+    setText(find('gap-rotation'), angle(end.rotation_gap));
+  }
+
+  function showCertificate() {
+    const end = shownEnd(store);
+    if (!end) return;
+    showWithGoal(['metric', 'gradient', 'curvature']);
     find('misfit-row').hidden = !(end.misfit > 0);
-    const numbers = certificateNumbers(store, end);
-    const texts = [
-      length(end.translation_gap, store.result.doc?.length_unit),
-      angle(end.rotation_gap),
-      scientific(end.metric),
-      scientific(end.closure),
-      scientific(end.misfit),
-      short(end.sigma_min),
-      numbers.gradient === undefined ? '–' : scientific(numbers.gradient),
-      numbers.curvature === undefined ? '–' : numbers.curvature === null ? 'no direction is free' : scientific(numbers.curvature),
-      String(end.iterations),
-    ];
-    outputs.forEach((id, i) => setText(find(id), texts[i]));
-    for (const [id, text] of Object.entries(numbers.bounds)) setText(find(`${id}-bound`), text);
-    showFaults(numbers.out, end.status);
+    const { gradient, curvature, bounds, out } = certificateNumbers(store, end);
+    const numbers = {
+      metric: scientific(end.metric),
+      closure: scientific(end.closure),
+      misfit: scientific(end.misfit),
+      sigma: short(end.sigma_min),
+      gradient: gradient === undefined ? '–' : scientific(gradient),
+      curvature: curvature === undefined ? '–' : curvature === null ? 'no direction is free' : scientific(curvature),
+      iterations: String(end.iterations),
+    };
+    for (const [id, text] of Object.entries(numbers)) setText(find(id), text);
+    for (const [id, text] of Object.entries(bounds)) setText(find(`${id}-bound`), text);
+    showFaults(out, end.status);
   }
 
   /** What is not within its bound is told beside the fold's name, and marked inside. @param {string[]} out ids of numbers @param {string} status */
@@ -148,13 +157,16 @@ export function createStatus({ find, store, player, planner, unfold }) {
 
   store.subscribe('why', () => {
     showMobility();
-    showFrame();
+    showCertificate();
   });
-  store.subscribe('view', showFrame);
-  store.subscribe('result', showFrame);
+  for (const part of /** @type {const} */ (['view', 'result'])) store.subscribe(part, showVerdict);
+  /** @type {HTMLDetailsElement} */
+  const certificate = find('certificate');
+  atRest(store, ['view', 'result'], showCertificate, () => certificate.open && showCertificate());
   atRest(store, ['result'], showMotion);
   showMotion();
-  showFrame();
+  showVerdict();
+  showCertificate();
 }
 
 /**

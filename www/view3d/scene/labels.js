@@ -4,7 +4,7 @@
  * @typedef {{at: Vector3, text: string, place: string, reach?: number}} Label `reach` is half the thing's size, if it is known
  */
 import { Vector3 } from 'three';
-import { element, setText } from '../../ui/dom.js';
+import { element } from '../../ui/dom.js';
 import { boxOn, layOut, leaderOf, offsetOn, wayOf } from './label-layout.js';
 
 /** Classes by their rank in the choice of a side. */
@@ -34,7 +34,7 @@ export function placeOf(at, { matrixWorldInverse, projectionMatrix }, width, hei
 
 /** @param {HTMLElement} layer covers the canvas, and is a container of its size @param {boolean} [bare] without leaders, in their places */
 export function createLabels(layer, bare = false) {
-  /** @type {(import('./label-layout.js').Name & {at: Vector3, reach?: number, tag: HTMLElement, leader: string, moved: string})[]} */
+  /** @type {(import('./label-layout.js').Name & {at: Vector3, reach?: number, tag: HTMLElement, text: string, place: string, leader: string, moved: string})[]} */
   let labels = [];
 
   /** Writes only what is different. @param {(typeof labels)[number]} label @param {number} width @param {number} height */
@@ -61,20 +61,23 @@ export function createLabels(layer, bare = false) {
     set(items, chosen, pointed) {
       while (labels.length > items.length) labels.pop()?.tag.remove();
       items.forEach(({ at, text, place, reach }, index) => {
-        labels[index] ??= { at, tag: layer.appendChild(element('span', {})), x: 0, y: 0, width: 0, height: 0, clear: 0, rank: 0, kept: false, spot: -1, leader: '', moved: '' };
+        labels[index] ??= { at, tag: layer.appendChild(element('span', {})), x: 0, y: 0, width: 0, height: 0, clear: 0, rank: 0, kept: false, spot: -1, text: '', place: '', leader: '', moved: '' };
         const label = labels[index];
         const { tag } = label;
-        Object.assign(label, { at, reach });
-        if (tag.dataset.place !== place) {
-          tag.dataset.place = place;
+        label.at = at;
+        label.reach = reach;
+        if (label.place !== place) {
+          label.place = tag.dataset.place = place;
           label.spot = -1;
         }
-        label.rank = place === chosen ? 2 : place === pointed ? 1 : 0;
-        label.kept = label.rank > 0;
+        const rank = place === chosen ? 2 : place === pointed ? 1 : 0;
+        if (label.text === text && label.rank === rank) return;
         // Another text or other letters have another width.
-        if (tag.textContent !== text || tag.className !== RANKED[label.rank]) label.width = 0;
-        tag.className = RANKED[label.rank];
-        setText(tag, text);
+        label.width = 0;
+        label.rank = rank;
+        label.kept = rank > 0;
+        tag.className = RANKED[rank];
+        label.text = tag.textContent = text;
       });
     },
     /**

@@ -266,15 +266,19 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
     /**
      * @param {Result} result with a motion
      * @param {boolean} afresh another mechanism: look at it from the front again
+     * @param {boolean} [moving] whether a hand moves something: it is to be shown again when the hand rests
      */
-    show({ motion, plain: doc }, afresh) {
+    show({ motion, plain: doc }, afresh, moving = false) {
       if (!motion || !doc) return;
       built = true;
       shown = { motion, doc };
       showParts();
-      if (take(motion, doc, afresh)) light.aim(size.centre, size.radius);
-      view.setHome(size.home);
-      ground.lay(size.centre, size.radius, size.ground);
+      // It is measured when the hand rests: neither the ground nor the bodies' widths jump under it.
+      if (!moving || afresh) {
+        if (take(motion, doc, afresh)) light.aim(size.centre, size.radius);
+        view.setHome(size.home);
+        ground.lay(size.centre, size.radius, size.ground);
+      }
       const bodies = linkage.update(motion, doc, size.link, size.ground);
       const keys = paths.update(motion, doc, size, linkage.body, ghostFrames(options.ghosts, motion, doc));
       if (bodies || keys) marks.outline();
