@@ -12,7 +12,7 @@ function twoBodies() {
   const group = new Group();
   const [box, ball] = [new Mesh(new BoxGeometry(), red), new Mesh(new SphereGeometry(1, 8, 6).toNonIndexed(), blue)];
   root.add(group.add(box, ball));
-  const packed = new Packed(new MeshStandardMaterial(), true);
+  const packed = new Packed(new MeshStandardMaterial(), { shadows: true });
   root.add(packed);
   const draw = () => {
     root.updateMatrixWorld();

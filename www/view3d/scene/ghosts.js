@@ -55,7 +55,7 @@ export class Ghosts {
   /** @param {import('three').Material} material */
   constructor(material) {
     this.mesh = new InstancedMesh(new BufferGeometry(), material, MOST);
-    this.mesh.count = 0;
+    this.mesh.visible = false;
     this.mesh.frustumCulled = false;
     this.mesh.userData.faint = true;
     /** @type {string[]} */
@@ -67,6 +67,7 @@ export class Ghosts {
     const { mesh } = this;
     mesh.geometry = body;
     mesh.count = frames.length;
+    mesh.visible = frames.length > 0;
     const one = new Vector3(1, 1, 1);
     // Counted from the first pose, as a tube's points are.
     const first = originOf(pose, 0);

@@ -1,7 +1,7 @@
 /**
  * The ground: squares of a round size that fade out, and the shadow on them.
  */
-import { BufferGeometry, Float32BufferAttribute, Group, LineBasicMaterial, LineSegments, Mesh, PlaneGeometry, ShadowMaterial } from 'three';
+import { BufferGeometry, Float32BufferAttribute, Group, LineSegments, Mesh, MeshBasicMaterial, PlaneGeometry, ShadowMaterial } from 'three';
 
 /** Squares from the middle to the edge. */
 const SQUARES = 14;
@@ -9,18 +9,20 @@ const SQUARES = 14;
 export function createGround() {
   const group = new Group();
   group.name = 'ground';
-  const material = new LineBasicMaterial({ transparent: true, depthWrite: false, vertexColors: true });
+  // As the soft shadows have it, so that one program draws both.
+  const material = new MeshBasicMaterial({ transparent: true, depthWrite: false, vertexColors: true });
   const lines = new LineSegments(squares(), material);
   const shade = new ShadowMaterial();
   const floor = new Mesh(new PlaneGeometry(4 * SQUARES, 4 * SQUARES), shade);
   floor.receiveShadow = true;
   floor.position.z = -1e-3;
-  group.add(lines, floor);
+  group.add(lines);
   return {
     group,
     /** Called at every draw. @param {boolean} shadows whether this picture has them: without them the floor shows nothing */
     beforeDraw(shadows) {
-      floor.visible = shadows;
+      if (shadows) group.add(floor);
+      else floor.removeFromParent();
     },
     /** @param {import('./palette.js').Palette} palette */
     paint({ grid, ground }) {

@@ -1,13 +1,16 @@
 /**
  * What the bodies of the scene are made of, and their colours, which the style sheet has.
  */
-import { MeshBasicMaterial, MeshStandardMaterial } from 'three';
+import { MeshBasicMaterial, MeshStandardMaterial, NoBlending } from 'three';
 import { isDark } from './ground.js';
 import { Packed } from './packed.js';
 import { StrokeMaterial } from './stroke.js';
 
 /** Chains beyond this number begin again with the first colour; labels tell them apart. */
 const CHAIN_COLOURS = 5;
+
+/** Not to be looked through, and still drawn by the program of what is. */
+const SOLID = { blending: NoBlending };
 
 export function createMaterials() {
   const triad = (/** @type {object} */ more) => [0, 1, 2].map(() => new MeshBasicMaterial(more));
@@ -33,15 +36,15 @@ export function createMaterials() {
     axes: triad({}),
     faintAxes: triad({ transparent: true, opacity: 0.35 }),
   };
-  const { chain, metal, dark, limit, workpiece, key, keyAxes, axes, faintAxes } = materials;
+  const { chain, metal, dark, limit, workpiece, ghost, key, keyAxes, axes, faintAxes } = materials;
   return {
     ...materials,
     /** What draws the bodies of some materials as one. @type {[Packed, import('three').Material[]][]} */
     packs: [
-      [new Packed(new MeshStandardMaterial(), true), [...chain, metal, dark, limit, workpiece]],
-      [new Packed(new MeshStandardMaterial()), [key]],
-      [new Packed(new MeshBasicMaterial()), [...keyAxes, ...axes]],
-      [new Packed(new MeshBasicMaterial({ transparent: true })), faintAxes],
+      [new Packed(new MeshStandardMaterial(SOLID), { shadows: true }), [...chain, metal, dark, limit, workpiece]],
+      [new Packed(new MeshStandardMaterial(SOLID)), [key]],
+      [new Packed(new MeshStandardMaterial({ transparent: true, depthWrite: false })), [ghost]],
+      [new Packed(new MeshBasicMaterial({ transparent: true }), { first: true }), [...keyAxes, ...axes, ...faintAxes]],
     ],
     /** @param {import('./palette.js').Palette} palette */
     paint(palette) {

@@ -42,12 +42,17 @@ export class Packed extends Mesh {
   #seen = [];
   #texture = { value: /** @type {DataTexture | null} */ (null) };
 
-  /** @param {import('three').Material} material of the whole; colour, opacity, roughness and metalness are the parts' own @param {boolean} shadows whether parts cast them, and have them on themselves */
-  constructor(material, shadows = false) {
-    super(new BufferGeometry(), material);
+  /**
+   * @param {import('three').Material} material of the whole; colour, opacity, roughness and metalness are the parts' own
+   * @param {{shadows?: boolean, first?: boolean}} [more] whether parts cast shadows, and have them on themselves; whether they are
+   *   drawn before all else that can be looked through
+   */
+  constructor(material, { shadows = false, first = false } = {}) {
+    super(geometryOf(new Float32Array(), new Float32Array(), new Float32Array(), new Uint32Array()), material);
     this.visible = false;
     this.frustumCulled = false;
     this.castShadow = this.receiveShadow = shadows;
+    if (first) this.renderOrder = -1;
     this.raycast = () => {};
     const placed = (/** @type {import('three').WebGLProgramParametersWithUniforms} */ shader) => {
       shader.uniforms.parts = this.#texture;
@@ -123,12 +128,8 @@ export class Packed extends Mesh {
       for (let i = 0; i < (order?.count ?? corners[own]); i++) index[next++] = first + (order ? order.array[i] : i);
       first += corners[own];
     });
-    const former = /** @type {Mesh} */ (this).geometry;
-    former.dispose();
-    const whole = new BufferGeometry();
-    for (const [name, array, size] of /** @type {const} */ ([['position', position, 3], ['normal', normal, 3], ['part', part, 1]])) whole.setAttribute(name, new BufferAttribute(array, size));
-    whole.setIndex(new BufferAttribute(index, 1));
-    this.geometry = whole;
+    /** @type {Mesh} */ (this).geometry.dispose();
+    this.geometry = geometryOf(position, normal, part, index);
     const { value: texture } = this.#texture;
     if (texture && texture.image.height >= parts.length) return;
     texture?.dispose();
@@ -142,6 +143,16 @@ export class Packed extends Mesh {
   }
 }
 
+/** @param {Float32Array} position @param {Float32Array} normal @param {Float32Array} part the number of each corner's @param {Uint32Array} index */
+function geometryOf(position, normal, part, index) {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(position, 3));
+  geometry.setAttribute('normal', new BufferAttribute(normal, 3));
+  geometry.setAttribute('part', new BufferAttribute(part, 1));
+  geometry.setIndex(new BufferAttribute(index, 1));
+  return geometry;
+}
+
 /**
  * Called before every picture: what lies in the scene and is of such a material is drawn packed.
  * @param {import('three').Object3D} root
@@ -153,7 +164,8 @@ export function pack(root, packs) {
     const own = object instanceof Mesh && !(object instanceof Packed) && packs.get(object.material);
     if (own) {
       object.layers.set(UNSEEN);
-      own.take(object, seen && object.material.visible);
+      // One that has no form yet has no corners.
+      if (object.geometry.getAttribute('position')) own.take(object, seen && object.material.visible);
     }
     for (const child of object.children) look(child, seen);
   };

@@ -77,23 +77,19 @@ export function createDrawing(canvas, root, signal) {
       Object.assign(canvas, { width: Math.floor(width * ratio), height: Math.floor(height * ratio) });
     },
     /**
-     * Makes the programs for such things beside what is in the scene, and does not wait for them. Some are only finished when
-     * something is drawn with them: one pixel is, which the first picture takes the place of.
-     * @param {import('three').Object3D} samples @param {import('three').Camera} camera
+     * Makes the programs for such things, and does not wait for them. They are only finished when something is drawn with them: one
+     * pixel is, which the first picture takes the place of.
+     * @param {import('three').Object3D[]} things that have programs of their own
+     * @param {import('three').Group} samples what is in the scene meanwhile, so that each of them has something to draw
+     * @param {import('three').Camera} camera
      */
-    prepare(samples, camera) {
-      const withSamples = (/** @type {() => void} */ act) => {
-        root.add(samples);
-        act();
-        root.remove(samples);
-      };
-      withSamples(() => renderer.compile(root, camera));
-      // By then the programs are linked: nobody waits.
-      setTimeout(() => {
-        if (!this.isReady || drawn.isConnected || views.size > 1) return;
-        for (const set of /** @type {const} */ (['setViewport', 'setScissor'])) renderer[set](0, 0, 1, 1);
-        withSamples(() => renderer.render(root, camera));
-      });
+    async prepare(things, samples, camera) {
+      await Promise.all(things.map((one) => renderer.compileAsync(one, camera, root)));
+      if (!this.isReady || drawn.isConnected || views.size > 1) return;
+      for (const set of /** @type {const} */ (['setViewport', 'setScissor'])) renderer[set](0, 0, 1, 1);
+      root.add(samples);
+      renderer.render(root, camera);
+      root.remove(samples);
     },
     /** @param {import('three').Camera} camera @param {boolean} smooth whether edges are */
     draw(camera, smooth) {

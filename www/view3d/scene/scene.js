@@ -65,11 +65,13 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
   }
   const marks = createMarks(canvas, things, layer, drawAsOne);
   const pick = createPicker(things, canvas, () => view.camera);
-  const pictured = [...light.objects, ground.group, linkage.group, paths.group, ...materials.packs.map(([packed]) => packed)];
+  const packed = materials.packs.map(([one]) => one);
+  const pictured = [...light.objects, ground.group, linkage.group, paths.group, ...packed];
   root.add(...pictured);
   for (const packs of materials.packs) drawAsOne(...packs);
   root.onBeforeRender = () => pack(root, packs);
-  drawing.prepare(samplesOf(materials), view.camera);
+  const samples = samplesOf(materials);
+  drawing.prepare([ground.group, samples.own, ...packed], samples.all, view.camera);
 
   const added = createAdded(
     (part) => {
