@@ -90,6 +90,8 @@ export function createDrawing(canvas, root, signal) {
       root.add(samples);
       renderer.render(root, camera);
       root.remove(samples);
+      // Else it begins with the first picture.
+      context.flush();
     },
     /** @param {import('three').Camera} camera @param {boolean} smooth whether edges are */
     draw(camera, smooth) {
