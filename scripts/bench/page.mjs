@@ -23,8 +23,10 @@ function watch(moving) {
   const look = () => {
     const now = page$('#frame-number')?.textContent ?? '';
     if (/^\d/.test(now)) first ||= now;
-    if (first && now !== first) noted.moved = performance.now();
-    else requestAnimationFrame(look);
+    if (first && now !== first) {
+      noted.moved = performance.now();
+      console.debug('the linkage has moved');
+    } else requestAnimationFrame(look);
   };
   // A linkage that does not move would be looked at for ever, which is script too.
   if (moving) requestAnimationFrame(look);
@@ -57,20 +59,23 @@ export async function openBench() {
   const browser = await chromium.launch(LAUNCH);
   const address = server.resolvedUrls?.local[0] ?? '';
   return {
-    /** A visit that has just begun. @param {import('playwright-core').BrowserContextOptions} [options] */
-    async load(options) {
+    /** A visit that has just begun. @param {import('playwright-core').BrowserContextOptions} [options] @param {number} [settled] ms that its window is open before */
+    async load(options, settled = 0) {
       const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, serviceWorkers: 'block', ...options });
       const page = await context.newPage();
       /** @type {{file: string, at: number}[]} */
       const asked = [];
+      // Told by the page: to ask it, Playwright would bring a large script into it while it starts.
+      const moved = new Promise((resolve) => page.on('console', (message) => message.text() === 'the linkage has moved' && resolve(null)));
       context.on('request', (request) => asked.push({ file: new URL(request.url()).pathname.slice(1) || 'index.html', at: Date.now() }));
       await page.addInitScript(lookInside);
       const still = options?.reducedMotion === 'reduce';
       await page.addInitScript(watch, !still);
       // Who works with the page has seen its first minute, which would lie over the tables.
       if (still) await page.addInitScript(() => localStorage.setItem('synthetica.first-minute', 'in a measurement'));
+      await pause(settled);
       await page.goto(address);
-      return { context, page, asked };
+      return { context, page, asked, moved };
     },
     async close() {
       await browser.close();

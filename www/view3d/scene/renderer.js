@@ -84,7 +84,12 @@ export function createDrawing(canvas, root, signal) {
      * @param {import('three').Camera} camera
      */
     async prepare(things, samples, camera) {
-      await Promise.all(things.map((one) => renderer.compileAsync(one, camera, root)));
+      if (context.getExtension('KHR_parallel_shader_compile')) await Promise.all(things.map((one) => renderer.compileAsync(one, camera, root)));
+      else {
+        for (const one of things) renderer.compile(one, camera, root);
+        // Whether they are linked cannot be asked; they should be once the page has been made.
+        await new Promise((done) => setTimeout(done));
+      }
       if (!this.isReady || drawn.isConnected || views.size > 1) return;
       for (const set of /** @type {const} */ (['setViewport', 'setScissor'])) renderer[set](0, 0, 1, 1);
       root.add(samples);
