@@ -183,11 +183,12 @@ export function createCells(store) {
     clear: () => specs.clear(),
     /** Shows the values of the cells within a place anew. @param {string} place */
     follow(place) {
-      for (const [path, spec] of specs) {
-        if (!path.startsWith(`${place}.`)) continue;
+      const within = `${place}.`;
+      specs.forEach((spec, path) => {
+        if (!path.startsWith(within)) return;
         followed.add(spec);
         spec.show?.();
-      }
+      });
     },
     /**
      * What `make` makes, with the cells in it.

@@ -32,8 +32,15 @@ export function curveThrough(column, frames, apart) {
     const share = i / pieces - frame;
     let far = 0;
     for (let axis = 0; axis < 3; axis++) {
-      const at = (/** @type {number} */ step) => column[POSE * Math.min(frames - 1, Math.max(0, frame + step)) + axis] - column[axis];
-      const value = share === 0 ? at(0) : rounded(at(-1), at(0), at(1), at(2), share);
+      const first = column[axis];
+      const here = column[POSE * frame + axis] - first;
+      let value = here;
+      if (share > 0) {
+        const before = column[POSE * Math.max(0, frame - 1) + axis] - first;
+        const next = column[POSE * Math.min(frames - 1, frame + 1) + axis] - first;
+        const after = column[POSE * Math.min(frames - 1, frame + 2) + axis] - first;
+        value = rounded(before, here, next, after, share);
+      }
       points[3 * count + axis] = value;
       if (count > 0) far += (value - points[3 * count - 3 + axis]) ** 2;
     }

@@ -54,8 +54,11 @@ export class GapLines {
     if (frames.length) this.group.position.copy(first);
     this.#strokes.forEach((stroke, size) => {
       const own = frames.filter((frame) => gapClass(motion.translation_gap[frame], steps) === size);
-      const points = own.flatMap((frame) => [motion.goal, motion.pose].flatMap((column) => originOf(column, frame).sub(first).toArray()));
-      stroke.lay(Float64Array.from(points), 2 * own.length, 2);
+      const points = new Float64Array(6 * own.length);
+      own.forEach((frame, at) => {
+        for (const [end, column] of [motion.goal, motion.pose].entries()) originOf(column, frame).sub(first).toArray(points, 6 * at + 3 * end);
+      });
+      stroke.lay(points, 2 * own.length, 2);
       stroke.userData.places = own.map((frame) => `gap[${frame}]`);
     });
   }

@@ -30,8 +30,11 @@ const overlap = (a, b, spare = 0) => a.x < b.x + b.width + spare && b.x < a.x + 
 /** @param {Box} a @param {Box} b */
 const within = (a, b) => a.x >= b.x && a.y >= b.y && a.x + a.width <= b.x + b.width && a.y + a.height <= b.y + b.height;
 
-/** Right and down of a direction, counted anticlockwise from the right: −1, 0 or 1 each. @param {number} spot @returns {[number, number]} */
-export const wayOf = (spot) => [Math.round(Math.cos((spot * Math.PI) / 4)), -Math.round(Math.sin((spot * Math.PI) / 4))];
+/** Of the eight directions. */
+const WAYS = Array.from({ length: 8 }, (_, spot) => /** @type {[number, number]} */ ([Math.round(Math.cos((spot * Math.PI) / 4)), -Math.round(Math.sin((spot * Math.PI) / 4))]));
+
+/** Right and down of a direction, counted anticlockwise from the right: −1, 0 or 1 each. @param {number} spot */
+export const wayOf = (spot) => WAYS[spot & 7];
 
 /** From a name's point to the near end of its flag: the length of its leader. @param {Pick<Name, 'clear'>} name @param {number} spot */
 export const leaderOf = ({ clear }, spot) => Math.round(clear + AWAY[spot >> 3]);
@@ -65,12 +68,15 @@ export function layOut(names, others, view, middle) {
   for (const index of order) {
     const name = names[index];
     const best = Math.round((Math.atan2(middle.y - name.y, name.x - middle.x) * 4) / Math.PI);
-    const covers = (/** @type {number} */ spot, /** @type {Box[]} */ boxes, /** @type {number} */ spare) => boxes.some((box) => overlap(box, boxOn(name, spot), spare));
-    const tries = name.clear < 0 ? [0] : [0, 8, 16].flatMap((far) => TURNS.map((turn) => ((best + turn + 16) % 8) + far));
+    const covers = (/** @type {number} */ spot, /** @type {Box[]} */ boxes, /** @type {number} */ spare) => {
+      const own = boxOn(name, spot);
+      return boxes.some((box) => overlap(box, own, spare));
+    };
     const turn = Math.abs(((name.spot - best + 12) % 8) - 4);
     const stays = name.spot >= 0 && turn <= STAYS && !covers(name.spot, taken, 0) && !covers(name.spot, things, 0) && within(boxOn(name, name.spot), view);
     let spot = name.spot;
     if (!stays) {
+      const tries = name.clear < 0 ? [0] : [0, 8, 16].flatMap((far) => TURNS.map((turn) => ((best + turn + 16) % 8) + far));
       const inView = tries.filter((one) => name.clear < 0 || within(boxOn(name, one), view));
       const free = inView.filter((one) => !covers(one, taken, name.clear < 0 ? 0 : SPARE));
       spot = free.find((one) => !covers(one, things, 0)) ?? free[0] ?? (name.kept ? (inView[0] ?? tries[0]) : -1);

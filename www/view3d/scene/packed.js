@@ -167,7 +167,9 @@ export function pack(root, packs) {
       // One that has no form yet has no corners.
       if (object.geometry.getAttribute('position')) own.take(object, seen && object.material.visible);
     }
-    for (const child of object.children) look(child, seen);
+    const { children } = object;
+    // At every picture, for every body: without an iterator for each.
+    for (let at = 0; at < children.length; at++) look(children[at], seen);
   };
   look(root, true);
   for (const one of new Set(packs.values())) one.lay();
