@@ -127,7 +127,8 @@ impl Planning {
 
     /// The same plan with these warnings before its own.
     pub fn noted(mut self, notes: &[Warning]) -> Self {
-        self.t.warnings.splice(..0, notes.iter().cloned());
+        let own = std::mem::replace(&mut self.t.warnings, notes.to_vec());
+        self.t.warnings.extend(own);
         self
     }
 

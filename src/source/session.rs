@@ -57,7 +57,9 @@ impl Session {
     pub fn open(text: &str) -> Result<Self, Fault> {
         let source = Source::read(text)?;
         let mut problem = Problem::new(&source.document)?;
-        problem.notes.splice(..0, source.notes.iter().cloned());
+        // The source's come first; `splice`, which may insert anywhere, takes far more code.
+        let own = std::mem::replace(&mut problem.notes, source.notes.to_vec());
+        problem.notes.extend(own);
         #[cfg(feature = "study")]
         if source.names_no_convention() && looks_standard(&source.document, &problem) {
             problem.notes.push(Warning::StandardTable);
