@@ -1,7 +1,7 @@
 // Bodies that are drawn as one: where each is, what it looks like, what costs nothing; and what waits for rest.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { BoxGeometry, Group, InstancedMesh, Mesh, MeshBasicMaterial, MeshStandardMaterial, Raycaster, Scene, SphereGeometry, Vector3 } from 'three';
+import { BoxGeometry, FrontSide, Group, InstancedMesh, Mesh, MeshBasicMaterial, MeshStandardMaterial, Raycaster, Scene, SphereGeometry, Vector3 } from 'three';
 import { Packed, pack } from '../../www/view3d/scene/packed.js';
 import { createRest } from '../../www/view3d/scene/rest.js';
 
@@ -67,6 +67,22 @@ test('each has its own colour and look, and follows what changes', () => {
   box.geometry = new BoxGeometry(2, 2, 2);
   draw();
   assert.notEqual(packed.geometry, geometry);
+});
+
+test('what can be looked through is drawn after what is solid, whatever their order in the scene', () => {
+  const { group, box, ball, draw, texel } = twoBodies();
+  group.remove(box);
+  group.add(box);
+  draw();
+  assert.deepEqual(group.children, [ball, box]);
+  assert.deepEqual([texel(0, 2)[3], texel(1, 2)[3]], [1, 0.5]);
+});
+
+test('bodies cast shadows by the sides that are turned away from the light: no stripes on those that it shines on', () => {
+  const { packed } = twoBodies();
+  assert.ok(packed.castShadow && packed.customDepthMaterial);
+  assert.equal(packed.material.side, FrontSide);
+  assert.equal(packed.material.shadowSide, null, 'of a body seen from its front the back casts them');
 });
 
 test('what is drawn packed is not drawn by itself, and can still be pointed at; other things are left as they are', () => {

@@ -5,7 +5,7 @@
  *
  * The parts stay in the scene, where they are placed, pointed at and outlined; they are only not drawn by themselves.
  */
-import { BufferAttribute, BufferGeometry, DataTexture, DoubleSide, FloatType, Mesh, MeshDepthMaterial, RGBAFormat } from 'three';
+import { BufferAttribute, BufferGeometry, DataTexture, FloatType, Mesh, MeshDepthMaterial, RGBAFormat } from 'three';
 
 /** To a part: the columns of its matrix, which end in its roughness, its metalness and its opacity, and its colour. */
 const TEXELS = 5;
@@ -38,8 +38,8 @@ export class Packed extends Mesh {
   #shapes = [];
   /** What is found for the next picture. @type {Mesh[]} */
   #found = [];
-  /** @type {boolean[]} */
-  #seen = [];
+  /** Those of them that are drawn. @type {Set<Mesh>} */
+  #seen = new Set();
   #texture = { value: /** @type {DataTexture | null} */ (null) };
 
   /**
@@ -66,8 +66,6 @@ export class Packed extends Mesh {
         .replace('#include <metalnessmap_fragment>', 'float metalnessFactor = partLook.y;')}`;
     };
     if (!shadows) return;
-    // Of what is open both sides cast shadows.
-    material.shadowSide = DoubleSide;
     this.customDepthMaterial = new MeshDepthMaterial();
     this.customDepthMaterial.onBeforeCompile = placed;
   }
@@ -75,16 +73,19 @@ export class Packed extends Mesh {
   /** @param {Mesh} part @param {boolean} seen whether it is drawn; one that is not keeps its place */
   take(part, seen) {
     this.#found.push(part);
-    this.#seen.push(seen);
+    if (seen) this.#seen.add(part);
   }
 
   /** Puts what was taken since the last time to where it is. */
   lay() {
     const [found, parts] = [this.#found, this.#parts];
+    // What can be looked through comes last: in front of what is solid it would hide it, and where both are one neither would win.
+    found.sort((one, other) => opacityOf(other) - opacityOf(one));
     if (found.length !== parts.length || found.some((part, at) => part !== parts[at] || part.geometry !== this.#shapes[at])) this.#build();
-    this.visible = this.#seen.includes(true);
+    this.visible = this.#seen.size > 0;
     if (this.visible) this.#place();
-    found.length = this.#seen.length = 0;
+    found.length = 0;
+    this.#seen.clear();
   }
 
   #place() {
@@ -94,9 +95,10 @@ export class Packed extends Mesh {
     this.position.setFromMatrixPosition(this.#parts[0].matrixWorld);
     this.updateMatrixWorld(true);
     const [x, y, z] = this.position.toArray();
-    this.#parts.forEach(({ matrixWorld: { elements: m }, material }, index) => {
+    this.#parts.forEach((part, index) => {
+      const { matrixWorld: { elements: m }, material } = part;
       const at = 4 * TEXELS * index;
-      if (!this.#seen[index]) return data.fill(0, at, at + 16);
+      if (!this.#seen.has(part)) return data.fill(0, at, at + 16);
       const { color, opacity, roughness = 0, metalness = 0 } = /** @type {import('three').MeshStandardMaterial} */ (material);
       for (let i = 0; i < 12; i++) data[at + i] = m[i];
       data[at + 3] = roughness;
@@ -142,6 +144,9 @@ export class Packed extends Mesh {
     this.customDepthMaterial?.dispose();
   }
 }
+
+/** @param {Mesh} part */
+const opacityOf = ({ material }) => /** @type {import('three').Material} */ (material).opacity;
 
 /** @param {Float32Array} position @param {Float32Array} normal @param {Float32Array} part the number of each corner's @param {Uint32Array} index */
 function geometryOf(position, normal, part, index) {
