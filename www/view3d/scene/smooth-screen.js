@@ -66,9 +66,13 @@ export function createSmoothScreen(renderer, gl) {
       const { x, y, z, w } = target.viewport;
       const part = /** @type {const} */ ([x, y, x + z, y + w]);
       renderer.setRenderTarget(null);
+      // The canvas's own scissor cuts what is copied too, and belongs to what was last drawn without this: to nothing yet, or to
+      // another view.
+      renderer.setScissorTest(false);
       gl.bindFramebuffer(READ_FRAMEBUFFER, framebuffer);
       gl.blitFramebuffer(...part, ...part, gl.COLOR_BUFFER_BIT, gl.NEAREST);
       gl.bindFramebuffer(READ_FRAMEBUFFER, null);
+      renderer.setScissorTest(true);
     },
   };
 }
