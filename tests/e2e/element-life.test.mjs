@@ -265,3 +265,44 @@ test('adopted by another document it keeps its look and goes on drawing, also wh
   assert.deepEqual(await look(), before);
   assert.deepEqual(problems, []);
 });
+
+test('an element that has gone, at rest or while it moved, leaves no buffer in the graphics card', async () => {
+  const { page, problems } = await course('', {
+    before: (page) =>
+      page.addInitScript(() => {
+        window.buffers = new Set();
+        const { createBuffer, deleteBuffer } = WebGL2RenderingContext.prototype;
+        WebGL2RenderingContext.prototype.createBuffer = function () {
+          const made = createBuffer.call(this);
+          window.buffers.add(made);
+          return made;
+        };
+        WebGL2RenderingContext.prototype.deleteBuffer = function (buffer) {
+          window.buffers.delete(buffer);
+          deleteBuffer.call(this, buffer);
+        };
+      }),
+  });
+  const counts = await page.evaluate(async () => {
+    const counts = [];
+    for (const moves of [false, true]) {
+      const element = document.createElement('synthetica-linkage');
+      element.setAttribute('src', 'bennett.json');
+      element.setAttribute('eager', '');
+      document.querySelector('main').append(element);
+      const { player, scene } = await element.workbench;
+      // The second picture is the one at rest, with shadows.
+      while (!(scene.canvas.dataset.draws > 1)) await new Promise(requestAnimationFrame);
+      if (moves) player.draw();
+      counts.push(window.buffers.size);
+      element.remove();
+      while (scene.canvas.isConnected) await new Promise(requestAnimationFrame);
+      while (element.shadowRoot.querySelector('#canvas')) await new Promise(requestAnimationFrame);
+      counts.push(window.buffers.size);
+    }
+    return counts;
+  });
+  assert.ok(counts[0] > 10 && counts[2] > 10, counts.join(' '));
+  assert.deepEqual([counts[1], counts[3]], [0, 0]);
+  assert.deepEqual(problems, []);
+});

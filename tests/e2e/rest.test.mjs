@@ -55,3 +55,31 @@ test('edges are smooth at rest only, and the picture has the same colours then',
     await browser.close();
   }
 });
+
+test('a picture that is exported while the view moves has its shadows, on the ground too', async () => {
+  const browser = await openBrowser();
+  try {
+    const { page, problems } = await browser.openPage({ reducedMotion: 'reduce' });
+    const { others, all } = await page.evaluate(async () => {
+      const element = document.querySelector('synthetica-linkage');
+      const { player, scene } = await element.workbench;
+      const picture = async () => {
+        const bitmap = await createImageBitmap(await element.toImage({ width: 400, height: 300 }));
+        const pen = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d');
+        pen.drawImage(bitmap, 0, 0);
+        return pen.getImageData(0, 0, bitmap.width, bitmap.height).data;
+      };
+      while (!(scene.canvas.dataset.draws > 1)) await new Promise(requestAnimationFrame);
+      const resting = await picture();
+      // Twice at once: the second picture is one of a view that moves.
+      player.draw();
+      player.draw();
+      const moving = await picture();
+      return { others: resting.filter((value, at) => Math.abs(value - moving[at]) > 8).length, all: resting.length };
+    });
+    assert.equal(others, 0, `${others} of ${all} values are others`);
+    assert.deepEqual(problems, []);
+  } finally {
+    await browser.close();
+  }
+});

@@ -16,13 +16,14 @@ export function createGround() {
   const floor = new Mesh(new PlaneGeometry(4 * SQUARES, 4 * SQUARES), shade);
   floor.receiveShadow = true;
   floor.position.z = -1e-3;
-  group.add(lines);
+  group.add(lines, floor);
   return {
     group,
-    /** Called at every draw. @param {boolean} shadows whether this picture has them: without them the floor shows nothing */
+    /** What every picture has of it. */
+    lines,
+    /** Called before every picture. @param {boolean} shadows whether it has them: without them the floor shows nothing */
     beforeDraw(shadows) {
-      if (shadows) group.add(floor);
-      else floor.removeFromParent();
+      floor.visible = shadows;
     },
     /** @param {import('./palette.js').Palette} palette */
     paint({ grid, ground }) {

@@ -21,6 +21,7 @@ export function createLight(shadows) {
 
   return {
     objects: [sky, sun, sun.target, fill],
+    sun,
     sky,
     /** @param {Vector3} centre @param {number} radius of what is lit */
     aim(centre, radius) {

@@ -91,8 +91,8 @@ export class Packed extends Mesh {
   #place() {
     const texture = /** @type {DataTexture} */ (this.#texture.value);
     const data = /** @type {Float32Array} */ (texture.image.data);
-    // Counted from the first of them: the graphics card's numbers have 7 digits, too few far from the document's origin.
-    this.position.setFromMatrixPosition(this.#parts[0].matrixWorld);
+    // Counted from the first that is drawn: the graphics card's numbers have 7 digits, too few far from the document's origin.
+    this.position.setFromMatrixPosition(this.#parts[this.#seen.indexOf(true)].matrixWorld);
     this.updateMatrixWorld(true);
     const [x, y, z] = this.position.toArray();
     this.#parts.forEach((part, index) => {

@@ -95,6 +95,8 @@ export function createDrawing(canvas, root, signal) {
       root.add(samples);
       renderer.render(root, camera);
       root.remove(samples);
+      // What they are made of ends here; only their programs stay.
+      samples.traverse((one) => /** @type {Partial<import('three').Mesh>} */ (one).geometry?.dispose());
       // Else it begins with the first picture.
       context.flush();
     },

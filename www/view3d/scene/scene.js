@@ -69,9 +69,13 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
   const pictured = [...light.objects, ground.group, linkage.group, paths.group, ...packed];
   root.add(...pictured);
   for (const packs of materials.packs) drawAsOne(...packs);
-  root.onBeforeRender = () => pack(root, packs);
+  // Of pictures that are exported too, which may have shadows where the view has none.
+  root.onBeforeRender = () => {
+    ground.beforeDraw(light.sun.castShadow);
+    pack(root, packs);
+  };
   const samples = samplesOf(materials);
-  drawing.prepare([ground.group, samples.own, ...packed], samples.all, view.camera);
+  drawing.prepare([ground.lines, samples.own, ...packed], samples.all, view.camera);
 
   const added = createAdded(
     (part) => {
@@ -154,7 +158,6 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
     for (const tell of drawn) tell(width, height);
     const fine = printing || rest.next();
     light.beforeDraw(view.camera, fine);
-    ground.beforeDraw(fine);
     drawing.draw(view.camera, fine);
     const over = room.over.map((box) => ({ x: box.x * width, y: box.y * height, width: box.width * width, height: box.height * height }));
     marks.labels.place(view.camera, width, height, size, [...over, ...[...covering].flatMap((boxes) => boxes())]);
