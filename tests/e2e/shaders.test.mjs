@@ -34,7 +34,8 @@ test('no shader is compiled with what the build has left out, and each program c
     const defined = new Set(shaders.flatMap((text) => [...text.matchAll(/^#define (\w+)/gm)].map(([, name]) => name)));
     const programs = await page.evaluate(() => globalThis.programs.map(({ planned, log }) => ({ planned, log: log() })));
     assert.deepEqual(programs.filter(({ log }) => log), []);
-    assert.ok(programs.filter(({ planned }) => !planned).length >= 6, JSON.stringify(programs));
+    // Four draw the first picture; what is packed shares one.
+    assert.ok(programs.filter(({ planned }) => !planned).length >= 4, JSON.stringify(programs));
     assert.deepEqual(NEVER_DEFINED.filter((name) => defined.has(name)), []);
     assert.deepEqual(problems, []);
   } finally {
