@@ -92,7 +92,8 @@ export class Packed extends Mesh {
     const texture = /** @type {DataTexture} */ (this.#texture.value);
     const data = /** @type {Float32Array} */ (texture.image.data);
     // Counted from the first that is drawn: the graphics card's numbers have 7 digits, too few far from the document's origin.
-    this.position.setFromMatrixPosition(this.#parts[this.#seen.indexOf(true)].matrixWorld);
+    const first = /** @type {Mesh} */ (this.#parts.find((part) => this.#seen.has(part)));
+    this.position.setFromMatrixPosition(first.matrixWorld);
     this.updateMatrixWorld(true);
     const [x, y, z] = this.position.toArray();
     this.#parts.forEach((part, index) => {
