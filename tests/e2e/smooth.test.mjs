@@ -60,17 +60,14 @@ test('with a graphics card each of several views has its own picture', async () 
 
 test('without one, a view at rest is smooth beyond the size of the view that moved last', async () => {
   const { page, problems } = await views([360, 160]);
-  const beside = await page.evaluate(async () => {
+  await page.evaluate(async () => {
     const [large, small] = await Promise.all([...document.querySelectorAll('synthetica-linkage')].map((one) => one.workbench));
     // It moves without its shadows, which cover more; the small one comes after it.
     large.player.draw();
     small.player.draw();
-    const edge = small.scene.canvas.width;
-    const moving = globalThis.covered(0, edge);
-    const rest = Number(large.scene.canvas.dataset.draws) + 1;
-    while (!(large.scene.canvas.dataset.draws >= rest)) await new Promise(requestAnimationFrame);
-    return { moving, resting: globalThis.covered(0, edge) };
+    globalThis.edge = small.scene.canvas.width;
+    globalThis.moving = globalThis.covered(0, globalThis.edge);
   });
-  assert.ok(beside.resting > beside.moving + 100, JSON.stringify(beside));
+  await page.waitForFunction(() => globalThis.covered(0, globalThis.edge) > globalThis.moving + 100);
   assert.deepEqual(problems, []);
 });
