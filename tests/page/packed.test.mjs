@@ -29,7 +29,7 @@ function twoBodies() {
     const at = [position.getX(corner), position.getY(corner), position.getZ(corner), 1];
     return columns.reduce((sum, column, i) => sum.addScaledVector(column, at[i]), new Vector3()).add(packed.position);
   };
-  return { root, group, box, ball, packed, draw, texel, placeOf };
+  return { root, group, box, ball, packed, draw, shader, texel, placeOf };
 }
 
 test('every corner is drawn where its body has it, also far from the origin', () => {
@@ -83,6 +83,28 @@ test('bodies cast shadows by the sides that are turned away from the light: no s
   assert.ok(packed.castShadow && packed.customDepthMaterial);
   assert.equal(packed.material.side, FrontSide);
   assert.equal(packed.material.shadowSide, null, 'of a body seen from its front the back casts them');
+});
+
+test('thousands of bodies are drawn, in a texture that every graphics card takes', () => {
+  const { group, box, packed, draw, shader } = twoBodies();
+  const many = Array.from({ length: 3000 }, (_, i) => {
+    const one = new Mesh(box.geometry, box.material);
+    one.position.set(i, 2 * i, 0);
+    return one;
+  });
+  group.add(...many);
+  draw();
+  const { width, height, data } = shader.uniforms.parts.value.image;
+  assert.ok(width <= 2048 && height <= 2048 && data.length === 4 * width * height, `${width} × ${height}`);
+  const { part } = packed.geometry.attributes;
+  const numbers = new Set(part.array);
+  assert.equal(numbers.size, 3002);
+  for (const [i, one] of many.entries()) {
+    // The ball, which can be looked through, comes last.
+    const own = 1 + i;
+    const at = 4 * ((own % 1024) * width + 5 * Math.floor(own / 1024) + 3);
+    assert.deepEqual([...data.slice(at, at + 3)], new Vector3().setFromMatrixPosition(one.matrixWorld).sub(packed.position).toArray(), `body ${i}`);
+  }
 });
 
 test('what is drawn packed is not drawn by itself, and can still be pointed at; other things are left as they are', () => {

@@ -10,6 +10,9 @@ import { BufferAttribute, BufferGeometry, DataTexture, FloatType, Mesh, MeshDept
 /** To a part: the columns of its matrix, which end in its roughness, its metalness and its opacity, and its colour. */
 const TEXELS = 5;
 
+/** Parts one below the other in the texture, then in the next columns: no graphics card takes less than 2,048 either way. */
+const ROWS = 1024;
+
 /** A layer of the scene that no camera looks at. */
 const UNSEEN = 1;
 
@@ -18,7 +21,10 @@ const VERTEX = `
   attribute float part;
   varying vec3 partColor;
   varying vec3 partLook;
-  vec4 texel(int which) { return texelFetch(parts, ivec2(which, int(part)), 0); }
+  vec4 texel(int which) {
+    int own = int(part);
+    return texelFetch(parts, ivec2(which + ${TEXELS} * (own / ${ROWS}), own % ${ROWS}), 0);
+  }
 `;
 /** The parts' own places, before that of the whole. A normal goes with the inverse transpose of a matrix. */
 const PLACED = `
@@ -91,6 +97,7 @@ export class Packed extends Mesh {
   #place() {
     const texture = /** @type {DataTexture} */ (this.#texture.value);
     const data = /** @type {Float32Array} */ (texture.image.data);
+    const { width } = texture.image;
     // Counted from the first that is drawn: the graphics card's numbers have 7 digits, too few far from the document's origin.
     const first = /** @type {Mesh} */ (this.#parts.find((part) => this.#seen.has(part)));
     this.position.setFromMatrixPosition(first.matrixWorld);
@@ -98,7 +105,7 @@ export class Packed extends Mesh {
     const [x, y, z] = this.position.toArray();
     this.#parts.forEach((part, index) => {
       const { matrixWorld: { elements: m }, material } = part;
-      const at = 4 * TEXELS * index;
+      const at = 4 * ((index % ROWS) * width + TEXELS * Math.floor(index / ROWS));
       if (!this.#seen.has(part)) return data.fill(0, at, at + 16);
       const { color, opacity, roughness = 0, metalness = 0 } = /** @type {import('three').MeshStandardMaterial} */ (material);
       for (let i = 0; i < 12; i++) data[at + i] = m[i];
@@ -134,9 +141,10 @@ export class Packed extends Mesh {
     /** @type {Mesh} */ (this).geometry.dispose();
     this.geometry = geometryOf(position, normal, part, index);
     const { value: texture } = this.#texture;
-    if (texture && texture.image.height >= parts.length) return;
+    const [across, down] = [TEXELS * Math.ceil(parts.length / ROWS), Math.min(ROWS, parts.length)];
+    if (texture && texture.image.width >= across && texture.image.height >= down) return;
     texture?.dispose();
-    this.#texture.value = new DataTexture(new Float32Array(4 * TEXELS * parts.length), TEXELS, parts.length, RGBAFormat, FloatType);
+    this.#texture.value = new DataTexture(new Float32Array(4 * across * down), across, down, RGBAFormat, FloatType);
   }
 
   /** Frees what it has in the graphics card. */
