@@ -111,7 +111,7 @@ function lighten({ gizmo, picker, helper }, { drawAsOne }) {
   for (const { scale } of [gizmo, picker, helper]) scale.removeFromParent();
   /** @type {Set<import('three').Material>} */
   const materials = new Set();
-  for (const handles of [gizmo.translate, gizmo.rotate]) handles.traverse((part) => part instanceof Mesh && materials.add(part.material));
+  for (const handles of [gizmo.translate, gizmo.rotate, helper.translate]) handles.traverse((part) => part instanceof Mesh && materials.add(part.material));
   const packed = new Packed(new MeshBasicMaterial({ depthTest: false, depthWrite: false, transparent: true }));
   packed.renderOrder = Infinity;
   drawAsOne(packed, [...materials]);

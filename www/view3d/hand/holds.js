@@ -169,7 +169,8 @@ export function createHolds({ store, signal }, scene) {
     // What does not belong to what is shown goes at once.
     if (built.length && known()?.why !== built[0]) build();
     else colour(false);
-    waiting = setTimeout(build, REST);
+    // The end of a move is heard of too.
+    if (!store.view.moving) waiting = setTimeout(build, REST);
   }
   for (const part of /** @type {const} */ (['why', 'view', 'result'])) store.subscribe(part, follow);
   signal.addEventListener('abort', () => clearTimeout(waiting));
