@@ -28,7 +28,7 @@ const boxes = (page) =>
       Object.assign(box, { left: Math.min(box.left, px), top: Math.min(box.top, py), right: Math.max(box.right, px), bottom: Math.max(box.bottom, py) });
     };
     const view = () => scene.camera.projectionMatrix.clone().multiply(scene.camera.matrixWorldInverse);
-    const [linkage] = scene.pictured.slice(-2);
+    const [, linkage] = scene.pictured.filter(({ type }) => type === 'Group');
     for (const frame of [0, 0.25, 0.5, 0.75, 1].map((share) => Math.round(share * (motion.frames - 1)))) {
       player.frame = frame;
       await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
@@ -215,6 +215,12 @@ test('the view cube shows the direction; a face, an edge and a corner look from 
       const { scene } = await document.querySelector('synthetica-linkage').workbench;
       return scene.camera.matrixWorld.elements.slice(8, 11).map((value) => Math.round(value * 1000) / 1000);
     });
+  /** Until the view looks from there: a slow machine draws late. */
+  const looksFrom = (wanted) =>
+    page.waitForFunction(async (wanted) => {
+      const { scene } = await document.querySelector('synthetica-linkage').workbench;
+      return scene.camera.matrixWorld.elements.slice(8, 11).every((value, i) => Math.abs(value - wanted[i]) < 1e-3);
+    }, wanted);
   const turn = () => page.locator('#cube div').evaluate((node) => node.style.transform);
   await page.locator('#canvas').focus();
   await page.keyboard.press('1');
@@ -223,11 +229,9 @@ test('the view cube shows the direction; a face, an edge and a corner look from 
   assert.match(await turn(), /^rotateX\(-?0rad\) rotateY\(-?0rad\)$/);
   // The right edge of the front face, then the corner above, then the top by its face.
   await page.mouse.click(mx + 20, my);
-  await drawn(page);
-  assert.deepEqual(await direction(), [0.707, -0.707, 0]);
+  await looksFrom([0.707, -0.707, 0]);
   await page.mouse.click(mx, my - 20);
-  await drawn(page);
-  assert.deepEqual(await direction(), [0.577, -0.577, 0.577]);
+  await looksFrom([0.577, -0.577, 0.577]);
   await page.mouse.click(mx, my - 18);
   await page.locator('#view-live').filter({ hasText: 'Top view.' }).waitFor();
   await drawn(page);
