@@ -215,12 +215,11 @@ test('the view cube shows the direction; a face, an edge and a corner look from 
       const { scene } = await document.querySelector('synthetica-linkage').workbench;
       return scene.camera.matrixWorld.elements.slice(8, 11).map((value) => Math.round(value * 1000) / 1000);
     });
-  /** Until the view looks from there: a slow machine draws late. */
-  const looksFrom = (wanted) =>
-    page.waitForFunction(async (wanted) => {
-      const { scene } = await document.querySelector('synthetica-linkage').workbench;
-      return scene.camera.matrixWorld.elements.slice(8, 11).every((value, i) => Math.abs(value - wanted[i]) < 1e-3);
-    }, wanted);
+  /** A slow machine draws late. */
+  async function looksFrom(wanted) {
+    for (let tries = 0; tries < 100 && String(await direction()) !== String(wanted); tries++) await drawn(page);
+    assert.deepEqual(await direction(), wanted);
+  }
   const turn = () => page.locator('#cube div').evaluate((node) => node.style.transform);
   await page.locator('#canvas').focus();
   await page.keyboard.press('1');
