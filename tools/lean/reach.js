@@ -15,7 +15,7 @@ const methodSet = (node) => node.type === 'ExpressionStatement' && node.expressi
 
 /**
  * What is reached from www/.
- * @param {{imports: {from: string, name: string}[], names: Iterable<string>}} start
+ * @param {{imports: {from: string, name: string}[], names: Iterable<string>, flags: Iterable<string>}} start
  * @param {(file: string) => string} text of a module
  */
 export function reached(start, text) {

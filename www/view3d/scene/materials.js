@@ -61,8 +61,8 @@ export function createMaterials() {
       materials.gaps.forEach((material, size) => material.color.copy(palette[/** @type {'gap-0'} */ (`gap-${size}`)]));
       materials.ghost.color.copy(palette.goal);
       materials.ghosts.color.copy(palette.closest);
-      for (const three of [keyAxes, axes, faintAxes]) {
-        three.forEach((material, axis) => material.color.copy(palette[/** @type {'axis-x'} */ (`axis-${'xyz'[axis]}`)]));
+      for (const arrows of [keyAxes, axes, faintAxes]) {
+        arrows.forEach((material, axis) => material.color.copy(palette[/** @type {'axis-x'} */ (`axis-${'xyz'[axis]}`)]));
       }
     },
     /** Which of the things that can be left out are drawn. @param {import('../../core/types.js').Shown} show */

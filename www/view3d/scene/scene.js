@@ -68,7 +68,7 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
   const packed = materials.packs.map(([one]) => one);
   const pictured = [...light.objects, ground.group, linkage.group, paths.group, ...packed];
   root.add(...pictured);
-  for (const packs of materials.packs) drawAsOne(...packs);
+  for (const [one, own] of materials.packs) drawAsOne(one, own);
   // Of pictures that are exported too, which may have shadows where the view has none.
   root.onBeforeRender = () => {
     ground.beforeDraw(light.sun.castShadow);
