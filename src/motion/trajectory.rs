@@ -18,16 +18,20 @@ pub enum Status {
     Stalled,
     /// No closed position was found; the frame repeats the last closed one.
     ClosureLost,
+    /// Closed loops on the way of a motion that gives up closeness for calm, or changes its branch: not the closest pose by
+    /// itself.
+    Passing,
 }
 
 impl Status {
     /// All, in the order of their codes.
-    pub const ALL: [Self; 5] = [
+    pub const ALL: [Self; 6] = [
         Self::Reached,
         Self::Closest,
         Self::AtLimit,
         Self::Stalled,
         Self::ClosureLost,
+        Self::Passing,
     ];
 
     /// The name in reports.
@@ -38,6 +42,7 @@ impl Status {
             Self::AtLimit => "at_limit",
             Self::Stalled => "stalled",
             Self::ClosureLost => "closure_lost",
+            Self::Passing => "passing",
         }
     }
 

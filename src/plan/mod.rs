@@ -1,5 +1,9 @@
 //! Many frames: where a motion starts, the branch followed, one configuration moved by hand.
 
+#[cfg(feature = "study")]
+pub mod best;
+#[cfg(feature = "study")]
+pub mod branches;
 pub mod configuration;
 #[cfg(feature = "study")]
 pub mod driven;
@@ -11,7 +15,14 @@ pub mod given;
 pub mod leaps;
 pub mod modes;
 mod one_chain;
+#[cfg(feature = "study")]
+pub mod places;
 pub mod planning;
 pub mod record;
+#[cfg(feature = "study")]
+pub mod route;
 mod seeds;
 pub mod settings;
+#[cfg(feature = "study")]
+pub mod unseen;
+pub mod walk;

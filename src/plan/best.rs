@@ -1,0 +1,349 @@
+//! The best motion: of all motions over the branches that closed walks join to the start, the one whose frames are closest
+//! on average to their goals.
+//!
+//! What is known of it: every point of its path is closed; no motion over the branches known is closer than the mean of the
+//! least f of every frame; and an estimate by Good and Turing of the starts that would lead to a branch not known.
+
+use crate::model::mechanism::Mechanism;
+use crate::model::scaled::Scaled;
+use crate::motion::goal::Goal;
+use crate::motion::trajectory::{Status, Trajectory};
+use crate::plan::branches::Branches;
+use crate::plan::places::Form;
+use crate::plan::record::{Singularity, begin, record, warn_of_rounded};
+use crate::plan::route::Route;
+use crate::plan::settings::{Method, Settings, extent};
+use crate::plan::unseen::Unseen;
+use crate::plan::walk;
+
+/// Starts from each of the frames that [`Branches::start_slots`] names, in rounds after each of which the best motion so far
+/// is known.
+const ROUNDS: usize = 3;
+const STARTS: usize = 8;
+
+/// A point of a closed motion.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Point {
+    /// The frame whose own point it is; none between frames.
+    pub frame: Option<usize>,
+    /// The frame whose goal it is measured against.
+    pub towards: usize,
+    /// Joint values, rad or lengths.
+    pub joints: Vec<f64>,
+    /// f against that goal.
+    pub value: f64,
+    /// Closure error and misfit, as published of frames.
+    pub closure: f64,
+}
+
+/// How close a motion comes to its goals.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Cost {
+    /// Mean of f over the frames.
+    pub mean: f64,
+    /// Largest f.
+    pub largest: f64,
+    /// Largest joint motion from one frame to the next, rad or sizes.
+    pub largest_step: f64,
+}
+
+impl Cost {
+    /// Of a motion.
+    pub fn of(t: &Trajectory, scaled: &Scaled) -> Self {
+        let step = |frame: usize| {
+            let [a, b] = [frame, frame + 1].map(|i| scaled.entered(t.joints_at(i)));
+            walk::largest(&a, &b)
+        };
+        Self {
+            mean: t.metric.iter().sum::<f64>() / t.frames().max(1) as f64,
+            largest: t.metric.iter().copied().fold(0.0, f64::max),
+            largest_step: (1..t.frames()).map(|i| step(i - 1)).fold(0.0, f64::max),
+        }
+    }
+}
+
+/// A change of branch.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Switch {
+    /// It comes before this frame, while its goal stands; before frame 0 it comes after the start.
+    pub frame: usize,
+    /// The branches, as [`Found::lanes`] has them.
+    pub from: usize,
+    /// The branch behind it.
+    pub to: usize,
+    /// Joint motion on the way, root of squares, rad and sizes.
+    pub length: f64,
+    /// Largest f on the way.
+    pub largest: f64,
+    /// Points on the way, the frame's own included.
+    pub points: usize,
+}
+
+/// A run of frames on one branch.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Lane {
+    /// Its first frame.
+    pub first: usize,
+    /// f, frame by frame.
+    pub values: Vec<f64>,
+}
+
+/// What was found.
+#[derive(Clone, Debug)]
+pub struct Found {
+    /// The best motion, one frame a goal.
+    pub motion: Trajectory,
+    /// All its points; those between frames are closed as the frames are.
+    pub path: Vec<Point>,
+    /// How close it comes.
+    pub cost: Cost,
+    /// How close the followed motion comes.
+    pub followed: Cost,
+    /// Mean over the frames of the least f seen there.
+    pub lower_bound: f64,
+    /// The branches; the followed motion is the first.
+    pub lanes: Vec<Lane>,
+    /// The lane of each frame.
+    pub lane: Vec<usize>,
+    /// Changes of branch.
+    pub switches: Vec<Switch>,
+    /// Frames that the followed motion has no certified pose in, and this has.
+    pub found_where_lost: Vec<usize>,
+}
+
+/// The search for the best motion, in portions.
+#[derive(Clone, Debug)]
+pub struct Search {
+    mechanism: Mechanism,
+    goals: Vec<Goal>,
+    settings: Settings,
+    followed: Trajectory,
+    branches: Option<Branches>,
+    route: Route,
+    /// Starts that are to be made: the slots, the next one last.
+    waiting: Vec<usize>,
+    all: usize,
+    /// The best motion so far is to be looked for before the next start.
+    routing: bool,
+    found: Option<Found>,
+    done: bool,
+}
+
+impl Search {
+    /// For a motion that was planned by [`plan`](crate::plan::follow::plan).
+    pub fn new(
+        mechanism: &Mechanism,
+        goals: &[Goal],
+        settings: &Settings,
+        followed: Trajectory,
+    ) -> Self {
+        let branches = Branches::new(mechanism, goals, settings, &followed);
+        let mut waiting = Vec::new();
+        // Where all goals are reached nothing is closer.
+        let closer = followed.status.iter().any(|s| *s != Status::Reached);
+        if let Some(branches) = branches.as_ref().filter(|_| closer) {
+            let slots = branches.start_slots();
+            let round = slots.iter().flat_map(|&slot| [slot; STARTS]);
+            waiting = std::iter::repeat_n(round, ROUNDS).flatten().collect();
+        }
+        Self {
+            mechanism: mechanism.clone(),
+            goals: goals.to_vec(),
+            settings: *settings,
+            followed,
+            done: branches.is_none(),
+            branches,
+            route: Route::default(),
+            all: waiting.len(),
+            waiting,
+            routing: false,
+            found: None,
+        }
+    }
+
+    /// One start, or one look for the best motion; false when there is nothing left.
+    pub fn advance(&mut self) -> bool {
+        let Some(branches) = self.branches.as_mut().filter(|_| !self.done) else {
+            return false;
+        };
+        if self.routing {
+            if !self.route.continue_branch(branches) && self.route.advance(branches) {
+                self.routing = false;
+                self.found = self.look();
+                self.done = self.waiting.is_empty();
+            }
+            return !self.done;
+        }
+        match self.waiting.pop() {
+            Some(slot) => {
+                branches.start_from(slot);
+                let made = self.all - self.waiting.len();
+                self.routing = (made * ROUNDS).is_multiple_of(self.all.max(1));
+            }
+            None => self.routing = true,
+        }
+        true
+    }
+
+    /// Does all that is left; what was found, none where the loops of the followed motion do not close.
+    pub fn finish(&mut self) -> Option<&Found> {
+        while self.advance() {}
+        self.found()
+    }
+
+    /// The best motion so far.
+    pub fn found(&self) -> Option<&Found> {
+        self.found.as_ref()
+    }
+
+    /// The motion that the planner follows.
+    pub fn followed(&self) -> &Trajectory {
+        &self.followed
+    }
+
+    /// From 0 to 1.
+    pub fn progress(&self) -> f64 {
+        if self.done {
+            return 1.0;
+        }
+        // What follows the last start is not short.
+        (self.all - self.waiting.len()) as f64 / (self.all + STARTS) as f64
+    }
+
+    /// What starts say of branches that are not known.
+    pub fn unseen(&self) -> Unseen {
+        let Some(branches) = &self.branches else {
+            return Unseen::of(std::iter::empty(), 0);
+        };
+        Unseen::of(branches.list.iter().map(|b| b.starts), branches.arrived)
+    }
+
+    /// Starts made so far.
+    pub fn starts(&self) -> usize {
+        self.branches.as_ref().map_or(0, |branches| branches.starts)
+    }
+
+    /// The way that was found as a motion.
+    fn look(&mut self) -> Option<Found> {
+        let branches = self.branches.as_mut()?;
+        let nodes = self.route.nodes();
+        if nodes.is_empty() {
+            return None;
+        }
+        let newton = Settings {
+            method: Method::Newton,
+            ..self.settings
+        };
+        let extent = extent(&self.goals);
+        let mut t = begin(&self.mechanism, &branches.solver, extent, &newton);
+        t.mobility_rank = self.followed.mobility_rank;
+        let start = branches.nodes[0][0].theta.clone();
+        t.start = branches.solver.scaled().left(&start);
+        // Lane 0 has the whole followed motion.
+        let lane_of = |branch: usize| (branch + 1).saturating_sub(branches.followed);
+        let mut path = vec![Point {
+            frame: None,
+            towards: 0,
+            joints: t.start.clone(),
+            value: branches.nodes[0][0].solved.value,
+            closure: 0.0,
+        }];
+        let (mut switches, mut lane) = (Vec::new(), Vec::new());
+        let mut form = Form::same(start.len());
+        let mut before = t.start.clone();
+        for slot in 1..nodes.len() {
+            let frame = slot - 1;
+            let first = path.len();
+            let mut length = 0.0;
+            for edge in self.route.edges(branches, slot) {
+                length += edge.walk.length;
+                for point in &edge.walk.points {
+                    let joints = branches.solver.scaled().left(&form.apply(point));
+                    path.push(Point {
+                        frame: None,
+                        towards: frame,
+                        value: branches.solver.value(branches.goal(slot), &joints),
+                        joints,
+                        closure: 0.0,
+                    });
+                }
+                form = form.of(&edge.form);
+            }
+            let node = &branches.nodes[slot][nodes[slot]];
+            let joints = branches.solver.scaled().left(&form.apply(&node.theta));
+            record(
+                &mut t,
+                &mut branches.solver,
+                &self.goals[frame],
+                &before,
+                &joints,
+                &node.solved,
+            );
+            let last = path.last_mut().expect("the start is one");
+            last.frame = Some(frame);
+            last.value = t.metric[frame];
+            lane.push(lane_of(node.branch));
+            let from = branches.nodes[slot - 1][nodes[slot - 1]].branch;
+            if self.route.changes(slot) {
+                switches.push(Switch {
+                    frame,
+                    from: lane_of(from),
+                    to: lane_of(node.branch),
+                    length,
+                    largest: path[first..].iter().map(|p| p.value).fold(0.0, f64::max),
+                    points: path.len() - first,
+                });
+            }
+            before = joints;
+        }
+        for point in &mut path {
+            let (scaled, closer, _) = branches.solver.parts();
+            let (closure, misfit) = closer.closure(scaled, &scaled.entered(&point.joints));
+            point.closure = closure.max(misfit - self.settings.dimension_tolerance);
+        }
+        Singularity::default().finish(&mut t, &mut branches.solver);
+        warn_of_rounded(&mut t, &mut branches.solver);
+        let certified = |t: &Trajectory, frame: usize| t.status[frame].is_certified();
+        let lost = (0..t.frames()).filter(|&i| certified(&t, i) && !certified(&self.followed, i));
+        let least = |slot: usize| {
+            let values = branches.nodes[slot].iter().map(|node| node.solved.value);
+            values.fold(f64::INFINITY, f64::min)
+        };
+        let scaled = branches.solver.scaled();
+        Some(Found {
+            cost: Cost::of(&t, scaled),
+            followed: Cost::of(&self.followed, scaled),
+            lower_bound: (1..branches.slots()).map(least).sum::<f64>() / t.frames() as f64,
+            lanes: lanes(branches),
+            lane,
+            switches,
+            found_where_lost: lost.collect(),
+            path,
+            motion: t,
+        })
+    }
+}
+
+/// The branches as runs of frames.
+fn lanes(branches: &Branches) -> Vec<Lane> {
+    let values = |branch: usize, from: usize| -> Vec<f64> {
+        let list = &branches.list[branch];
+        let slots = (list.first..).zip(&list.nodes).skip(from);
+        slots
+            .map(|(slot, &node)| branches.nodes[slot][node].solved.value)
+            .collect()
+    };
+    // The start is no frame, and the followed motion is one lane though it may leap.
+    let first = usize::from(branches.list[0].first == 0);
+    let mut followed = values(0, first);
+    (1..branches.followed).for_each(|branch| followed.extend(values(branch, 0)));
+    let others = (branches.followed..branches.list.len()).map(|branch| Lane {
+        first: branches.list[branch].first - 1,
+        values: values(branch, 0),
+    });
+    let followed = Lane {
+        first: 0,
+        values: followed,
+    };
+    std::iter::once(followed).chain(others).collect()
+}

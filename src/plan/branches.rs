@@ -1,0 +1,523 @@
+//! The branches of a motion: at every frame the closest poses that closed walks join to the start, each followed through
+//! the frames as far as it goes.
+//!
+//! Starts: from a closest pose of a frame the linkage wanders over closed positions, and falls from there to a closest pose,
+//! which may be another one. It is then followed forwards and backwards. The way there joins the two branches. A frame is a
+//! *slot* here, counted from 1; slot 0 is the start.
+
+use crate::math::linalg::PivotedQr;
+use crate::math::pose::Pose;
+use crate::math::random::Random;
+use crate::model::mechanism::Mechanism;
+use crate::model::scaled::CLOSED;
+use crate::motion::goal::Goal;
+use crate::motion::trajectory::{Status, Trajectory};
+use crate::plan::follow::predict;
+use crate::plan::places::{Form, Places};
+use crate::plan::settings::{Method, Settings, extent};
+use crate::plan::walk::{self, LONGEST, Walk};
+use crate::solve::solver::{End, Solved, Solver};
+use std::collections::BTreeMap;
+
+/// Frames from which starts are made: as many spread over the motion, first and last included.
+const FRAMES: usize = 9;
+/// Lengths of the ways that a start wanders, root of the joints' squared motions, rad and sizes.
+const LENGTHS: [f64; 4] = [0.4, 0.8, 1.6, 3.2];
+/// Branches that are followed; beyond, poses that are found only count.
+const MOST: usize = 96;
+/// A joint motion from one frame to the next, rad or sizes, that is followed no further: another branch may begin there.
+const LEAP: f64 = 0.5;
+/// Share of the twists' length below which a free direction leaves the workpiece where it is.
+const STILL: f64 = 1e-6;
+
+/// A closest pose of one frame.
+#[derive(Clone, Debug)]
+pub struct Node {
+    /// Joint values as the solver has them.
+    pub theta: Vec<f64>,
+    /// What is known of it; `value` is f.
+    pub solved: Solved,
+    /// The branch that it is on.
+    pub branch: usize,
+    links: Vec<f64>,
+}
+
+/// A run of closest poses that follow each other from slot to slot by closed walks.
+#[derive(Clone, Debug)]
+pub struct Branch {
+    /// Its first slot.
+    pub first: usize,
+    /// Its node in each slot from there on.
+    pub nodes: Vec<usize>,
+    /// The way along it up to each, root of the joints' squared motions.
+    pub along: Vec<f64>,
+    /// Starts that led to it.
+    pub starts: usize,
+}
+
+impl Branch {
+    /// Its node in a slot.
+    pub fn node(&self, slot: usize) -> Option<usize> {
+        self.nodes.get(slot.checked_sub(self.first)?).copied()
+    }
+
+    /// The way along it from one slot to another.
+    pub fn way(&self, from: usize, to: usize) -> f64 {
+        (self.along[from - self.first] - self.along[to - self.first]).abs()
+    }
+}
+
+/// A closed walk from one node to another: from `theta` of the one to `theta` of the other as `form` writes it.
+#[derive(Clone, Debug)]
+pub struct Edge {
+    /// The walk.
+    pub walk: Walk,
+    /// How the end's joint values are written on it.
+    pub form: Form,
+}
+
+/// A closed walk between two branches while the goal stands at a slot.
+#[derive(Clone, Debug)]
+pub struct Joint {
+    /// Where.
+    pub slot: usize,
+    /// The branches.
+    pub branches: [usize; 2],
+    /// From the node of the one to that of the other.
+    pub edge: Edge,
+}
+
+/// What is known of a motion's branches.
+#[derive(Clone, Debug)]
+pub struct Branches {
+    /// The solver, by Newton's method whatever the document plans with.
+    pub solver: Solver,
+    /// What tells positions apart.
+    pub places: Places,
+    goals: Vec<Pose>,
+    /// The closest poses of each slot.
+    pub nodes: Vec<Vec<Node>>,
+    /// The branches; the followed motion's come first.
+    pub list: Vec<Branch>,
+    /// How many of them the followed motion has: more than one where it leaps.
+    pub followed: usize,
+    /// Walks between branches.
+    pub joints: Vec<Joint>,
+    /// Walks along branches, by the slot where they end and their nodes; shorter steps are none.
+    steps: BTreeMap<(usize, usize, usize), Edge>,
+    /// Can joints move while the workpiece stands still?
+    inner: bool,
+    random: Random,
+    /// Starts made, and those that led to a certified pose.
+    pub starts: usize,
+    /// Those that led to a certified pose.
+    pub arrived: usize,
+}
+
+impl Branches {
+    /// The followed motion as it was planned, and no other branch yet; none where its loops do not close.
+    pub fn new(
+        mechanism: &Mechanism,
+        goals: &[Goal],
+        settings: &Settings,
+        followed: &Trajectory,
+    ) -> Option<Self> {
+        let settings = Settings {
+            method: Method::Newton,
+            ..*settings
+        };
+        let mut solver = settings.solver(mechanism, extent(goals));
+        let mut start = followed.start.clone();
+        let closed = solver.close_start(&mut start, settings.dimension_tolerance);
+        if !closed.is_closed() || followed.frames() != goals.len() {
+            return None;
+        }
+        let theta = solver.scaled().entered(&start);
+        let mut branches = Self {
+            places: Places::new(mechanism, solver.scaled()),
+            inner: has_inner_freedoms(&mut solver, &theta),
+            solver,
+            goals: goals.iter().map(|goal| goal.pose).collect(),
+            nodes: vec![Vec::new(); goals.len() + 1],
+            list: Vec::new(),
+            followed: 0,
+            joints: Vec::new(),
+            steps: BTreeMap::new(),
+            random: Random::new(14),
+            starts: 0,
+            arrived: 0,
+        };
+        let value = branches.solver.value(branches.goal(0), &start);
+        let at_start = Solved {
+            value,
+            end: End::Stalled,
+            ..Solved::OPEN
+        };
+        branches.add(0, theta, at_start, None);
+        for frame in 0..followed.frames() {
+            // A frame whose loops are open repeats the last closed joint values.
+            if !(followed.closure[frame] <= CLOSED) {
+                return None;
+            }
+            let solved = Solved {
+                end: match followed.status[frame] {
+                    Status::Reached | Status::Closest => End::Minimum,
+                    Status::AtLimit => End::MinimumAtLimit,
+                    Status::Stalled | Status::ClosureLost | Status::Passing => End::Stalled,
+                },
+                reached: followed.status[frame] == Status::Reached,
+                value: followed.metric[frame],
+                projected_gradient: followed.projected_gradient[frame],
+                iterations: followed.iterations[frame] as usize,
+            };
+            let theta = branches.solver.scaled().entered(followed.joints_at(frame));
+            let branch = branches.list.len() - 1;
+            branches.add(frame + 1, theta, solved, Some(branch));
+        }
+        branches.followed = branches.list.len();
+        Some(branches)
+    }
+
+    /// Slots: frames, and the start.
+    pub fn slots(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// The goal of a slot.
+    pub fn goal(&self, slot: usize) -> &Pose {
+        &self.goals[slot.saturating_sub(1)]
+    }
+
+    /// The slots from which starts are made.
+    pub fn start_slots(&self) -> Vec<usize> {
+        let frames = self.goals.len();
+        let count = FRAMES.min(frames);
+        let place = |i: usize| 1 + i * (frames - 1) / (count - 1).max(1);
+        (0..count).map(place).collect()
+    }
+
+    /// Appends a node to a branch that reaches up to the slot before; or begins another where there is no such branch, or
+    /// no closed walk from its end. Returns the node's branch.
+    fn add(
+        &mut self,
+        slot: usize,
+        theta: Vec<f64>,
+        solved: Solved,
+        branch: Option<usize>,
+    ) -> usize {
+        let index = self.nodes[slot].len();
+        let mut way = None;
+        if let Some(branch) = branch {
+            let before = self.list[branch].nodes[slot - 1 - self.list[branch].first];
+            way = self
+                .step(slot, before, index, &theta)
+                .map(|way| (branch, way));
+        }
+        let branch = if let Some((branch, way)) = way {
+            let list = &mut self.list[branch];
+            list.nodes.push(index);
+            list.along.push(list.along[list.along.len() - 1] + way);
+            branch
+        } else {
+            self.list.push(Branch {
+                first: slot,
+                nodes: vec![index],
+                along: vec![0.0],
+                starts: 0,
+            });
+            self.list.len() - 1
+        };
+        let links = self.places.links(&theta);
+        self.nodes[slot].push(Node {
+            theta,
+            solved,
+            branch,
+            links,
+        });
+        branch
+    }
+
+    /// The length of the closed walk from a node of the slot before to one that will be number `index` of this slot.
+    fn step(&mut self, slot: usize, before: usize, index: usize, theta: &[f64]) -> Option<f64> {
+        let from = self.nodes[slot - 1][before].theta.clone();
+        if walk::largest(&from, theta) <= LONGEST {
+            return Some(walk::distance(&from, theta));
+        }
+        let walk = self.way(slot, &from, theta)?;
+        let length = walk.length;
+        let form = Form::same(theta.len());
+        self.steps
+            .insert((slot, before, index), Edge { walk, form });
+        Some(length)
+    }
+
+    /// A closed walk to a closest pose of a slot: straight, or downhill where that leads there.
+    fn way(&mut self, slot: usize, from: &[f64], to: &[f64]) -> Option<Walk> {
+        if let Some(straight) = walk::walk(&mut self.solver, from, to) {
+            return Some(straight);
+        }
+        let goal = *self.goal(slot);
+        let (end, solved, passed) = walk::fall(&mut self.solver, from, &goal);
+        // At the very end, or it is another position.
+        let arrives = solved.end.is_minimum() && walk::largest(&end, to) <= LONGEST;
+        let downhill = arrives.then(|| walk::retrace(&mut self.solver, from, passed, &end));
+        let mut downhill = downhill.flatten()?;
+        downhill.append(walk::walk(&mut self.solver, &end, to)?);
+        Some(downhill)
+    }
+
+    /// The walk along a branch into a slot, from its node in the slot before.
+    pub fn along(&self, slot: usize, from: usize, to: usize) -> Edge {
+        let step = self.steps.get(&(slot, from, to));
+        step.cloned().unwrap_or_else(|| {
+            let (a, b) = (&self.nodes[slot - 1][from], &self.nodes[slot][to]);
+            Edge {
+                walk: Walk {
+                    points: vec![b.theta.clone()],
+                    length: walk::distance(&a.theta, &b.theta),
+                },
+                form: Form::same(b.theta.len()),
+            }
+        })
+    }
+
+    /// The node of a slot that is this position, if there is one.
+    fn find(&mut self, slot: usize, theta: &[f64], links: &[f64]) -> Option<usize> {
+        let nodes = &self.nodes[slot];
+        let same = |node: &Node| Places::are_same(&node.links, links);
+        if let Some(found) = nodes.iter().position(same) {
+            return Some(found);
+        }
+        if !self.inner {
+            return None;
+        }
+        // With inner freedoms it may be the same pose, with other links that a walk joins while the workpiece stands still.
+        let candidates: Vec<usize> = (0..nodes.len())
+            .filter(|&i| Places::same_workpiece(&nodes[i].links, links))
+            .collect();
+        candidates.into_iter().find(|&i| {
+            let to = self.nodes[slot][i].theta.clone();
+            let form = self.places.form_near(theta, &to);
+            let walk = walk::walk(&mut self.solver, theta, &form.apply(&to));
+            walk.is_some_and(|walk| {
+                let stays = |at: &Vec<f64>| {
+                    let workpiece = self.places.links(at);
+                    Places::same_workpiece(&workpiece, links)
+                };
+                walk.points.iter().all(stays)
+            })
+        })
+    }
+
+    /// One start from a slot: wanders from one of its nodes, falls to a closest pose, and follows it where it is new.
+    pub fn start_from(&mut self, slot: usize) {
+        let certified: Vec<usize> = (0..self.nodes[slot].len()).collect();
+        let pick = certified[index(self.random.unit(), certified.len())];
+        let length = LENGTHS[index(self.random.unit(), LENGTHS.len())];
+        let from = self.nodes[slot][pick].clone();
+        let mut way = walk::wander(&mut self.solver, &from.theta, length, &mut self.random);
+        let Some(at) = way.points.last().cloned() else {
+            return;
+        };
+        self.starts += 1;
+        let goal = *self.goal(slot);
+        let (end, solved, passed) = walk::fall(&mut self.solver, &at, &goal);
+        if !self.is_answer(&end, &solved, &goal) {
+            return;
+        }
+        self.arrived += 1;
+        let links = self.places.links(&end);
+        let found = self.find(slot, &end, &links);
+        let branch = found.map(|node| self.nodes[slot][node].branch);
+        if let Some(branch) = branch {
+            self.list[branch].starts += 1;
+            if branch == from.branch || self.are_joined(slot, [from.branch, branch]) {
+                return;
+            }
+        } else if self.list.len() >= MOST {
+            return;
+        }
+        let Some(down) = walk::retrace(&mut self.solver, &at, passed, &end) else {
+            return;
+        };
+        way.append(down);
+        let (branch, form) = if let Some(node) = found {
+            let node = &self.nodes[slot][node];
+            (node.branch, self.places.form_near(&end, &node.theta))
+        } else {
+            let branch = self.follow_from(slot, end.clone(), solved);
+            (branch, Form::same(end.len()))
+        };
+        let edge = Edge { walk: way, form };
+        self.join(slot, [from.branch, branch], edge);
+    }
+
+    /// Whether a fall has led to a certified closest pose, measured with the nearer of the two quaternions.
+    fn is_answer(&self, end: &[f64], solved: &Solved, goal: &Pose) -> bool {
+        /// What f is known to.
+        const EQUAL: f64 = 1e-9;
+        let joints = self.solver.scaled().left(end);
+        solved.end.is_minimum() && solved.value - self.solver.value(goal, &joints) <= EQUAL
+    }
+
+    fn are_joined(&self, slot: usize, branches: [usize; 2]) -> bool {
+        let same = |joint: &Joint| {
+            joint.slot == slot
+                && (joint.branches == branches || joint.branches == [branches[1], branches[0]])
+        };
+        self.joints.iter().any(same)
+    }
+
+    /// Notes a walk between two branches; the last point is that of the end's node.
+    fn join(&mut self, slot: usize, branches: [usize; 2], mut edge: Edge) {
+        let [from, to] = branches.map(|b| self.list[b].node(slot).expect("a branch of the slot"));
+        let end = edge.form.apply(&self.nodes[slot][to].theta);
+        let from = self.nodes[slot][from].theta.clone();
+        // With inner freedoms, or in a flat valley, the node is not where the walk has ended.
+        let last = edge
+            .walk
+            .points
+            .last()
+            .cloned()
+            .unwrap_or_else(|| from.clone());
+        if walk::largest(&last, &end) > 1e-12 {
+            match walk::walk(&mut self.solver, &last, &end) {
+                Some(rest) => edge.walk.append(rest),
+                None => return,
+            }
+        }
+        // Shorter where it goes straight.
+        if let Some(straight) = walk::walk(&mut self.solver, &from, &end)
+            && straight.length < edge.walk.length
+        {
+            edge.walk = straight;
+        }
+        self.joints.push(Joint {
+            slot,
+            branches,
+            edge,
+        });
+    }
+
+    /// A new branch through a closest pose of a slot, followed backwards and forwards; its number.
+    fn follow_from(&mut self, slot: usize, theta: Vec<f64>, solved: Solved) -> usize {
+        let back = self.track(slot, &theta, -1);
+        let forth = self.track(slot, &theta, 1);
+        let (mut branch, mut own) = (None, 0);
+        let before = back.into_iter().enumerate().rev();
+        let before = before.map(|(i, (theta, solved))| (slot - 1 - i, theta, solved));
+        let after = forth.into_iter().enumerate();
+        let after = after.map(|(i, (theta, solved))| (slot + 1 + i, theta, solved));
+        let all: Vec<_> = before.chain([(slot, theta, solved)]).chain(after).collect();
+        for (at, theta, solved) in all {
+            let added = self.add(at, theta, solved, branch);
+            branch = Some(added);
+            if at == slot {
+                own = added;
+                self.list[own].starts += 1;
+            }
+        }
+        own
+    }
+
+    /// The closest poses of the slots before or behind one, from its pose on, up to a pose that is known, a leap or the end.
+    fn track(&mut self, slot: usize, theta: &[f64], direction: isize) -> Vec<(Vec<f64>, Solved)> {
+        let mut track = Vec::new();
+        let mut joints = self.solver.scaled().left(theta);
+        let mut history = joints.clone();
+        let mut predicted = joints.clone();
+        let mut before = theta.to_vec();
+        let mut at = slot;
+        self.solver.clear_holding();
+        loop {
+            at = match at.checked_add_signed(direction) {
+                Some(next) if next > 0 && next < self.slots() => next,
+                _ => break,
+            };
+            predict(&history, track.len() + 1, &joints, &mut predicted);
+            let goal = *self.goal(at);
+            let solved = self.solver.solve(&goal, &mut joints, &predicted);
+            let theta = self.solver.scaled().entered(&joints);
+            if !self.is_answer(&theta, &solved, &goal) || walk::largest(&before, &theta) > LEAP {
+                break;
+            }
+            let links = self.places.links(&theta);
+            if self.find(at, &theta, &links).is_some() {
+                break;
+            }
+            history.extend_from_slice(&joints);
+            before.clone_from(&theta);
+            track.push((theta, solved));
+        }
+        self.solver.clear_holding();
+        track
+    }
+
+    /// The closest pose to which the linkage falls from a node when the goal goes on to the next slot, where it is not on the
+    /// node's branch any more: the node there, and the way.
+    pub fn fall_on(&mut self, slot: usize, node: usize) -> Option<(usize, Edge)> {
+        let from = self.nodes[slot][node].theta.clone();
+        let goal = *self.goal(slot + 1);
+        let (end, solved, passed) = walk::fall(&mut self.solver, &from, &goal);
+        if !self.is_answer(&end, &solved, &goal) {
+            return None;
+        }
+        let mut walk = walk::retrace(&mut self.solver, &from, passed, &end)?;
+        let links = self.places.links(&end);
+        let found = self.find(slot + 1, &end, &links);
+        if found.is_none() && self.list.len() >= MOST {
+            return None;
+        }
+        let to = found.unwrap_or_else(|| {
+            let branch = self.follow_from(slot + 1, end.clone(), solved);
+            self.list[branch].node(slot + 1).expect("its own slot")
+        });
+        let theta = self.nodes[slot + 1][to].theta.clone();
+        let form = self.places.form_near(&end, &theta);
+        let written = form.apply(&theta);
+        if walk::largest(&end, &written) > 1e-12 {
+            walk.append(walk::walk(&mut self.solver, &end, &written)?);
+        }
+        Some((to, Edge { walk, form }))
+    }
+
+    /// The straight distance from one position to another, root of the joints' squared motions, less whole turns.
+    pub fn straight(&self, from: &[f64], to: &[f64]) -> f64 {
+        walk::distance(from, &self.places.form_near(from, to).apply(to))
+    }
+
+    /// A closed walk from a node to one of the next slot, or of the same.
+    pub fn walk_between(&mut self, from: &[f64], to: &[f64]) -> Option<Edge> {
+        let form = self.places.form_near(from, to);
+        let walk = walk::walk(&mut self.solver, from, &form.apply(to))?;
+        Some(Edge { walk, form })
+    }
+}
+
+/// The entry of a list of `count` that a number from 0 to 1 chooses.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "from 0 to below the count"
+)]
+fn index(share: f64, count: usize) -> usize {
+    ((share * count as f64) as usize).min(count - 1)
+}
+
+/// Whether joints can move while the workpiece stands still.
+fn has_inner_freedoms(solver: &mut Solver, theta: &[f64]) -> bool {
+    let (scaled, closer, holding) = solver.parts();
+    let mut holding = holding.clone();
+    holding.clear();
+    let dependence = closer.dependence_anywhere();
+    let tangent = closer.tangent();
+    tangent.evaluate(scaled.chains(), theta);
+    let free = tangent.factor(holding.stops(), dependence).free();
+    let mut twists = PivotedQr::default();
+    twists.clear(6);
+    free.twists()
+        .iter()
+        .for_each(|twist| twists.push(twist.as_slice()));
+    twists.factor(STILL, 6);
+    twists.rank() < free.count()
+}

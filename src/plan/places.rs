@@ -1,0 +1,179 @@
+//! When two positions are the same, and the joint values of one as near to another's as they can be written.
+//!
+//! The same position can have other joint values: whole turns, and a spherical joint's two sets of angles (φ₁, φ₂, φ₃) and
+//! (φ₁ + π, −φ₂, φ₃ + π), which give the same rotation where its inner twists are ±90°. Positions are compared by the poses
+//! of their links, those inside T, S and E left out.
+
+use crate::model::joint::{JointKind, Limits};
+use crate::model::mechanism::Mechanism;
+use crate::model::scaled::Scaled;
+use std::f64::consts::{PI, TAU};
+
+/// How far apart links of the same position may be, shares of the size and rad: two minima are known to 1e-6 or better,
+/// those in a nearly flat valley to 1e-3.
+const SAME: f64 = 1e-3;
+
+/// What tells positions of one linkage apart.
+#[derive(Clone, Debug)]
+pub struct Places {
+    mechanism: Mechanism,
+    scaled: Scaled,
+    /// Of each spherical joint its first variable, and what its second row adds to the second.
+    spherical: Vec<(usize, f64)>,
+    /// Numbers of the frames, among those of all rows, behind a joint that is followed by another.
+    links: Vec<usize>,
+}
+
+/// Joint values of one position written in another way: `sign` times the value plus `offset`, variable by variable.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Form(Vec<(f64, f64)>);
+
+impl Form {
+    /// As they are.
+    pub fn same(variables: usize) -> Self {
+        Self(vec![(1.0, 0.0); variables])
+    }
+
+    /// Whether nothing is written in another way.
+    pub fn is_same(&self) -> bool {
+        self.0
+            .iter()
+            .all(|&(sign, offset)| sign > 0.0 && offset.abs() < PI)
+    }
+
+    /// Writes joint values in this form.
+    pub fn apply(&self, theta: &[f64]) -> Vec<f64> {
+        let pairs = self.0.iter().zip(theta);
+        pairs.map(|((sign, offset), t)| sign * t + offset).collect()
+    }
+
+    /// The form that undoes this one.
+    pub fn inverse(&self) -> Self {
+        let back = |&(sign, offset): &(f64, f64)| (sign, -sign * offset);
+        Self(self.0.iter().map(back).collect())
+    }
+
+    /// This form of values that are in that form.
+    pub fn of(&self, inner: &Self) -> Self {
+        let pairs = self.0.iter().zip(&inner.0);
+        Self(
+            pairs
+                .map(|((sign, offset), (s, o))| (sign * s, sign * o + offset))
+                .collect(),
+        )
+    }
+}
+
+impl Places {
+    /// Of this mechanism, as the solver has it.
+    pub fn new(mechanism: &Mechanism, scaled: &Scaled) -> Self {
+        let (mut spherical, mut links) = (Vec::new(), Vec::new());
+        let (mut variable, mut frames) = (0, 0);
+        for chain in mechanism.chains() {
+            let last = chain.joints().len() - 1;
+            for (i, joint) in chain.joints().iter().enumerate() {
+                if joint.kind() == JointKind::S {
+                    spherical.push((variable, joint.rows()[1].theta));
+                }
+                variable += joint.kind().freedoms();
+                frames += 2 * joint.rows().len();
+                if i < last {
+                    links.push(frames - 1);
+                }
+            }
+        }
+        Self {
+            mechanism: mechanism.clone(),
+            scaled: scaled.clone(),
+            spherical,
+            links,
+        }
+    }
+
+    /// The links of a position, seven numbers each (shares of the size, a quaternion); the workpiece first.
+    pub fn links(&self, theta: &[f64]) -> Vec<f64> {
+        let joints = self.scaled.left(theta);
+        let mut frames = Vec::new();
+        let mut first = 0;
+        for chain in self.mechanism.chains() {
+            chain.frames_into(&joints[first..first + chain.freedoms()], &mut frames);
+            first += chain.freedoms();
+        }
+        let workpiece = self.scaled.chains()[0].pose(theta);
+        let others = self
+            .links
+            .iter()
+            .map(|&i| self.scaled.enter_pose(&frames[i]));
+        std::iter::once(workpiece)
+            .chain(others)
+            .flat_map(|pose| {
+                let (d, r) = (pose.translation.vector, pose.rotation.coords);
+                [d.x, d.y, d.z, r.x, r.y, r.z, r.w]
+            })
+            .collect()
+    }
+
+    /// Whether two positions have the same links.
+    pub fn are_same(a: &[f64], b: &[f64]) -> bool {
+        a.chunks_exact(7)
+            .zip(b.chunks_exact(7))
+            .all(|(a, b)| near(a, b))
+    }
+
+    /// Whether the workpiece is at the same place.
+    pub fn same_workpiece(a: &[f64], b: &[f64]) -> bool {
+        near(&a[..7], &b[..7])
+    }
+
+    /// How to write the joint values `theta` so that they are nearest to `reference`, within the limits.
+    pub fn form_near(&self, reference: &[f64], theta: &[f64]) -> Form {
+        let limits = self.scaled.limits();
+        let mut form = Form::same(theta.len());
+        for (joint, turns) in self.scaled.turns().iter().enumerate() {
+            if *turns {
+                form.0[joint] = turned(reference[joint], theta[joint], (1.0, 0.0), &limits[joint]);
+            }
+        }
+        for &(first, offset) in &self.spherical {
+            let twin = [(1.0, PI), (-1.0, -2.0 * offset), (1.0, PI)];
+            let mut other = [(1.0, 0.0); 3];
+            let (mut plain_far, mut twin_far) = (0.0, 0.0);
+            for (k, other) in other.iter_mut().enumerate() {
+                let joint = first + k;
+                *other = turned(reference[joint], theta[joint], twin[k], &limits[joint]);
+                let off = |(sign, shift): (f64, f64)| {
+                    let value = sign * theta[joint] + shift;
+                    let within = limits[joint].nearest(value) - value;
+                    (value - reference[joint]).powi(2) + if within.abs() > SAME { 1e3 } else { 0.0 }
+                };
+                plain_far += off(form.0[joint]);
+                twin_far += off(*other);
+            }
+            if twin_far < plain_far {
+                form.0[first..first + 3].copy_from_slice(&other);
+            }
+        }
+        form
+    }
+}
+
+/// A form with the whole turns that bring the value nearest to `reference`, as far as the limits allow them.
+fn turned(reference: f64, theta: f64, (sign, offset): (f64, f64), limits: &Limits) -> (f64, f64) {
+    let value = sign * theta + offset;
+    let turns = libm::round((reference - value) / TAU) * TAU;
+    let turned = value + turns;
+    let allowed = |x: f64| x >= limits.min && x <= limits.max;
+    if allowed(turned) || !allowed(value) {
+        (sign, offset + turns)
+    } else {
+        (sign, offset)
+    }
+}
+
+/// Whether two poses of seven numbers are the same up to [`SAME`].
+fn near(a: &[f64], b: &[f64]) -> bool {
+    let square: f64 = (0..3).map(|i| (a[i] - b[i]) * (a[i] - b[i])).sum();
+    let dot: f64 = (3..7).map(|i| a[i] * b[i]).sum();
+    // 1 − |cos(φ/2)| = φ²/8.
+    square <= SAME * SAME && 1.0 - dot.abs() <= SAME * SAME / 8.0
+}

@@ -1,0 +1,229 @@
+//! The cheapest way through a motion's branches: a shortest path over the closest poses of all frames, whose changes of
+//! branch are closed walks.
+//!
+//! Cost: the mean of f over the frames, and a price for each rad or size that joints move. A change of branch is priced by
+//! the straight distance until it lies on the cheapest way; only then the walk is looked for, and its true length taken, or
+//! the change left out. The way is found where all its changes are walks.
+
+use crate::plan::branches::{Branches, Edge};
+use crate::plan::places::Form;
+use crate::plan::walk::Walk;
+use std::collections::BTreeMap;
+
+/// Price of a rad or size of joint motion, root of squares, in the unit of mean f.
+pub const PRICE: f64 = 1e-6;
+/// Straight walks between two branches that may fail before only known ways are taken.
+const TRIES: usize = 6;
+
+/// How a slot's node is reached from one of the slot before.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum By {
+    /// Along their branch.
+    Branch,
+    /// By a walk of its own.
+    Walk,
+    /// Along the branch to a known walk between the two branches and along the other to the slot; `back`: that walk the
+    /// other way round.
+    Joint { number: usize, back: bool },
+}
+
+/// A way through all slots: a node each.
+#[derive(Clone, Debug, Default)]
+pub struct Route {
+    nodes: Vec<usize>,
+    by: Vec<By>,
+    /// Walks that were looked for, by the slot where they end and the nodes; none where there is none.
+    walks: BTreeMap<(usize, usize, usize), Option<Edge>>,
+    /// Walks between two branches that failed.
+    failed: BTreeMap<[usize; 2], usize>,
+    /// Branches whose end has been continued.
+    continued: usize,
+}
+
+impl Route {
+    /// The node of each slot; empty until a way is found.
+    pub fn nodes(&self) -> &[usize] {
+        &self.nodes
+    }
+
+    /// Gives the next branch that ends before the last slot a continuation downhill; false when all have one.
+    pub fn continue_branch(&mut self, branches: &mut Branches) -> bool {
+        let Some(branch) = branches.list.get(self.continued) else {
+            return false;
+        };
+        self.continued += 1;
+        let (last, node) = (
+            branch.first + branch.nodes.len() - 1,
+            branch.nodes[branch.nodes.len() - 1],
+        );
+        if last + 1 < branches.slots()
+            && let Some((to, edge)) = branches.fall_on(last, node)
+        {
+            self.walks.insert((last + 1, node, to), Some(edge));
+        }
+        true
+    }
+
+    /// Looks for the cheapest way, and for the walks on it; true when all of them are there.
+    pub fn advance(&mut self, branches: &mut Branches) -> bool {
+        let Some((nodes, by)) = self.cheapest(branches) else {
+            // Nothing leads through all slots.
+            return true;
+        };
+        let mut whole = true;
+        for slot in 1..nodes.len() {
+            let key = (slot, nodes[slot - 1], nodes[slot]);
+            if by[slot] != By::Walk || self.walks.contains_key(&key) {
+                continue;
+            }
+            whole = false;
+            let from = branches.nodes[slot - 1][key.1].clone();
+            let to = branches.nodes[slot][key.2].clone();
+            let edge = branches.walk_between(&from.theta, &to.theta);
+            if edge.is_none() {
+                *self.failed.entry([from.branch, to.branch]).or_default() += 1;
+            }
+            self.walks.insert(key, edge);
+        }
+        if whole {
+            (self.nodes, self.by) = (nodes, by);
+        }
+        whole
+    }
+
+    /// Viterbi's recursion: cost_i(k) = f_ik / frames + min_l [cost_{i−1}(l) + price · length(l → k)].
+    fn cheapest(&self, branches: &Branches) -> Option<(Vec<usize>, Vec<By>)> {
+        let slots = branches.slots();
+        let share = 1.0 / (slots - 1) as f64;
+        let mut between: BTreeMap<[usize; 2], Vec<(usize, bool)>> = BTreeMap::new();
+        for (number, joint) in branches.joints.iter().enumerate() {
+            let [a, b] = joint.branches;
+            between.entry([a, b]).or_default().push((number, false));
+            between.entry([b, a]).or_default().push((number, true));
+        }
+        let mut before = vec![0.0];
+        let mut from: Vec<Vec<(usize, By)>> = vec![vec![(0, By::Branch)]];
+        for slot in 1..slots {
+            let nodes = &branches.nodes[slot];
+            let mut costs = Vec::with_capacity(nodes.len());
+            let mut own = Vec::with_capacity(nodes.len());
+            for (k, node) in nodes.iter().enumerate() {
+                let mut best = (f64::INFINITY, (0, By::Branch));
+                let mut take = |cost: f64, l: usize, by: By| {
+                    if cost < best.0 {
+                        best = (cost, (l, by));
+                    }
+                    best.0
+                };
+                let list = &branches.list[node.branch];
+                let mut least = f64::INFINITY;
+                if let Some(l) = slot.checked_sub(1).and_then(|before| list.node(before)) {
+                    least = take(before[l] + PRICE * list.way(slot - 1, slot), l, By::Branch);
+                }
+                for (l, other) in branches.nodes[slot - 1].iter().enumerate() {
+                    if other.branch == node.branch || !(before[l] < least) {
+                        continue;
+                    }
+                    let pair = [other.branch, node.branch];
+                    let length = match self.walks.get(&(slot, l, k)) {
+                        Some(Some(edge)) => edge.walk.length,
+                        Some(None) => f64::INFINITY,
+                        None if self.failed.get(&pair).is_some_and(|n| *n >= TRIES) => {
+                            f64::INFINITY
+                        }
+                        None => branches.straight(&other.theta, &node.theta),
+                    };
+                    least = take(before[l] + PRICE * length, l, By::Walk);
+                    for &(number, back) in between.get(&pair).into_iter().flatten() {
+                        let joint = &branches.joints[number];
+                        let other = &branches.list[other.branch];
+                        if other.node(joint.slot).is_none() || list.node(joint.slot).is_none() {
+                            continue;
+                        }
+                        let length = other.way(slot - 1, joint.slot)
+                            + joint.edge.walk.length
+                            + list.way(joint.slot, slot);
+                        let cost = before[l] + PRICE * length;
+                        least = take(cost, l, By::Joint { number, back });
+                    }
+                }
+                costs.push(best.0 + share * node.solved.value);
+                own.push(best.1);
+            }
+            before = costs;
+            from.push(own);
+        }
+        let mut node = (0..before.len()).min_by(|&a, &b| before[a].total_cmp(&before[b]))?;
+        if !before[node].is_finite() {
+            return None;
+        }
+        let (mut nodes, mut by) = (vec![0; slots], vec![By::Branch; slots]);
+        for slot in (0..slots).rev() {
+            nodes[slot] = node;
+            (node, by[slot]) = from[slot][node];
+        }
+        Some((nodes, by))
+    }
+
+    /// The walks into a slot, in order, each from where the one before ends.
+    pub fn edges(&self, branches: &Branches, slot: usize) -> Vec<Edge> {
+        let (from, to) = (self.nodes[slot - 1], self.nodes[slot]);
+        match self.by[slot] {
+            By::Branch => vec![branches.along(slot, from, to)],
+            By::Walk => {
+                let walk = self.walks.get(&(slot, from, to)).cloned().flatten();
+                vec![walk.expect("the walks of a way that was found")]
+            }
+            By::Joint { number, back } => {
+                let joint = &branches.joints[number];
+                let branch = |slot: usize, node: usize| branches.nodes[slot][node].branch;
+                let mut edges = along(branches, branch(slot - 1, from), slot - 1, joint.slot);
+                edges.push(if back {
+                    reversed(&joint.edge, {
+                        let list = &branches.list[joint.branches[0]];
+                        let node = list.node(joint.slot).expect("joined there");
+                        &branches.nodes[joint.slot][node].theta
+                    })
+                } else {
+                    joint.edge.clone()
+                });
+                edges.extend(along(branches, branch(slot, to), joint.slot, slot));
+                edges
+            }
+        }
+    }
+
+    /// Whether the way changes its branch before a slot.
+    pub fn changes(&self, slot: usize) -> bool {
+        self.by[slot] != By::Branch
+    }
+}
+
+/// The walks along a branch from one slot to another, forwards or backwards.
+fn along(branches: &Branches, branch: usize, from: usize, to: usize) -> Vec<Edge> {
+    let list = &branches.list[branch];
+    let node = |slot: usize| list.node(slot).expect("a slot of the branch");
+    let step = |slot: usize| branches.along(slot, node(slot - 1), node(slot));
+    if from <= to {
+        return (from + 1..=to).map(step).collect();
+    }
+    let back = |slot: usize| {
+        let start = &branches.nodes[slot - 1][node(slot - 1)].theta;
+        reversed(&step(slot), start)
+    };
+    (to + 1..=from).rev().map(back).collect()
+}
+
+/// The walk of an edge, which begins at `start`, in the other direction.
+fn reversed(edge: &Edge, start: &[f64]) -> Edge {
+    let form = edge.form.inverse();
+    let Walk { points, length } = edge.walk.reversed(start);
+    let written = |point: &Vec<f64>| Form::apply(&form, point);
+    Edge {
+        walk: Walk {
+            points: points.iter().map(written).collect(),
+            length,
+        },
+        form,
+    }
+}
