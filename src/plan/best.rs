@@ -20,6 +20,8 @@ use crate::plan::walk;
 /// is known.
 const ROUNDS: usize = 3;
 const STARTS: usize = 8;
+/// One start of so many is from anywhere.
+const ANYWHERE: usize = 3;
 
 /// A point of a closed motion.
 #[derive(Clone, Debug, PartialEq)]
@@ -176,7 +178,11 @@ impl Search {
         }
         match self.waiting.pop() {
             Some(slot) => {
-                branches.start_from(slot);
+                if self.waiting.len() % ANYWHERE == 0 {
+                    branches.start_anywhere(slot);
+                } else {
+                    branches.start_from(slot);
+                }
                 let made = self.all - self.waiting.len();
                 self.routing = (made * ROUNDS).is_multiple_of(self.all.max(1));
             }

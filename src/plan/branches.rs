@@ -13,16 +13,23 @@ use crate::model::scaled::CLOSED;
 use crate::motion::goal::Goal;
 use crate::motion::trajectory::{Status, Trajectory};
 use crate::plan::follow::predict;
+use crate::plan::one_chain::joined_still;
 use crate::plan::places::{Form, Places};
 use crate::plan::settings::{Method, Settings, extent};
 use crate::plan::walk::{self, LONGEST, Walk};
 use crate::solve::solver::{End, Solved, Solver};
 use std::collections::BTreeMap;
+use std::f64::consts::PI;
 
 /// Frames from which starts are made: as many spread over the motion, first and last included.
 const FRAMES: usize = 9;
 /// Lengths of the ways that a start wanders, root of the joints' squared motions, rad and sizes.
 const LENGTHS: [f64; 4] = [0.4, 0.8, 1.6, 3.2];
+/// Lengths of the ways at random on which a walk to a position drawn anew may begin, and how often one is tried: for a pose
+/// that is closer than all that are known, and for others.
+const FAR: [f64; 4] = [0.8, 1.6, 3.2, 6.4];
+const TRIES: usize = 24;
+const FEW_TRIES: usize = 3;
 /// Branches that are followed; beyond, poses that are found only count.
 const MOST: usize = 96;
 /// A joint motion from one frame to the next, rad or sizes, that is followed no further: another branch may begin there.
@@ -103,10 +110,16 @@ pub struct Branches {
     pub followed: usize,
     /// Walks between branches.
     pub joints: Vec<Joint>,
+    /// Walks from one branch to another between a slot and the next, by the slot where they end and their nodes.
+    pub bridges: BTreeMap<(usize, usize, usize), Edge>,
     /// Walks along branches, by the slot where they end and their nodes; shorter steps are none.
     steps: BTreeMap<(usize, usize, usize), Edge>,
     /// Can joints move while the workpiece stands still?
     inner: bool,
+    /// Closes the loops of positions drawn anew.
+    anywhere: Solver,
+    /// Closest poses that no walk was found to, by slot: their links, and how often they were met.
+    apart: Vec<(usize, Vec<f64>)>,
     random: Random,
     /// Starts made, and those that led to a certified pose.
     pub starts: usize,
@@ -136,12 +149,15 @@ impl Branches {
         let mut branches = Self {
             places: Places::new(mechanism, solver.scaled()),
             inner: has_inner_freedoms(&mut solver, &theta),
+            anywhere: solver.clone(),
+            apart: Vec::new(),
             solver,
             goals: goals.iter().map(|goal| goal.pose).collect(),
             nodes: vec![Vec::new(); goals.len() + 1],
             list: Vec::new(),
             followed: 0,
             joints: Vec::new(),
+            bridges: BTreeMap::new(),
             steps: BTreeMap::new(),
             random: Random::new(14),
             starts: 0,
@@ -175,7 +191,70 @@ impl Branches {
             branches.add(frame + 1, theta, solved, Some(branch));
         }
         branches.followed = branches.list.len();
+        // Behind a leap the branch comes from frames before it.
+        for branch in 1..branches.followed {
+            branches.bridge(branch);
+            branches.follow_back(branch);
+        }
         Some(branches)
+    }
+
+    /// Looks for a closed walk to the first node of a branch from the slot before.
+    fn bridge(&mut self, branch: usize) {
+        let (slot, node) = (self.list[branch].first, self.list[branch].nodes[0]);
+        let to = self.nodes[slot][node].theta.clone();
+        if let Some((from, walk)) = self.reach(slot - 1, &to, TRIES) {
+            let form = self
+                .places
+                .form_near(&walk.points[walk.points.len() - 1], &to);
+            self.bridges.insert((slot, from, node), Edge { walk, form });
+        }
+    }
+
+    /// Follows a branch backwards from its first slot.
+    fn follow_back(&mut self, branch: usize) {
+        let slot = self.list[branch].first;
+        let mut node = self.list[branch].nodes[0];
+        let theta = self.nodes[slot][node].theta.clone();
+        let back = self.track(slot, &theta, -1);
+        for (at, (theta, solved)) in (1..slot).rev().zip(back) {
+            let index = self.nodes[at].len();
+            let links = self.places.links(&theta);
+            self.nodes[at].push(Node {
+                theta,
+                solved,
+                branch,
+                links,
+            });
+            let to = self.nodes[at + 1][node].theta.clone();
+            let Some(way) = self.step(at + 1, index, node, &to) else {
+                self.nodes[at].pop();
+                return;
+            };
+            let list = &mut self.list[branch];
+            list.first = at;
+            list.nodes.insert(0, index);
+            list.along.iter_mut().for_each(|along| *along += way);
+            list.along.insert(0, 0.0);
+            node = index;
+        }
+    }
+
+    /// Stays where a node is for all slots behind its own: what a linkage can always do.
+    pub fn stay_at(&mut self, slot: usize, node: usize) -> Option<usize> {
+        let theta = self.nodes[slot][node].theta.clone();
+        let joints = self.solver.scaled().left(&theta);
+        let mut branch = None;
+        for slot in slot + 1..self.slots() {
+            let value = self.solver.value(self.goal(slot), &joints);
+            let solved = Solved {
+                end: End::Stalled,
+                value,
+                ..Solved::OPEN
+            };
+            branch = Some(self.add(slot, theta.clone(), solved, branch));
+        }
+        branch
     }
 
     /// Slots: frames, and the start.
@@ -282,7 +361,7 @@ impl Branches {
     }
 
     /// The node of a slot that is this position, if there is one.
-    fn find(&mut self, slot: usize, theta: &[f64], links: &[f64]) -> Option<usize> {
+    fn find(&self, slot: usize, theta: &[f64], links: &[f64]) -> Option<usize> {
         let nodes = &self.nodes[slot];
         let same = |node: &Node| Places::are_same(&node.links, links);
         if let Some(found) = nodes.iter().position(same) {
@@ -291,21 +370,20 @@ impl Branches {
         if !self.inner {
             return None;
         }
-        // With inner freedoms it may be the same pose, with other links that a walk joins while the workpiece stands still.
-        let candidates: Vec<usize> = (0..nodes.len())
-            .filter(|&i| Places::same_workpiece(&nodes[i].links, links))
-            .collect();
-        candidates.into_iter().find(|&i| {
-            let to = self.nodes[slot][i].theta.clone();
-            let form = self.places.form_near(theta, &to);
-            let walk = walk::walk(&mut self.solver, theta, &form.apply(&to));
-            walk.is_some_and(|walk| {
-                let stays = |at: &Vec<f64>| {
-                    let workpiece = self.places.links(at);
-                    Places::same_workpiece(&workpiece, links)
-                };
-                walk.points.iter().all(stays)
-            })
+        // With inner freedoms other links may belong to the same pose, joined while the workpiece stands still.
+        nodes.iter().position(|node| {
+            Places::same_workpiece(&node.links, links) && self.are_joined_still(theta, &node.theta)
+        })
+    }
+
+    /// Whether every chain can go from one position to another while the workpiece stands still.
+    fn are_joined_still(&self, from: &[f64], to: &[f64]) -> bool {
+        let to = self.places.form_near(from, to).apply(to);
+        let mut first = 0;
+        self.solver.scaled().chains().iter().all(|chain| {
+            let own = first..first + chain.freedoms();
+            first = own.end;
+            joined_still(chain, &from[own.clone()], &to[own])
         })
     }
 
@@ -350,6 +428,93 @@ impl Branches {
         };
         let edge = Edge { walk: way, form };
         self.join(slot, [from.branch, branch], edge);
+    }
+
+    /// One start from anywhere: joint values drawn anew, closed and fallen to a closest pose of a slot. One that is new is
+    /// followed where a closed walk leads to it.
+    pub fn start_anywhere(&mut self, slot: usize) {
+        let Some(at) = self.draw(slot) else {
+            return;
+        };
+        self.starts += 1;
+        let goal = *self.goal(slot);
+        let (end, solved, _) = walk::fall(&mut self.solver, &at, &goal);
+        if !self.is_answer(&end, &solved, &goal) {
+            return;
+        }
+        let links = self.places.links(&end);
+        if let Some(node) = self.find(slot, &end, &links) {
+            self.arrived += 1;
+            let branch = self.nodes[slot][node].branch;
+            self.list[branch].starts += 1;
+            return;
+        }
+        let met = |(at, other): &(usize, Vec<f64>)| *at == slot && Places::are_same(other, &links);
+        if self.list.len() >= MOST || self.apart.iter().any(met) {
+            return;
+        }
+        let least = self.nodes[slot].iter().map(|node| node.solved.value);
+        let tries = if solved.value < least.fold(f64::INFINITY, f64::min) {
+            TRIES
+        } else {
+            FEW_TRIES
+        };
+        let Some((from, walk)) = self.reach(slot, &end, tries) else {
+            self.apart.push((slot, links));
+            return;
+        };
+        self.arrived += 1;
+        let branch = self.follow_from(slot, walk.points[walk.points.len() - 1].clone(), solved);
+        let form = Form::same(end.len());
+        let from = self.nodes[slot][from].branch;
+        self.join(slot, [from, branch], Edge { walk, form });
+    }
+
+    /// A closed position drawn anew, within the limits; sliders near those of the followed motion.
+    fn draw(&mut self, slot: usize) -> Option<Vec<f64>> {
+        let near = self.nodes[slot][0].theta.clone();
+        let scaled = self.anywhere.scaled();
+        let kinds = scaled.turns().iter().zip(scaled.limits()).zip(&near);
+        let theta: Vec<f64> = kinds
+            .map(|((&turns, limits), &near)| {
+                let (low, high) = if turns {
+                    (-PI, PI)
+                } else {
+                    (near - 1.0, near + 1.0)
+                };
+                let (low, high) = (limits.nearest(low), limits.nearest(high));
+                self.random.between(low, high)
+            })
+            .collect();
+        let mut joints = scaled.left(&theta);
+        let closed = self.anywhere.close_start(&mut joints, 0.0).is_closed();
+        closed.then(|| self.anywhere.scaled().entered(&joints))
+    }
+
+    /// A closed walk to a position from one of a slot's nodes: straight from the nearest, then from where walks at random
+    /// lead. The node that it begins at.
+    fn reach(&mut self, slot: usize, to: &[f64], tries: usize) -> Option<(usize, Walk)> {
+        let mut near: Vec<(f64, usize)> = (self.nodes[slot].iter().enumerate())
+            .map(|(i, node)| (self.straight(&node.theta, to), i))
+            .collect();
+        near.sort_by(|a, b| a.0.total_cmp(&b.0));
+        for attempt in 0..tries {
+            let (_, i) = near[attempt % near.len()];
+            let node = self.nodes[slot][i].clone();
+            let mut way = Walk::default();
+            let mut at = node.theta.clone();
+            if attempt >= near.len() {
+                let length = FAR[index(self.random.unit(), FAR.len())];
+                way = walk::wander(&mut self.solver, &at, length, &mut self.random);
+                at = way.points.last().cloned().unwrap_or(at);
+            }
+            let written = self.places.form_near(&at, to).apply(to);
+            if let Some(rest) = walk::walk(&mut self.solver, &at, &written) {
+                way.append(rest);
+                return Some((i, way));
+            }
+        }
+        None
     }
 
     /// Whether a fall has led to a certified closest pose, measured with the nearer of the two quaternions.
@@ -411,6 +576,9 @@ impl Branches {
         let all: Vec<_> = before.chain([(slot, theta, solved)]).chain(after).collect();
         for (at, theta, solved) in all {
             let added = self.add(at, theta, solved, branch);
+            if branch.is_some_and(|before| before != added) {
+                self.bridge(added);
+            }
             branch = Some(added);
             if at == slot {
                 own = added;

@@ -85,6 +85,43 @@ pub fn relax(chain: &Chain, own: &mut [f64]) {
     own.copy_from_slice(&values.as_slice()[..n]);
 }
 
+/// Whether a chain can go from the joint values `from` to `to`, lengths in sizes, while the workpiece stands still; both have
+/// it at the same pose.
+#[cfg(feature = "study")]
+pub fn joined_still(chain: &Chain, from: &[f64], to: &[f64]) -> bool {
+    /// Longest step, how often one is taken, and how far off the end may be: what poses may differ by.
+    const STEP: f64 = 0.1;
+    const MOST: usize = 200;
+    const ARRIVED: f64 = 5e-3;
+    let n = chain.freedoms();
+    let [mut values, mut end] = [Values::zeros(); 2];
+    values.as_mut_slice()[..n].copy_from_slice(from);
+    end.as_mut_slice()[..n].copy_from_slice(to);
+    let mut here = Tangent::new(chain, &values);
+    let pose = here.pose;
+    let mut last = f64::INFINITY;
+    for _ in 0..MOST {
+        let left = end - values;
+        let far = norm(&left);
+        if far <= ARRIVED {
+            return true;
+        }
+        let still = here.still(&left);
+        let length = norm(&still);
+        // Straight on, or it is another configuration.
+        if !(length > 0.1 * far && far < last) {
+            return false;
+        }
+        last = far;
+        let mut next = values + still * (STEP / length).min(1.0);
+        match close(chain, &pose, &mut next) {
+            Some(there) => (values, here) = (next, there),
+            None => return false,
+        }
+    }
+    false
+}
+
 /// Corrects the values until the workpiece is at `pose`; none if it does not come there within the limits.
 fn close(chain: &Chain, pose: &Pose, values: &mut Values) -> Option<Tangent> {
     for _ in 0..CORRECTIONS {

@@ -11,7 +11,7 @@ use crate::plan::walk::Walk;
 use std::collections::BTreeMap;
 
 /// Price of a rad or size of joint motion, root of squares, in the unit of mean f.
-pub const PRICE: f64 = 1e-6;
+pub const PRICE: f64 = 2e-7;
 /// Straight walks between two branches that may fail before only known ways are taken.
 const TRIES: usize = 6;
 
@@ -56,16 +56,20 @@ impl Route {
             branch.first + branch.nodes.len() - 1,
             branch.nodes[branch.nodes.len() - 1],
         );
-        if last + 1 < branches.slots()
-            && let Some((to, edge)) = branches.fall_on(last, node)
-        {
-            self.walks.insert((last + 1, node, to), Some(edge));
+        if last + 1 < branches.slots() {
+            match branches.fall_on(last, node) {
+                Some((to, edge)) => drop(self.walks.insert((last + 1, node, to), Some(edge))),
+                None => drop(branches.stay_at(last, node)),
+            }
         }
         true
     }
 
     /// Looks for the cheapest way, and for the walks on it; true when all of them are there.
     pub fn advance(&mut self, branches: &mut Branches) -> bool {
+        for (key, edge) in std::mem::take(&mut branches.bridges) {
+            self.walks.insert(key, Some(edge));
+        }
         let Some((nodes, by)) = self.cheapest(branches) else {
             // Nothing leads through all slots.
             return true;

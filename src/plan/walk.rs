@@ -10,16 +10,16 @@ use crate::solve::limits::Holding;
 use crate::solve::solver::{Solved, Solver};
 
 /// Length of a step along a free direction, root of the joints' squared motions.
-const STEP: f64 = 0.08;
+const STEP: f64 = 0.065;
 /// Largest joint motion from one point of a walk to the next, rad or sizes.
-pub const LONGEST: f64 = 0.09;
+pub const LONGEST: f64 = 0.07;
 /// Corrections that close the loops after a step: no longer than half of it, so that a walk does not leap.
 const REACH: Reach = Reach {
     shortest: Shortest::Joints,
     each: 0.5 * STEP,
     all: 0.5 * STEP,
 };
-/// Steps of one walk towards a position: 24 rad or sizes.
+/// Steps of one walk towards a position: 20 rad or sizes.
 const STEPS: usize = 300;
 /// A walk has arrived where it is off by no more than this, rad or sizes.
 const ARRIVED: f64 = 1e-9;
