@@ -169,7 +169,10 @@ impl Search {
             return false;
         };
         if self.routing {
-            if !self.route.continue_branch(branches) && self.route.advance(branches) {
+            if self.route.continue_branch(branches) || self.route.reach_branch(branches) {
+                return true;
+            }
+            if self.route.advance(branches) {
                 self.routing = false;
                 self.found = self.look();
                 self.done = self.waiting.is_empty();
@@ -311,8 +314,12 @@ impl Search {
         warn_of_rounded(&mut t, &mut branches.solver);
         let certified = |t: &Trajectory, frame: usize| t.status[frame].is_certified();
         let lost = (0..t.frames()).filter(|&i| certified(&t, i) && !certified(&self.followed, i));
+        let joined = branches.joined();
         let least = |slot: usize| {
-            let values = branches.nodes[slot].iter().map(|node| node.solved.value);
+            let nodes = branches.nodes[slot].iter();
+            let values = nodes
+                .filter(|node| joined[node.branch])
+                .map(|node| node.solved.value);
             values.fold(f64::INFINITY, f64::min)
         };
         let scaled = branches.solver.scaled();

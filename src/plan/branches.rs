@@ -203,7 +203,7 @@ impl Branches {
     fn bridge(&mut self, branch: usize) {
         let (slot, node) = (self.list[branch].first, self.list[branch].nodes[0]);
         let to = self.nodes[slot][node].theta.clone();
-        if let Some((from, walk)) = self.reach(slot - 1, &to, TRIES) {
+        if let Some((from, walk)) = self.reach(slot - 1, &to, TRIES, |_| true) {
             let form = self
                 .places
                 .form_near(&walk.points[walk.points.len() - 1], &to);
@@ -393,8 +393,8 @@ impl Branches {
         let pick = certified[index(self.random.unit(), certified.len())];
         let length = LENGTHS[index(self.random.unit(), LENGTHS.len())];
         let from = self.nodes[slot][pick].clone();
-        let mut way = walk::wander(&mut self.solver, &from.theta, length, &mut self.random);
-        let Some(at) = way.points.last().cloned() else {
+        let way = walk::wander(&mut self.solver, &from.theta, length, &mut self.random);
+        let Some(at) = way.last().cloned() else {
             return;
         };
         self.starts += 1;
@@ -415,10 +415,9 @@ impl Branches {
         } else if self.list.len() >= MOST {
             return;
         }
-        let Some(down) = walk::retrace(&mut self.solver, &at, passed, &end) else {
+        let Some(way) = self.way_by(&from.theta, way, passed, &end) else {
             return;
         };
-        way.append(down);
         let (branch, form) = if let Some(node) = found {
             let node = &self.nodes[slot][node];
             (node.branch, self.places.form_near(&end, &node.theta))
@@ -428,6 +427,25 @@ impl Branches {
         };
         let edge = Edge { walk: way, form };
         self.join(slot, [from.branch, branch], edge);
+    }
+
+    /// The closed walk along a way at random and down from its end.
+    fn way_by(
+        &mut self,
+        from: &[f64],
+        way: Vec<Vec<f64>>,
+        passed: Vec<Vec<f64>>,
+        end: &[f64],
+    ) -> Option<Walk> {
+        if let Some(straight) = walk::walk(&mut self.solver, from, end) {
+            return Some(straight);
+        }
+        let mut way = way;
+        let at = walk::closed(&mut self.solver, way.pop()?)?;
+        way.push(at.clone());
+        let mut whole = walk::close(&mut self.solver, from, way)?;
+        whole.append(walk::retrace(&mut self.solver, &at, passed, end)?);
+        Some(whole)
     }
 
     /// One start from anywhere: joint values drawn anew, closed and fallen to a closest pose of a slot. One that is new is
@@ -459,7 +477,7 @@ impl Branches {
         } else {
             FEW_TRIES
         };
-        let Some((from, walk)) = self.reach(slot, &end, tries) else {
+        let Some((from, walk)) = self.reach(slot, &end, tries, |_| true) else {
             self.apart.push((slot, links));
             return;
         };
@@ -493,28 +511,90 @@ impl Branches {
 
     /// A closed walk to a position from one of a slot's nodes: straight from the nearest, then from where walks at random
     /// lead. The node that it begins at.
-    fn reach(&mut self, slot: usize, to: &[f64], tries: usize) -> Option<(usize, Walk)> {
+    fn reach(
+        &mut self,
+        slot: usize,
+        to: &[f64],
+        tries: usize,
+        from: impl Fn(&Node) -> bool,
+    ) -> Option<(usize, Walk)> {
         let mut near: Vec<(f64, usize)> = (self.nodes[slot].iter().enumerate())
+            .filter(|(_, node)| from(node))
             .map(|(i, node)| (self.straight(&node.theta, to), i))
             .collect();
         near.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let tries = if near.is_empty() { 0 } else { tries };
         for attempt in 0..tries {
             let (_, i) = near[attempt % near.len()];
             let node = self.nodes[slot][i].clone();
-            let mut way = Walk::default();
+            let mut way = Vec::new();
             let mut at = node.theta.clone();
             if attempt >= near.len() {
                 let length = FAR[index(self.random.unit(), FAR.len())];
                 way = walk::wander(&mut self.solver, &at, length, &mut self.random);
-                at = way.points.last().cloned().unwrap_or(at);
+                let end = way
+                    .pop()
+                    .and_then(|end| walk::closed(&mut self.solver, end));
+                let Some(end) = end else {
+                    continue;
+                };
+                at.clone_from(&end);
+                way.push(end);
             }
             let written = self.places.form_near(&at, to).apply(to);
-            if let Some(rest) = walk::walk(&mut self.solver, &at, &written) {
-                way.append(rest);
-                return Some((i, way));
+            if let Some(rest) = walk::walk(&mut self.solver, &at, &written)
+                && let Some(mut whole) = walk::close(&mut self.solver, &node.theta, way)
+            {
+                whole.append(rest);
+                return Some((i, whole));
             }
         }
         None
+    }
+
+    /// Which branches closed walks join to the start.
+    pub fn joined(&self) -> Vec<bool> {
+        let mut joined = vec![false; self.list.len()];
+        joined[0] = true;
+        loop {
+            let before = joined.iter().filter(|j| **j).count();
+            let walks = self.joints.iter().map(|joint| joint.branches);
+            let bridges = self.bridges.keys().map(|&(slot, from, to)| {
+                [
+                    self.nodes[slot - 1][from].branch,
+                    self.nodes[slot][to].branch,
+                ]
+            });
+            for [a, b] in walks.chain(bridges) {
+                let either = joined[a] || joined[b];
+                (joined[a], joined[b]) = (either, either);
+            }
+            if joined.iter().filter(|j| **j).count() == before {
+                return joined;
+            }
+        }
+    }
+
+    /// Looks for a walk to a branch that none joins to the start, in the slots from which starts are made; false where there
+    /// is none.
+    pub fn reach_branch(&mut self, branch: usize) -> bool {
+        let joined = self.joined();
+        for slot in self.start_slots() {
+            let Some(node) = self.list[branch].node(slot) else {
+                continue;
+            };
+            let to = self.nodes[slot][node].theta.clone();
+            let from = |node: &Node| joined[node.branch];
+            if let Some((from, walk)) = self.reach(slot, &to, TRIES, from) {
+                let form = self
+                    .places
+                    .form_near(&walk.points[walk.points.len() - 1], &to);
+                let from = self.nodes[slot][from].branch;
+                self.join(slot, [from, branch], Edge { walk, form });
+                return true;
+            }
+        }
+        false
     }
 
     /// Whether a fall has led to a certified closest pose, measured with the nearer of the two quaternions.

@@ -36,8 +36,9 @@ pub struct Route {
     walks: BTreeMap<(usize, usize, usize), Option<Edge>>,
     /// Walks between two branches that failed.
     failed: BTreeMap<[usize; 2], usize>,
-    /// Branches whose end has been continued.
+    /// Branches whose end has been continued, and that were looked at for a walk to them.
     continued: usize,
+    reached: usize,
 }
 
 impl Route {
@@ -58,17 +59,29 @@ impl Route {
         );
         if last + 1 < branches.slots() {
             match branches.fall_on(last, node) {
-                Some((to, edge)) => drop(self.walks.insert((last + 1, node, to), Some(edge))),
+                Some((to, edge)) => drop(branches.bridges.insert((last + 1, node, to), edge)),
                 None => drop(branches.stay_at(last, node)),
             }
         }
         true
     }
 
+    /// Looks for a walk to the next branch that none joins to the start; false when all were looked at.
+    pub fn reach_branch(&mut self, branches: &mut Branches) -> bool {
+        if self.reached >= branches.list.len() {
+            return false;
+        }
+        if !branches.joined()[self.reached] {
+            branches.reach_branch(self.reached);
+        }
+        self.reached += 1;
+        true
+    }
+
     /// Looks for the cheapest way, and for the walks on it; true when all of them are there.
     pub fn advance(&mut self, branches: &mut Branches) -> bool {
-        for (key, edge) in std::mem::take(&mut branches.bridges) {
-            self.walks.insert(key, Some(edge));
+        for (key, edge) in &branches.bridges {
+            self.walks.entry(*key).or_insert_with(|| Some(edge.clone()));
         }
         let Some((nodes, by)) = self.cheapest(branches) else {
             // Nothing leads through all slots.

@@ -5,12 +5,12 @@
 use crate::math::linalg::dot;
 use crate::math::pose::Pose;
 use crate::math::random::Random;
-use crate::solve::close::{Reach, Shortest, add_rates, solve_gram};
+use crate::solve::close::{Reach, Shortest, add_rates, longest, solve_gram};
 use crate::solve::limits::Holding;
 use crate::solve::solver::{Solved, Solver};
 
 /// Length of a step along a free direction, root of the joints' squared motions.
-const STEP: f64 = 0.065;
+const STEP: f64 = 0.06;
 /// Largest joint motion from one point of a walk to the next, rad or sizes.
 pub const LONGEST: f64 = 0.07;
 /// Corrections that close the loops after a step: no longer than half of it, so that a walk does not leap.
@@ -21,13 +21,14 @@ const REACH: Reach = Reach {
 };
 /// Steps of one walk towards a position: 20 rad or sizes.
 const STEPS: usize = 300;
-/// A walk has arrived where it is off by no more than this, rad or sizes.
-const ARRIVED: f64 = 1e-9;
+/// A walk has arrived where it is off by no more than this, rad or sizes: its last step but one is as good as the end.
+const ARRIVED: f64 = 1e-3;
 /// Share by which the distance to the end must fall in a step, and the least share of the way that is a free motion.
 const NEARER: f64 = 1e-4;
 const ALONG: f64 = 1e-3;
-/// Share of a step below which it is not made shorter any more.
-const SHORTEST: f64 = 0.1;
+/// How often a walk at random that is stuck turns, and how often a step is halved.
+const TURNS: usize = 2;
+const DIVISIONS: usize = 3;
 /// Rate of a joint, of a direction of length 1, that is rounding.
 const LEVEL: f64 = 1e-9;
 
@@ -79,129 +80,164 @@ pub fn random_heading(random: &mut Random, variables: usize) -> Vec<f64> {
     (0..variables).map(|_| random.between(-1.0, 1.0)).collect()
 }
 
-/// Where joints go when all move along the free direction nearest to `heading`, which becomes that direction; joints at a
-/// limit that it would push beyond it stand still. None where nothing is left of it.
-fn project(solver: &mut Solver, theta: &[f64], heading: &mut [f64]) -> Option<Holding> {
+/// One step of at most `length` along the free direction nearest to `heading`, and `heading` becomes that direction. Joints
+/// at a limit that it would push beyond it stand still, and it ends at the first limit that it meets. In the same step the
+/// loops are closed to first order, so that one factorisation serves a step; what it leaves open itself is closed by the next.
+/// False where nothing is left of the direction or closing takes as long as the step.
+fn step(solver: &mut Solver, theta: &mut [f64], heading: &mut [f64], length: f64) -> bool {
+    let wanted = heading.to_vec();
     let (scaled, closer, holding) = solver.parts();
     let mut holding = holding.clone();
     holding.clear();
-    let wanted = heading.to_vec();
-    let mut coefficients = Vec::new();
-    let mut gram = Vec::new();
+    let (mut correction, mut coefficients, mut gram) = (Vec::new(), Vec::new(), Vec::new());
+    let mut closing = vec![0.0; theta.len()];
+    let dependence = closer.dependence_anywhere();
+    closer.tangent().evaluate(scaled.chains(), theta);
     loop {
-        let dependence = closer.dependence_anywhere();
-        let tangent = closer.tangent();
-        tangent.evaluate(scaled.chains(), theta);
-        let free = tangent.factor(holding.stops(), dependence).free();
+        let mut factored = closer.tangent().factor(holding.stops(), dependence);
+        factored.close(&mut correction, &mut closing);
+        let free = factored.free();
         coefficients.clear();
         coefficients.extend((0..free.count()).map(|i| dot(free.rates(i), &wanted)));
         if !solve_gram(&free, &mut gram, &mut coefficients) {
-            return None;
+            return false;
         }
         heading.fill(0.0);
         add_rates(&free, &coefficients, 1.0, heading);
-        let length = dot(heading, heading).sqrt();
-        if !(length > 0.0) {
-            return None;
+        let rate = dot(heading, heading).sqrt();
+        if !(rate > 0.0 && longest(&closing) <= 0.5 * STEP) {
+            return false;
         }
-        match holding.pushed(theta, heading, LEVEL * length, usize::MAX) {
-            Some((joint, stop)) => holding.set(joint, stop),
-            None => return Some(holding),
-        };
+        if let Some((joint, stop)) = holding.pushed(theta, heading, LEVEL * rate, usize::MAX) {
+            holding.set(joint, stop);
+            continue;
+        }
+        let moves: Vec<f64> = heading
+            .iter()
+            .zip(&closing)
+            .map(|(d, c)| d * length / rate + c)
+            .collect();
+        let (share, met) = holding.share(theta, &moves, LEVEL * length, None);
+        theta
+            .iter_mut()
+            .zip(&moves)
+            .for_each(|(t, m)| *t += share * m);
+        if let Some((joint, stop)) = met {
+            holding.set(joint, stop);
+        }
+        holding.apply(theta);
+        return true;
     }
 }
 
-/// One closed step of at most `step` along the free direction nearest to `heading`, and `heading` becomes that direction;
-/// it ends at the first limit that it meets. False where the loops do not close there.
-fn step(solver: &mut Solver, theta: &mut Vec<f64>, heading: &mut [f64], step: f64) -> bool {
-    let Some(holding) = project(solver, theta, heading) else {
-        return false;
-    };
-    let length = dot(heading, heading).sqrt();
-    let along: Vec<f64> = heading.iter().map(|d| d * step / length).collect();
-    let (share, met) = holding.share(theta, &along, LEVEL * step, None);
-    let mut held = holding;
-    if let Some((joint, stop)) = met {
-        held.set(joint, stop);
-    }
-    let mut next: Vec<f64> = theta
-        .iter()
-        .zip(&along)
-        .map(|(t, d)| t + share * d)
-        .collect();
-    held.apply(&mut next);
-    let (scaled, closer, _) = solver.parts();
-    let closed = closer.close(scaled, held.stops(), &REACH, &mut next, &mut 0)
-        && held.contains(&next)
-        && largest(theta, &next) <= LONGEST;
-    if closed {
-        *theta = next;
-    }
-    closed
-}
-
-/// Wanders over closed positions from `theta`, at random and straight on where that is possible, for about `length`; ends
-/// earlier where it is stuck.
-pub fn wander(solver: &mut Solver, theta: &[f64], length: f64, random: &mut Random) -> Walk {
-    let mut walk = Walk::default();
+/// Wanders from the closed position `theta`, at random and straight on where that is possible, for about `length`; ends
+/// earlier where it is stuck. The points are nearly closed; see [`close`].
+pub fn wander(
+    solver: &mut Solver,
+    theta: &[f64],
+    length: f64,
+    random: &mut Random,
+) -> Vec<Vec<f64>> {
+    let mut points: Vec<Vec<f64>> = Vec::new();
     let mut heading = random_heading(random, theta.len());
     let mut at = theta.to_vec();
-    let mut turns = 0;
-    while walk.length < length {
+    let (mut gone, mut turns) = (0.0, 0);
+    // At a corner of the limits a step may have no length.
+    while gone < length && points.len() < STEPS {
         let before = at.clone();
-        let long = STEP.min(length - walk.length);
-        if step(solver, &mut at, &mut heading, long) {
-            walk.push(&before, at.clone());
-            // At a corner of the limits a step may have no length.
-            if walk.points.len() > STEPS {
-                break;
-            }
-        } else if turns < 2 {
+        if step(solver, &mut at, &mut heading, STEP.min(length - gone)) {
+            gone += distance(&before, &at);
+            points.push(at.clone());
+        } else if turns < TURNS {
             turns += 1;
             heading = random_heading(random, theta.len());
         } else {
             break;
         }
     }
-    walk
+    points
 }
 
 /// The closed walk from one closed position to another that goes as straight as it can; none where it does not arrive.
 pub fn walk(solver: &mut Solver, from: &[f64], to: &[f64]) -> Option<Walk> {
-    let mut walk = Walk::default();
+    let mut points = Vec::new();
     let mut at = from.to_vec();
     let mut last = f64::INFINITY;
     for _ in 0..STEPS {
         let mut heading: Vec<f64> = at.iter().zip(to).map(|(a, b)| b - a).collect();
         let far = dot(&heading, &heading).sqrt();
         if far <= ARRIVED {
-            // The end itself, which is closed, in place of what is as good as it.
-            match walk.points.last_mut() {
-                Some(end) => end.copy_from_slice(to),
-                None => walk.points.push(to.to_vec()),
-            }
-            return Some(walk);
+            points.pop();
+            points.push(to.to_vec());
+            return close(solver, from, points);
         }
         if !(far < last * (1.0 - NEARER)) {
             return None;
         }
         last = far;
-        let before = at.clone();
-        let wanted = heading.clone();
-        let mut long = STEP.min(far);
-        while !step(solver, &mut at, &mut heading, long) {
-            long *= 0.5;
-            if !(long >= SHORTEST * STEP.min(far)) {
-                return None;
-            }
-            heading.clone_from(&wanted);
+        let wanted = dot(&heading, &heading).sqrt();
+        if !step(solver, &mut at, &mut heading, STEP.min(wanted)) {
+            return None;
         }
         if !(dot(&heading, &heading).sqrt() >= ALONG * far) {
             return None;
         }
-        walk.push(&before, at.clone());
+        points.push(at.clone());
     }
     None
+}
+
+/// The closed walk through points that are nearly closed, the last of them as it is; none where one does not close nearby or
+/// a step between two cannot be divided.
+pub fn close(solver: &mut Solver, from: &[f64], points: Vec<Vec<f64>>) -> Option<Walk> {
+    let mut walk = Walk::default();
+    let mut at = from.to_vec();
+    let last = points.len().saturating_sub(1);
+    for (i, point) in points.into_iter().enumerate() {
+        let closed = if i < last {
+            closed(solver, point)?
+        } else {
+            point
+        };
+        divide(solver, &mut walk, &at, &closed, DIVISIONS)?;
+        at = closed;
+    }
+    Some(walk)
+}
+
+/// The closed position next to one that is nearly closed, within the limits.
+pub fn closed(solver: &mut Solver, mut theta: Vec<f64>) -> Option<Vec<f64>> {
+    let (scaled, closer, holding) = solver.parts();
+    let mut holding = holding.clone();
+    holding.hold_all_at(&theta);
+    let mut closes = |holding: &Holding| {
+        closer.close(scaled, holding.stops(), &REACH, &mut theta, &mut 0)
+            && holding.contains(&theta)
+    };
+    let held = closes(&holding);
+    holding.clear();
+    (held || closes(&holding)).then_some(theta)
+}
+
+/// Appends a step to a walk, with closed positions between where it is long.
+fn divide(
+    solver: &mut Solver,
+    walk: &mut Walk,
+    from: &[f64],
+    to: &[f64],
+    divisions: usize,
+) -> Option<()> {
+    if largest(from, to) <= LONGEST {
+        walk.push(from, to.to_vec());
+        return Some(());
+    }
+    if divisions == 0 {
+        return None;
+    }
+    let middle = from.iter().zip(to).map(|(a, b)| 0.5 * (a + b)).collect();
+    let middle = closed(solver, middle)?;
+    divide(solver, walk, from, &middle, divisions - 1)?;
+    divide(solver, walk, &middle, to, divisions - 1)
 }
 
 /// The minimum of the distance from `goal` downhill from a closed position: joint values, what is known of it, and closed
