@@ -25,11 +25,16 @@ use std::f64::consts::PI;
 const FRAMES: usize = 9;
 /// Lengths of the ways that a start wanders, root of the joints' squared motions, rad and sizes.
 const LENGTHS: [f64; 4] = [0.4, 0.8, 1.6, 3.2];
-/// Lengths of the ways at random on which a walk to a position drawn anew may begin, and how often one is tried: for a pose
-/// that is closer than all that are known, and for others.
-const FAR: [f64; 4] = [0.8, 1.6, 3.2, 6.4];
-const TRIES: usize = 24;
+/// Walks that are tried to a position drawn anew, from the nearest positions known: to a pose that is closer than all that
+/// are known, and to others.
+const TRIES: usize = 12;
 const FEW_TRIES: usize = 3;
+/// Ways at random from the start that are made first, and their length, rad and sizes: a linkage of one freedom goes round
+/// most of its curve so.
+const EXPLORING: usize = 4;
+const FAR: f64 = 12.0;
+/// Of a way at random every so many points are kept.
+const KEPT: usize = 6;
 /// Branches that are followed; beyond, poses that are found only count.
 const MOST: usize = 96;
 /// A joint motion from one frame to the next, rad or sizes, that is followed no further: another branch may begin there.
@@ -94,6 +99,14 @@ pub struct Joint {
     pub edge: Edge,
 }
 
+/// A way at random from a node: nearly closed points.
+#[derive(Clone, Debug)]
+struct Way {
+    slot: usize,
+    branch: usize,
+    points: Vec<Vec<f64>>,
+}
+
 /// What is known of a motion's branches.
 #[derive(Clone, Debug)]
 pub struct Branches {
@@ -120,6 +133,8 @@ pub struct Branches {
     anywhere: Solver,
     /// Closest poses that no walk was found to, by slot: their links, and how often they were met.
     apart: Vec<(usize, Vec<f64>)>,
+    /// Ways at random that were made.
+    ways: Vec<Way>,
     random: Random,
     /// Starts made, and those that led to a certified pose.
     pub starts: usize,
@@ -159,6 +174,7 @@ impl Branches {
             joints: Vec::new(),
             bridges: BTreeMap::new(),
             steps: BTreeMap::new(),
+            ways: Vec::new(),
             random: Random::new(14),
             starts: 0,
             arrived: 0,
@@ -191,6 +207,7 @@ impl Branches {
             branches.add(frame + 1, theta, solved, Some(branch));
         }
         branches.followed = branches.list.len();
+        branches.explore();
         // Behind a leap the branch comes from frames before it.
         for branch in 1..branches.followed {
             branches.bridge(branch);
@@ -397,6 +414,11 @@ impl Branches {
         let Some(at) = way.last().cloned() else {
             return;
         };
+        self.ways.push(Way {
+            slot,
+            branch: from.branch,
+            points: way.clone(),
+        });
         self.starts += 1;
         let goal = *self.goal(slot);
         let (end, solved, passed) = walk::fall(&mut self.solver, &at, &goal);
@@ -509,47 +531,98 @@ impl Branches {
         closed.then(|| self.anywhere.scaled().entered(&joints))
     }
 
-    /// A closed walk to a position from one of a slot's nodes: straight from the nearest, then from where walks at random
-    /// lead. The node that it begins at.
+    /// A closed walk to a position from one of a slot's nodes: straight from the nearest nodes, or from points of ways at
+    /// random. The node that it begins at.
     fn reach(
         &mut self,
         slot: usize,
         to: &[f64],
         tries: usize,
-        from: impl Fn(&Node) -> bool,
+        from: impl Fn(usize) -> bool,
     ) -> Option<(usize, Walk)> {
-        let mut near: Vec<(f64, usize)> = (self.nodes[slot].iter().enumerate())
-            .filter(|(_, node)| from(node))
-            .map(|(i, node)| (self.straight(&node.theta, to), i))
-            .collect();
-        near.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let tries = if near.is_empty() { 0 } else { tries };
-        for attempt in 0..tries {
-            let (_, i) = near[attempt % near.len()];
-            let node = self.nodes[slot][i].clone();
-            let mut way = Vec::new();
-            let mut at = node.theta.clone();
-            if attempt >= near.len() {
-                let length = FAR[index(self.random.unit(), FAR.len())];
-                way = walk::wander(&mut self.solver, &at, length, &mut self.random);
-                let end = way
-                    .pop()
-                    .and_then(|end| walk::closed(&mut self.solver, end));
-                let Some(end) = end else {
-                    continue;
-                };
-                at.clone_from(&end);
-                way.push(end);
+        // The distance, the node, and the way with the number of its points.
+        let mut near: Vec<(f64, usize, Option<(usize, usize)>)> = Vec::new();
+        for (i, node) in self.nodes[slot].iter().enumerate() {
+            if from(node.branch) {
+                near.push((self.straight(&node.theta, to), i, None));
             }
-            let written = self.places.form_near(&at, to).apply(to);
-            if let Some(rest) = walk::walk(&mut self.solver, &at, &written)
-                && let Some(mut whole) = walk::close(&mut self.solver, &node.theta, way)
-            {
+        }
+        for (number, way) in self.ways.iter().enumerate() {
+            let Some(node) = self.list[way.branch].node(slot) else {
+                continue;
+            };
+            if from(way.branch) {
+                let points = (0..way.points.len()).skip(KEPT - 1).step_by(KEPT);
+                near.extend(points.map(|i| {
+                    let far = self.straight(&way.points[i], to);
+                    (far, node, Some((number, i + 1)))
+                }));
+            }
+        }
+        near.sort_by(|a, b| a.0.total_cmp(&b.0));
+        for (_, node, way) in near.into_iter().take(tries) {
+            let start = self.nodes[slot][node].theta.clone();
+            let Some((number, count)) = way else {
+                let written = self.places.form_near(&start, to).apply(to);
+                if let Some(walk) = walk::walk(&mut self.solver, &start, &written) {
+                    return Some((node, walk));
+                }
+                continue;
+            };
+            let mut points = self.ways[number].points[..count].to_vec();
+            let end = points
+                .pop()
+                .and_then(|end| walk::closed(&mut self.solver, end));
+            let Some(end) = end else {
+                continue;
+            };
+            let written = self.places.form_near(&end, to).apply(to);
+            let Some(rest) = walk::walk(&mut self.solver, &end, &written) else {
+                continue;
+            };
+            points.push(end);
+            let (branch, origin) = (self.ways[number].branch, self.ways[number].slot);
+            let mut whole = self.walk_along(branch, slot, origin);
+            let list = &self.list[branch];
+            let origin = self.nodes[origin][list.node(origin).expect("its slot")]
+                .theta
+                .clone();
+            if let Some(way) = walk::close(&mut self.solver, &origin, points) {
+                whole.append(way);
                 whole.append(rest);
-                return Some((i, whole));
+                return Some((node, whole));
             }
         }
         None
+    }
+
+    /// The walk along a branch from one slot to another, forwards or backwards.
+    pub fn walk_along(&self, branch: usize, from: usize, to: usize) -> Walk {
+        let list = &self.list[branch];
+        let node = |slot: usize| list.node(slot).expect("a slot of the branch");
+        let step = |slot: usize| self.along(slot, node(slot - 1), node(slot)).walk;
+        let mut whole = Walk::default();
+        for slot in from + 1..=to {
+            whole.append(step(slot));
+        }
+        for slot in (to + 1..=from).rev() {
+            let start = &self.nodes[slot - 1][node(slot - 1)].theta;
+            whole.append(step(slot).reversed(start));
+        }
+        whole
+    }
+
+    /// Ways at random from the start, far enough to leave its surroundings.
+    pub fn explore(&mut self) {
+        let start = self.nodes[0][0].theta.clone();
+        for _ in 0..EXPLORING {
+            let points = walk::wander(&mut self.solver, &start, FAR, &mut self.random);
+            self.ways.push(Way {
+                slot: 0,
+                branch: 0,
+                points,
+            });
+        }
     }
 
     /// Which branches closed walks join to the start.
@@ -584,7 +657,7 @@ impl Branches {
                 continue;
             };
             let to = self.nodes[slot][node].theta.clone();
-            let from = |node: &Node| joined[node.branch];
+            let from = |branch: usize| joined[branch];
             if let Some((from, walk)) = self.reach(slot, &to, TRIES, from) {
                 let form = self
                     .places

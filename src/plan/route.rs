@@ -194,7 +194,11 @@ impl Route {
             By::Joint { number, back } => {
                 let joint = &branches.joints[number];
                 let branch = |slot: usize, node: usize| branches.nodes[slot][node].branch;
-                let mut edges = along(branches, branch(slot - 1, from), slot - 1, joint.slot);
+                let along = |branch: usize, from: usize, to: usize| Edge {
+                    walk: branches.walk_along(branch, from, to),
+                    form: Form::same(branches.nodes[0][0].theta.len()),
+                };
+                let mut edges = vec![along(branch(slot - 1, from), slot - 1, joint.slot)];
                 edges.push(if back {
                     reversed(&joint.edge, {
                         let list = &branches.list[joint.branches[0]];
@@ -204,7 +208,7 @@ impl Route {
                 } else {
                     joint.edge.clone()
                 });
-                edges.extend(along(branches, branch(slot, to), joint.slot, slot));
+                edges.push(along(branch(slot, to), joint.slot, slot));
                 edges
             }
         }
@@ -214,21 +218,6 @@ impl Route {
     pub fn changes(&self, slot: usize) -> bool {
         self.by[slot] != By::Branch
     }
-}
-
-/// The walks along a branch from one slot to another, forwards or backwards.
-fn along(branches: &Branches, branch: usize, from: usize, to: usize) -> Vec<Edge> {
-    let list = &branches.list[branch];
-    let node = |slot: usize| list.node(slot).expect("a slot of the branch");
-    let step = |slot: usize| branches.along(slot, node(slot - 1), node(slot));
-    if from <= to {
-        return (from + 1..=to).map(step).collect();
-    }
-    let back = |slot: usize| {
-        let start = &branches.nodes[slot - 1][node(slot - 1)].theta;
-        reversed(&step(slot), start)
-    };
-    (to + 1..=from).rev().map(back).collect()
 }
 
 /// The walk of an edge, which begins at `start`, in the other direction.

@@ -19,8 +19,10 @@ const REACH: Reach = Reach {
     each: 0.5 * STEP,
     all: 0.5 * STEP,
 };
-/// Steps of one walk towards a position: 20 rad or sizes.
+/// Steps of a walk, and of one towards a position for each of the straight way's.
 const STEPS: usize = 300;
+const DETOUR: f64 = 2.0;
+const MOST_STEPS: f64 = 2e4;
 /// A walk has arrived where it is off by no more than this, rad or sizes: its last step but one is as good as the end.
 const ARRIVED: f64 = 1e-3;
 /// Share by which the distance to the end must fall in a step, and the least share of the way that is a free motion.
@@ -163,7 +165,15 @@ pub fn walk(solver: &mut Solver, from: &[f64], to: &[f64]) -> Option<Walk> {
     let mut points = Vec::new();
     let mut at = from.to_vec();
     let mut last = f64::INFINITY;
-    for _ in 0..STEPS {
+    let straight = libm::ceil(DETOUR * distance(from, to) / STEP);
+    // Not a number at all, or a slider's way of a thousand sizes: there is no such walk.
+    if !(straight <= MOST_STEPS) {
+        return None;
+    }
+    for step_number in 0.. {
+        if step_number >= STEPS && step_number as f64 >= straight {
+            return None;
+        }
         let mut heading: Vec<f64> = at.iter().zip(to).map(|(a, b)| b - a).collect();
         let far = dot(&heading, &heading).sqrt();
         if far <= ARRIVED {
