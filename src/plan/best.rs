@@ -16,12 +16,18 @@ use crate::plan::settings::{Method, Settings, extent};
 use crate::plan::unseen::Unseen;
 use crate::plan::walk;
 
-/// Starts from each of the frames that [`Branches::start_slots`] names, in rounds after each of which the best motion so far
+/// Starts of a round from each of the frames that [`Branches::start_slots`] names; after each round the best motion so far
 /// is known.
-const ROUNDS: usize = 3;
 const STARTS: usize = 8;
 /// One start of so many is from anywhere.
 const ANYWHERE: usize = 3;
+/// Rounds that are made, and those that are made where the last one found a better motion or where more than this share of
+/// the starts led to a branch that no other led to.
+const ROUNDS: usize = 3;
+const MOST_ROUNDS: usize = 6;
+const UNSEEN: f64 = 0.01;
+/// Share by which the mean must fall for a motion to be a better one.
+const BETTER: f64 = 1e-3;
 
 /// A point of a closed motion.
 #[derive(Clone, Debug, PartialEq)]
@@ -122,11 +128,12 @@ pub struct Search {
     followed: Trajectory,
     branches: Option<Branches>,
     route: Route,
-    /// Starts that are to be made: the slots, the next one last.
+    /// Slots from which starts are to be made in this round.
     waiting: Vec<usize>,
-    all: usize,
-    /// The best motion so far is to be looked for before the next start.
-    routing: bool,
+    /// Rounds that were begun.
+    rounds: usize,
+    /// The mean before the last round.
+    before: f64,
     found: Option<Found>,
     done: bool,
 }
@@ -140,14 +147,6 @@ impl Search {
         followed: Trajectory,
     ) -> Self {
         let branches = Branches::new(mechanism, goals, settings, &followed);
-        let mut waiting = Vec::new();
-        // Where all goals are reached nothing is closer.
-        let closer = followed.status.iter().any(|s| *s != Status::Reached);
-        if let Some(branches) = branches.as_ref().filter(|_| closer) {
-            let slots = branches.start_slots();
-            let round = slots.iter().flat_map(|&slot| [slot; STARTS]);
-            waiting = std::iter::repeat_n(round, ROUNDS).flatten().collect();
-        }
         Self {
             mechanism: mechanism.clone(),
             goals: goals.to_vec(),
@@ -156,9 +155,9 @@ impl Search {
             done: branches.is_none(),
             branches,
             route: Route::default(),
-            all: waiting.len(),
-            waiting,
-            routing: false,
+            waiting: Vec::new(),
+            rounds: 0,
+            before: f64::INFINITY,
             found: None,
         }
     }
@@ -168,30 +167,44 @@ impl Search {
         let Some(branches) = self.branches.as_mut().filter(|_| !self.done) else {
             return false;
         };
-        if self.routing {
-            if self.route.continue_branch(branches) || self.route.reach_branch(branches) {
-                return true;
+        if let Some(slot) = self.waiting.pop() {
+            if self.waiting.len().is_multiple_of(ANYWHERE) {
+                branches.start_anywhere(slot);
+            } else {
+                branches.start_from(slot);
             }
-            if self.route.advance(branches) {
-                self.routing = false;
-                self.found = self.look();
-                self.done = self.waiting.is_empty();
+            if self.waiting.is_empty() {
+                branches.try_apart_again(&self.route.values(branches));
             }
-            return !self.done;
+            return true;
         }
-        match self.waiting.pop() {
-            Some(slot) => {
-                if self.waiting.len() % ANYWHERE == 0 {
-                    branches.start_anywhere(slot);
-                } else {
-                    branches.start_from(slot);
-                }
-                let made = self.all - self.waiting.len();
-                self.routing = (made * ROUNDS).is_multiple_of(self.all.max(1));
-            }
-            None => self.routing = true,
+        if self.route.continue_branch(branches) || self.route.reach_branch(branches) {
+            return true;
         }
-        true
+        if self.route.advance(branches) {
+            self.found = self.look();
+            self.done = !self.begin_round();
+        }
+        !self.done
+    }
+
+    /// Begins another round of starts; false where there have been enough.
+    fn begin_round(&mut self) -> bool {
+        let mean = self.found.as_ref().map_or(0.0, |found| found.cost.mean);
+        let better = mean < self.before * (1.0 - BETTER);
+        self.before = mean;
+        let more = match self.rounds {
+            // Where all goals are reached nothing is closer.
+            0 => self.followed.status.iter().any(|s| *s != Status::Reached),
+            rounds if rounds < ROUNDS => true,
+            rounds => rounds < MOST_ROUNDS && (better || self.unseen().share > UNSEEN),
+        };
+        if let Some(branches) = self.branches.as_ref().filter(|_| more) {
+            let slots = branches.start_slots();
+            self.waiting = std::iter::repeat_n(slots, STARTS).flatten().collect();
+            self.rounds += 1;
+        }
+        more
     }
 
     /// Does all that is left; what was found, none where the loops of the followed motion do not close.
@@ -215,8 +228,14 @@ impl Search {
         if self.done {
             return 1.0;
         }
-        // What follows the last start is not short.
-        (self.all - self.waiting.len()) as f64 / (self.all + STARTS) as f64
+        let Some(branches) = &self.branches else {
+            return 1.0;
+        };
+        let round = branches.start_slots().len() * STARTS;
+        let made = (self.rounds * round).saturating_sub(self.waiting.len());
+        // Rounds that may follow are not known before; the look for the best motion is short beside them.
+        let all = ROUNDS.max(self.rounds) * round + STARTS;
+        made as f64 / all as f64
     }
 
     /// What starts say of branches that are not known.

@@ -19,24 +19,11 @@ use crate::plan::settings::{Method, Settings, extent};
 use crate::plan::walk::{self, LONGEST, Walk};
 use crate::solve::solver::{End, Solved, Solver};
 use std::collections::BTreeMap;
-use std::f64::consts::PI;
 
 /// Frames from which starts are made: as many spread over the motion, first and last included.
 const FRAMES: usize = 9;
-/// Lengths of the ways that a start wanders, root of the joints' squared motions, rad and sizes.
-const LENGTHS: [f64; 4] = [0.4, 0.8, 1.6, 3.2];
-/// Walks that are tried to a position drawn anew, from the nearest positions known: to a pose that is closer than all that
-/// are known, and to others.
-const TRIES: usize = 12;
-const FEW_TRIES: usize = 3;
-/// Ways at random from the start that are made first, and their length, rad and sizes: a linkage of one freedom goes round
-/// most of its curve so.
-const EXPLORING: usize = 4;
-const FAR: f64 = 12.0;
-/// Of a way at random every so many points are kept.
-const KEPT: usize = 6;
 /// Branches that are followed; beyond, poses that are found only count.
-const MOST: usize = 96;
+pub(super) const MOST: usize = 96;
 /// A joint motion from one frame to the next, rad or sizes, that is followed no further: another branch may begin there.
 const LEAP: f64 = 0.5;
 /// Share of the twists' length below which a free direction leaves the workpiece where it is.
@@ -101,10 +88,19 @@ pub struct Joint {
 
 /// A way at random from a node: nearly closed points.
 #[derive(Clone, Debug)]
-struct Way {
-    slot: usize,
-    branch: usize,
-    points: Vec<Vec<f64>>,
+pub(super) struct Way {
+    pub slot: usize,
+    pub branch: usize,
+    pub points: Vec<Vec<f64>>,
+}
+
+/// A closest pose of a slot that no walk was found to.
+#[derive(Clone, Debug)]
+pub(super) struct Apart {
+    pub slot: usize,
+    pub theta: Vec<f64>,
+    pub links: Vec<f64>,
+    pub solved: Solved,
 }
 
 /// What is known of a motion's branches.
@@ -126,16 +122,16 @@ pub struct Branches {
     /// Walks from one branch to another between a slot and the next, by the slot where they end and their nodes.
     pub bridges: BTreeMap<(usize, usize, usize), Edge>,
     /// Walks along branches, by the slot where they end and their nodes; shorter steps are none.
-    steps: BTreeMap<(usize, usize, usize), Edge>,
+    pub(super) steps: BTreeMap<(usize, usize, usize), Edge>,
     /// Can joints move while the workpiece stands still?
-    inner: bool,
+    pub(super) inner: bool,
     /// Closes the loops of positions drawn anew.
-    anywhere: Solver,
-    /// Closest poses that no walk was found to, by slot: their links, and how often they were met.
-    apart: Vec<(usize, Vec<f64>)>,
+    pub(super) anywhere: Solver,
+    /// Closest poses that no walk was found to.
+    pub(super) apart: Vec<Apart>,
     /// Ways at random that were made.
-    ways: Vec<Way>,
-    random: Random,
+    pub(super) ways: Vec<Way>,
+    pub(super) random: Random,
     /// Starts made, and those that led to a certified pose.
     pub starts: usize,
     /// Those that led to a certified pose.
@@ -214,18 +210,6 @@ impl Branches {
             branches.follow_back(branch);
         }
         Some(branches)
-    }
-
-    /// Looks for a closed walk to the first node of a branch from the slot before.
-    fn bridge(&mut self, branch: usize) {
-        let (slot, node) = (self.list[branch].first, self.list[branch].nodes[0]);
-        let to = self.nodes[slot][node].theta.clone();
-        if let Some((from, walk)) = self.reach(slot - 1, &to, TRIES, |_| true) {
-            let form = self
-                .places
-                .form_near(&walk.points[walk.points.len() - 1], &to);
-            self.bridges.insert((slot, from, node), Edge { walk, form });
-        }
     }
 
     /// Follows a branch backwards from its first slot.
@@ -378,7 +362,7 @@ impl Branches {
     }
 
     /// The node of a slot that is this position, if there is one.
-    fn find(&self, slot: usize, theta: &[f64], links: &[f64]) -> Option<usize> {
+    pub(super) fn find(&self, slot: usize, theta: &[f64], links: &[f64]) -> Option<usize> {
         let nodes = &self.nodes[slot];
         let same = |node: &Node| Places::are_same(&node.links, links);
         if let Some(found) = nodes.iter().position(same) {
@@ -404,321 +388,16 @@ impl Branches {
         })
     }
 
-    /// One start from a slot: wanders from one of its nodes, falls to a closest pose, and follows it where it is new.
-    pub fn start_from(&mut self, slot: usize) {
-        let certified: Vec<usize> = (0..self.nodes[slot].len()).collect();
-        let pick = certified[index(self.random.unit(), certified.len())];
-        let length = LENGTHS[index(self.random.unit(), LENGTHS.len())];
-        let from = self.nodes[slot][pick].clone();
-        let way = walk::wander(&mut self.solver, &from.theta, length, &mut self.random);
-        let Some(at) = way.last().cloned() else {
-            return;
-        };
-        self.ways.push(Way {
-            slot,
-            branch: from.branch,
-            points: way.clone(),
-        });
-        self.starts += 1;
-        let goal = *self.goal(slot);
-        let (end, solved, passed) = walk::fall(&mut self.solver, &at, &goal);
-        if !self.is_answer(&end, &solved, &goal) {
-            return;
-        }
-        self.arrived += 1;
-        let links = self.places.links(&end);
-        let found = self.find(slot, &end, &links);
-        let branch = found.map(|node| self.nodes[slot][node].branch);
-        if let Some(branch) = branch {
-            self.list[branch].starts += 1;
-            if branch == from.branch || self.are_joined(slot, [from.branch, branch]) {
-                return;
-            }
-        } else if self.list.len() >= MOST {
-            return;
-        }
-        let Some(way) = self.way_by(&from.theta, way, passed, &end) else {
-            return;
-        };
-        let (branch, form) = if let Some(node) = found {
-            let node = &self.nodes[slot][node];
-            (node.branch, self.places.form_near(&end, &node.theta))
-        } else {
-            let branch = self.follow_from(slot, end.clone(), solved);
-            (branch, Form::same(end.len()))
-        };
-        let edge = Edge { walk: way, form };
-        self.join(slot, [from.branch, branch], edge);
-    }
-
-    /// The closed walk along a way at random and down from its end.
-    fn way_by(
-        &mut self,
-        from: &[f64],
-        way: Vec<Vec<f64>>,
-        passed: Vec<Vec<f64>>,
-        end: &[f64],
-    ) -> Option<Walk> {
-        if let Some(straight) = walk::walk(&mut self.solver, from, end) {
-            return Some(straight);
-        }
-        let mut way = way;
-        let at = walk::closed(&mut self.solver, way.pop()?)?;
-        way.push(at.clone());
-        let mut whole = walk::close(&mut self.solver, from, way)?;
-        whole.append(walk::retrace(&mut self.solver, &at, passed, end)?);
-        Some(whole)
-    }
-
-    /// One start from anywhere: joint values drawn anew, closed and fallen to a closest pose of a slot. One that is new is
-    /// followed where a closed walk leads to it.
-    pub fn start_anywhere(&mut self, slot: usize) {
-        let Some(at) = self.draw(slot) else {
-            return;
-        };
-        self.starts += 1;
-        let goal = *self.goal(slot);
-        let (end, solved, _) = walk::fall(&mut self.solver, &at, &goal);
-        if !self.is_answer(&end, &solved, &goal) {
-            return;
-        }
-        let links = self.places.links(&end);
-        if let Some(node) = self.find(slot, &end, &links) {
-            self.arrived += 1;
-            let branch = self.nodes[slot][node].branch;
-            self.list[branch].starts += 1;
-            return;
-        }
-        let met = |(at, other): &(usize, Vec<f64>)| *at == slot && Places::are_same(other, &links);
-        if self.list.len() >= MOST || self.apart.iter().any(met) {
-            return;
-        }
-        let least = self.nodes[slot].iter().map(|node| node.solved.value);
-        let tries = if solved.value < least.fold(f64::INFINITY, f64::min) {
-            TRIES
-        } else {
-            FEW_TRIES
-        };
-        let Some((from, walk)) = self.reach(slot, &end, tries, |_| true) else {
-            self.apart.push((slot, links));
-            return;
-        };
-        self.arrived += 1;
-        let branch = self.follow_from(slot, walk.points[walk.points.len() - 1].clone(), solved);
-        let form = Form::same(end.len());
-        let from = self.nodes[slot][from].branch;
-        self.join(slot, [from, branch], Edge { walk, form });
-    }
-
-    /// A closed position drawn anew, within the limits; sliders near those of the followed motion.
-    fn draw(&mut self, slot: usize) -> Option<Vec<f64>> {
-        let near = self.nodes[slot][0].theta.clone();
-        let scaled = self.anywhere.scaled();
-        let kinds = scaled.turns().iter().zip(scaled.limits()).zip(&near);
-        let theta: Vec<f64> = kinds
-            .map(|((&turns, limits), &near)| {
-                let (low, high) = if turns {
-                    (-PI, PI)
-                } else {
-                    (near - 1.0, near + 1.0)
-                };
-                let (low, high) = (limits.nearest(low), limits.nearest(high));
-                self.random.between(low, high)
-            })
-            .collect();
-        let mut joints = scaled.left(&theta);
-        let closed = self.anywhere.close_start(&mut joints, 0.0).is_closed();
-        closed.then(|| self.anywhere.scaled().entered(&joints))
-    }
-
-    /// A closed walk to a position from one of a slot's nodes: straight from the nearest nodes, or from points of ways at
-    /// random. The node that it begins at.
-    fn reach(
-        &mut self,
-        slot: usize,
-        to: &[f64],
-        tries: usize,
-        from: impl Fn(usize) -> bool,
-    ) -> Option<(usize, Walk)> {
-        // The distance, the node, and the way with the number of its points.
-        let mut near: Vec<(f64, usize, Option<(usize, usize)>)> = Vec::new();
-        for (i, node) in self.nodes[slot].iter().enumerate() {
-            if from(node.branch) {
-                near.push((self.straight(&node.theta, to), i, None));
-            }
-        }
-        for (number, way) in self.ways.iter().enumerate() {
-            let Some(node) = self.list[way.branch].node(slot) else {
-                continue;
-            };
-            if from(way.branch) {
-                let points = (0..way.points.len()).skip(KEPT - 1).step_by(KEPT);
-                near.extend(points.map(|i| {
-                    let far = self.straight(&way.points[i], to);
-                    (far, node, Some((number, i + 1)))
-                }));
-            }
-        }
-        near.sort_by(|a, b| a.0.total_cmp(&b.0));
-        for (_, node, way) in near.into_iter().take(tries) {
-            let start = self.nodes[slot][node].theta.clone();
-            let Some((number, count)) = way else {
-                let written = self.places.form_near(&start, to).apply(to);
-                if let Some(walk) = walk::walk(&mut self.solver, &start, &written) {
-                    return Some((node, walk));
-                }
-                continue;
-            };
-            let mut points = self.ways[number].points[..count].to_vec();
-            let end = points
-                .pop()
-                .and_then(|end| walk::closed(&mut self.solver, end));
-            let Some(end) = end else {
-                continue;
-            };
-            let written = self.places.form_near(&end, to).apply(to);
-            let Some(rest) = walk::walk(&mut self.solver, &end, &written) else {
-                continue;
-            };
-            points.push(end);
-            let (branch, origin) = (self.ways[number].branch, self.ways[number].slot);
-            let mut whole = self.walk_along(branch, slot, origin);
-            let list = &self.list[branch];
-            let origin = self.nodes[origin][list.node(origin).expect("its slot")]
-                .theta
-                .clone();
-            if let Some(way) = walk::close(&mut self.solver, &origin, points) {
-                whole.append(way);
-                whole.append(rest);
-                return Some((node, whole));
-            }
-        }
-        None
-    }
-
-    /// The walk along a branch from one slot to another, forwards or backwards.
-    pub fn walk_along(&self, branch: usize, from: usize, to: usize) -> Walk {
-        let list = &self.list[branch];
-        let node = |slot: usize| list.node(slot).expect("a slot of the branch");
-        let step = |slot: usize| self.along(slot, node(slot - 1), node(slot)).walk;
-        let mut whole = Walk::default();
-        for slot in from + 1..=to {
-            whole.append(step(slot));
-        }
-        for slot in (to + 1..=from).rev() {
-            let start = &self.nodes[slot - 1][node(slot - 1)].theta;
-            whole.append(step(slot).reversed(start));
-        }
-        whole
-    }
-
-    /// Ways at random from the start, far enough to leave its surroundings.
-    pub fn explore(&mut self) {
-        let start = self.nodes[0][0].theta.clone();
-        for _ in 0..EXPLORING {
-            let points = walk::wander(&mut self.solver, &start, FAR, &mut self.random);
-            self.ways.push(Way {
-                slot: 0,
-                branch: 0,
-                points,
-            });
-        }
-    }
-
-    /// Which branches closed walks join to the start.
-    pub fn joined(&self) -> Vec<bool> {
-        let mut joined = vec![false; self.list.len()];
-        joined[0] = true;
-        loop {
-            let before = joined.iter().filter(|j| **j).count();
-            let walks = self.joints.iter().map(|joint| joint.branches);
-            let bridges = self.bridges.keys().map(|&(slot, from, to)| {
-                [
-                    self.nodes[slot - 1][from].branch,
-                    self.nodes[slot][to].branch,
-                ]
-            });
-            for [a, b] in walks.chain(bridges) {
-                let either = joined[a] || joined[b];
-                (joined[a], joined[b]) = (either, either);
-            }
-            if joined.iter().filter(|j| **j).count() == before {
-                return joined;
-            }
-        }
-    }
-
-    /// Looks for a walk to a branch that none joins to the start, in the slots from which starts are made; false where there
-    /// is none.
-    pub fn reach_branch(&mut self, branch: usize) -> bool {
-        let joined = self.joined();
-        for slot in self.start_slots() {
-            let Some(node) = self.list[branch].node(slot) else {
-                continue;
-            };
-            let to = self.nodes[slot][node].theta.clone();
-            let from = |branch: usize| joined[branch];
-            if let Some((from, walk)) = self.reach(slot, &to, TRIES, from) {
-                let form = self
-                    .places
-                    .form_near(&walk.points[walk.points.len() - 1], &to);
-                let from = self.nodes[slot][from].branch;
-                self.join(slot, [from, branch], Edge { walk, form });
-                return true;
-            }
-        }
-        false
-    }
-
     /// Whether a fall has led to a certified closest pose, measured with the nearer of the two quaternions.
-    fn is_answer(&self, end: &[f64], solved: &Solved, goal: &Pose) -> bool {
+    pub(super) fn is_answer(&self, end: &[f64], solved: &Solved, goal: &Pose) -> bool {
         /// What f is known to.
         const EQUAL: f64 = 1e-9;
         let joints = self.solver.scaled().left(end);
         solved.end.is_minimum() && solved.value - self.solver.value(goal, &joints) <= EQUAL
     }
 
-    fn are_joined(&self, slot: usize, branches: [usize; 2]) -> bool {
-        let same = |joint: &Joint| {
-            joint.slot == slot
-                && (joint.branches == branches || joint.branches == [branches[1], branches[0]])
-        };
-        self.joints.iter().any(same)
-    }
-
-    /// Notes a walk between two branches; the last point is that of the end's node.
-    fn join(&mut self, slot: usize, branches: [usize; 2], mut edge: Edge) {
-        let [from, to] = branches.map(|b| self.list[b].node(slot).expect("a branch of the slot"));
-        let end = edge.form.apply(&self.nodes[slot][to].theta);
-        let from = self.nodes[slot][from].theta.clone();
-        // With inner freedoms, or in a flat valley, the node is not where the walk has ended.
-        let last = edge
-            .walk
-            .points
-            .last()
-            .cloned()
-            .unwrap_or_else(|| from.clone());
-        if walk::largest(&last, &end) > 1e-12 {
-            match walk::walk(&mut self.solver, &last, &end) {
-                Some(rest) => edge.walk.append(rest),
-                None => return,
-            }
-        }
-        // Shorter where it goes straight.
-        if let Some(straight) = walk::walk(&mut self.solver, &from, &end)
-            && straight.length < edge.walk.length
-        {
-            edge.walk = straight;
-        }
-        self.joints.push(Joint {
-            slot,
-            branches,
-            edge,
-        });
-    }
-
     /// A new branch through a closest pose of a slot, followed backwards and forwards; its number.
-    fn follow_from(&mut self, slot: usize, theta: Vec<f64>, solved: Solved) -> usize {
+    pub(super) fn follow_from(&mut self, slot: usize, theta: Vec<f64>, solved: Solved) -> usize {
         let back = self.track(slot, &theta, -1);
         let forth = self.track(slot, &theta, 1);
         let (mut branch, mut own) = (None, 0);
@@ -813,16 +492,6 @@ impl Branches {
         let walk = walk::walk(&mut self.solver, from, &form.apply(to))?;
         Some(Edge { walk, form })
     }
-}
-
-/// The entry of a list of `count` that a number from 0 to 1 chooses.
-#[expect(
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    reason = "from 0 to below the count"
-)]
-fn index(share: f64, count: usize) -> usize {
-    ((share * count as f64) as usize).min(count - 1)
 }
 
 /// Whether joints can move while the workpiece stands still.

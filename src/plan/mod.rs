@@ -18,11 +18,15 @@ mod one_chain;
 #[cfg(feature = "study")]
 pub mod places;
 pub mod planning;
+#[cfg(feature = "study")]
+pub mod reach;
 pub mod record;
 #[cfg(feature = "study")]
 pub mod route;
 mod seeds;
 pub mod settings;
+#[cfg(feature = "study")]
+pub mod starts;
 #[cfg(feature = "study")]
 pub mod unseen;
 pub mod walk;

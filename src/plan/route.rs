@@ -47,6 +47,15 @@ impl Route {
         &self.nodes
     }
 
+    /// f of the way in each slot; of the followed motion where there is no way yet.
+    pub fn values(&self, branches: &Branches) -> Vec<f64> {
+        let node = |slot: usize| self.nodes.get(slot).copied().unwrap_or(0);
+        let slots = branches.nodes.iter().enumerate();
+        slots
+            .map(|(slot, nodes)| nodes[node(slot)].solved.value)
+            .collect()
+    }
+
     /// Gives the next branch that ends before the last slot a continuation downhill; false when all have one.
     pub fn continue_branch(&mut self, branches: &mut Branches) -> bool {
         let Some(branch) = branches.list.get(self.continued) else {

@@ -1,0 +1,245 @@
+//! Closed walks from the branches that are known to other positions, and which branches they join.
+
+use crate::plan::branches::{Branches, Edge, Joint, Way};
+use crate::plan::walk::{self, Walk};
+
+/// Walks that are tried to a position, from the nearest positions known.
+pub const TRIES: usize = 12;
+/// Ways at random from the start that are made first, and their length, rad and sizes: a linkage of one freedom goes round
+/// most of its curve so.
+const EXPLORING: usize = 4;
+const FAR: f64 = 12.0;
+/// Of a way at random every so many points are compared with a position.
+const KEPT: usize = 6;
+
+/// A position that is known, and one on the way from the position that is looked for.
+struct Near {
+    far: f64,
+    node: usize,
+    /// The way from the node, and the number of its points.
+    way: Option<(usize, usize)>,
+    /// The way back, and the number of its points.
+    back: Option<(usize, usize)>,
+}
+
+impl Branches {
+    /// A closed walk to a position from one of a slot's nodes: straight from the nearest nodes, or points of ways at random
+    /// from nodes, to it, or to points of `back` ways at random from it. The node that it begins at.
+    pub(super) fn reach(
+        &mut self,
+        slot: usize,
+        to: &[f64],
+        tries: usize,
+        back: usize,
+        from: impl Fn(usize) -> bool,
+    ) -> Option<(usize, Walk)> {
+        let ways: Vec<Vec<Vec<f64>>> = (0..back)
+            .map(|_| walk::wander(&mut self.solver, to, FAR, &mut self.random))
+            .collect();
+        let mut near = Vec::new();
+        let mut compare = |theta: &[f64], node: usize, way: Option<(usize, usize)>| {
+            let far = self.straight(theta, to);
+            near.push(Near {
+                far,
+                node,
+                way,
+                back: None,
+            });
+            for (number, points) in ways.iter().enumerate() {
+                for i in (0..points.len()).skip(KEPT - 1).step_by(KEPT) {
+                    near.push(Near {
+                        far: self.straight(theta, &points[i]),
+                        node,
+                        way,
+                        back: Some((number, i + 1)),
+                    });
+                }
+            }
+        };
+        for (i, node) in self.nodes[slot].iter().enumerate() {
+            if from(node.branch) {
+                compare(&node.theta, i, None);
+            }
+        }
+        for (number, way) in self.ways.iter().enumerate() {
+            if let Some(node) = self.list[way.branch]
+                .node(slot)
+                .filter(|_| from(way.branch))
+            {
+                for i in (0..way.points.len()).skip(KEPT - 1).step_by(KEPT) {
+                    compare(&way.points[i], node, Some((number, i + 1)));
+                }
+            }
+        }
+        near.sort_by(|a, b| a.far.total_cmp(&b.far));
+        near.truncate(tries);
+        near.iter().find_map(|near| {
+            let whole = self.by_way(slot, near, to, &ways)?;
+            Some((near.node, whole))
+        })
+    }
+
+    /// The closed walk from a node by a way at random, straight on, and by the way back.
+    fn by_way(
+        &mut self,
+        slot: usize,
+        near: &Near,
+        to: &[f64],
+        back: &[Vec<Vec<f64>>],
+    ) -> Option<Walk> {
+        let mut at = self.nodes[slot][near.node].theta.clone();
+        let mut out = Vec::new();
+        if let Some((number, count)) = near.way {
+            out = self.ways[number].points[..count].to_vec();
+            at = walk::closed(&mut self.solver, out.pop()?)?;
+            out.push(at.clone());
+        }
+        let mut home = vec![to.to_vec()];
+        if let Some((number, count)) = near.back {
+            home.extend_from_slice(&back[number][..count]);
+            let end = walk::closed(&mut self.solver, home.pop()?)?;
+            home.push(end);
+        }
+        let end = home.last().expect("the position itself");
+        let form = self.places.form_near(&at, end);
+        let mut home: Vec<_> = home.iter().rev().map(|point| form.apply(point)).collect();
+        let middle = home.remove(0);
+        let straight = walk::walk(&mut self.solver, &at, &middle)?;
+        let mut whole = Walk::default();
+        if let Some((number, _)) = near.way {
+            let (branch, origin) = (self.ways[number].branch, self.ways[number].slot);
+            whole = self.walk_along(branch, slot, origin);
+            let node = self.list[branch].node(origin)?;
+            let start = self.nodes[origin][node].theta.clone();
+            whole.append(walk::close(&mut self.solver, &start, out)?);
+        }
+        whole.append(straight);
+        whole.append(walk::close(&mut self.solver, &middle, home)?);
+        Some(whole)
+    }
+
+    /// Looks for a closed walk to the first node of a branch from the slot before.
+    pub(super) fn bridge(&mut self, branch: usize) {
+        let (slot, node) = (self.list[branch].first, self.list[branch].nodes[0]);
+        let to = self.nodes[slot][node].theta.clone();
+        if let Some((from, walk)) = self.reach(slot - 1, &to, TRIES, 0, |_| true) {
+            let form = self
+                .places
+                .form_near(&walk.points[walk.points.len() - 1], &to);
+            self.bridges.insert((slot, from, node), Edge { walk, form });
+        }
+    }
+
+    /// The walk along a branch from one slot to another, forwards or backwards.
+    pub fn walk_along(&self, branch: usize, from: usize, to: usize) -> Walk {
+        let list = &self.list[branch];
+        let node = |slot: usize| list.node(slot).expect("a slot of the branch");
+        let step = |slot: usize| self.along(slot, node(slot - 1), node(slot)).walk;
+        let mut whole = Walk::default();
+        for slot in from + 1..=to {
+            whole.append(step(slot));
+        }
+        for slot in (to + 1..=from).rev() {
+            let start = &self.nodes[slot - 1][node(slot - 1)].theta;
+            whole.append(step(slot).reversed(start));
+        }
+        whole
+    }
+
+    /// Ways at random from the start, far enough to leave its surroundings.
+    pub fn explore(&mut self) {
+        let start = self.nodes[0][0].theta.clone();
+        for _ in 0..EXPLORING {
+            let points = walk::wander(&mut self.solver, &start, FAR, &mut self.random);
+            self.ways.push(Way {
+                slot: 0,
+                branch: 0,
+                points,
+            });
+        }
+    }
+
+    /// Which branches closed walks join to the start.
+    pub fn joined(&self) -> Vec<bool> {
+        let mut joined = vec![false; self.list.len()];
+        joined[0] = true;
+        loop {
+            let before = joined.iter().filter(|j| **j).count();
+            let walks = self.joints.iter().map(|joint| joint.branches);
+            let bridges = self.bridges.keys().map(|&(slot, from, to)| {
+                [
+                    self.nodes[slot - 1][from].branch,
+                    self.nodes[slot][to].branch,
+                ]
+            });
+            for [a, b] in walks.chain(bridges) {
+                let either = joined[a] || joined[b];
+                (joined[a], joined[b]) = (either, either);
+            }
+            if joined.iter().filter(|j| **j).count() == before {
+                return joined;
+            }
+        }
+    }
+
+    /// Looks for a walk to a branch that none joins to the start, in the slots from which starts are made; false where there
+    /// is none.
+    pub fn reach_branch(&mut self, branch: usize) -> bool {
+        let joined = self.joined();
+        for slot in self.start_slots() {
+            let Some(node) = self.list[branch].node(slot) else {
+                continue;
+            };
+            let to = self.nodes[slot][node].theta.clone();
+            let from = |branch: usize| joined[branch];
+            if let Some((from, walk)) = self.reach(slot, &to, TRIES, 0, from) {
+                let form = self
+                    .places
+                    .form_near(&walk.points[walk.points.len() - 1], &to);
+                let from = self.nodes[slot][from].branch;
+                self.join(slot, [from, branch], Edge { walk, form });
+                return true;
+            }
+        }
+        false
+    }
+
+    pub(super) fn are_joined(&self, slot: usize, branches: [usize; 2]) -> bool {
+        let same = |joint: &Joint| {
+            joint.slot == slot
+                && (joint.branches == branches || joint.branches == [branches[1], branches[0]])
+        };
+        self.joints.iter().any(same)
+    }
+
+    /// Notes a walk between two branches; the last point is that of the end's node.
+    pub(super) fn join(&mut self, slot: usize, branches: [usize; 2], mut edge: Edge) {
+        let [from, to] = branches.map(|b| self.list[b].node(slot).expect("a branch of the slot"));
+        let end = edge.form.apply(&self.nodes[slot][to].theta);
+        let from = self.nodes[slot][from].theta.clone();
+        // With inner freedoms, or in a flat valley, the node is not where the walk has ended.
+        let last = edge
+            .walk
+            .points
+            .last()
+            .cloned()
+            .unwrap_or_else(|| from.clone());
+        if walk::largest(&last, &end) > 1e-12 {
+            match walk::walk(&mut self.solver, &last, &end) {
+                Some(rest) => edge.walk.append(rest),
+                None => return,
+            }
+        }
+        // Shorter where it goes straight.
+        if let Some(straight) = walk::walk(&mut self.solver, &from, &end)
+            && straight.length < edge.walk.length
+        {
+            edge.walk = straight;
+        }
+        self.joints.push(Joint {
+            slot,
+            branches,
+            edge,
+        });
+    }
+}

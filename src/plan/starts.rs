@@ -1,0 +1,198 @@
+//! Starts of the search for branches: from a closest pose that is known, and from anywhere.
+
+use crate::plan::branches::{Apart, Branches, Edge, MOST, Way};
+use crate::plan::places::{Form, Places};
+use crate::plan::reach::TRIES;
+use crate::plan::walk::{self, Walk};
+use crate::solve::solver::Solved;
+use std::f64::consts::PI;
+
+/// Lengths of the ways that a start wanders, root of the joints' squared motions, rad and sizes.
+const LENGTHS: [f64; 4] = [0.4, 0.8, 1.6, 3.2];
+/// Walks that are tried to a pose that is no closer than those that are known.
+const FEW_TRIES: usize = 3;
+/// Poses that are tried again at a time, with so many ways at random from each.
+const AGAIN: usize = 6;
+const BACK: usize = 2;
+
+impl Branches {
+    /// One start from a slot: wanders from one of its nodes, falls to a closest pose, and follows it where it is new.
+    pub fn start_from(&mut self, slot: usize) {
+        let certified: Vec<usize> = (0..self.nodes[slot].len()).collect();
+        let pick = certified[index(self.random.unit(), certified.len())];
+        let length = LENGTHS[index(self.random.unit(), LENGTHS.len())];
+        let from = self.nodes[slot][pick].clone();
+        let way = walk::wander(&mut self.solver, &from.theta, length, &mut self.random);
+        let Some(at) = way.last().cloned() else {
+            return;
+        };
+        self.ways.push(Way {
+            slot,
+            branch: from.branch,
+            points: way.clone(),
+        });
+        self.starts += 1;
+        let goal = *self.goal(slot);
+        let (end, solved, passed) = walk::fall(&mut self.solver, &at, &goal);
+        if !self.is_answer(&end, &solved, &goal) {
+            return;
+        }
+        self.arrived += 1;
+        let links = self.places.links(&end);
+        let found = self.find(slot, &end, &links);
+        let branch = found.map(|node| self.nodes[slot][node].branch);
+        if let Some(branch) = branch {
+            self.list[branch].starts += 1;
+            if branch == from.branch || self.are_joined(slot, [from.branch, branch]) {
+                return;
+            }
+        } else if self.list.len() >= MOST {
+            return;
+        }
+        let Some(way) = self.way_by(&from.theta, way, passed, &end) else {
+            return;
+        };
+        let (branch, form) = if let Some(node) = found {
+            let node = &self.nodes[slot][node];
+            (node.branch, self.places.form_near(&end, &node.theta))
+        } else {
+            let branch = self.follow_from(slot, end.clone(), solved);
+            (branch, Form::same(end.len()))
+        };
+        let edge = Edge { walk: way, form };
+        self.join(slot, [from.branch, branch], edge);
+    }
+
+    /// The closed walk along a way at random and down from its end.
+    fn way_by(
+        &mut self,
+        from: &[f64],
+        way: Vec<Vec<f64>>,
+        passed: Vec<Vec<f64>>,
+        end: &[f64],
+    ) -> Option<Walk> {
+        if let Some(straight) = walk::walk(&mut self.solver, from, end) {
+            return Some(straight);
+        }
+        let mut way = way;
+        let at = walk::closed(&mut self.solver, way.pop()?)?;
+        way.push(at.clone());
+        let mut whole = walk::close(&mut self.solver, from, way)?;
+        whole.append(walk::retrace(&mut self.solver, &at, passed, end)?);
+        Some(whole)
+    }
+
+    /// One start from anywhere: joint values drawn anew, closed and fallen to a closest pose of a slot. One that is new is
+    /// followed where a closed walk leads to it.
+    pub fn start_anywhere(&mut self, slot: usize) {
+        let Some(at) = self.draw(slot) else {
+            return;
+        };
+        self.starts += 1;
+        let goal = *self.goal(slot);
+        let (end, solved, _) = walk::fall(&mut self.solver, &at, &goal);
+        if !self.is_answer(&end, &solved, &goal) {
+            return;
+        }
+        let links = self.places.links(&end);
+        if let Some(node) = self.find(slot, &end, &links) {
+            self.arrived += 1;
+            let branch = self.nodes[slot][node].branch;
+            self.list[branch].starts += 1;
+            return;
+        }
+        let met = |apart: &Apart| apart.slot == slot && Places::are_same(&apart.links, &links);
+        if self.list.len() >= MOST || self.apart.iter().any(met) {
+            return;
+        }
+        let least = self.nodes[slot].iter().map(|node| node.solved.value);
+        let tries = if solved.value < least.fold(f64::INFINITY, f64::min) {
+            TRIES
+        } else {
+            FEW_TRIES
+        };
+        if self.take_in(slot, &end, solved, tries, 0) {
+            self.arrived += 1;
+        } else {
+            self.apart.push(Apart {
+                slot,
+                theta: end,
+                links,
+                solved,
+            });
+        }
+    }
+
+    /// Looks for a closed walk to a closest pose, and follows that from there; false where there is none.
+    fn take_in(
+        &mut self,
+        slot: usize,
+        theta: &[f64],
+        solved: Solved,
+        tries: usize,
+        back: usize,
+    ) -> bool {
+        let Some((from, walk)) = self.reach(slot, theta, tries, back, |_| true) else {
+            return false;
+        };
+        let end = walk.points[walk.points.len() - 1].clone();
+        let branch = self.follow_from(slot, end, solved);
+        let from = self.nodes[slot][from].branch;
+        let form = Form::same(theta.len());
+        self.join(slot, [from, branch], Edge { walk, form });
+        true
+    }
+
+    /// Tries the closest poses again that no walk was found to, with more effort: those that are closer than `known`, f of
+    /// each slot, by most.
+    pub fn try_apart_again(&mut self, known: &[f64]) {
+        let gain = |apart: &Apart| known[apart.slot] - apart.solved.value;
+        self.apart.sort_by(|a, b| gain(b).total_cmp(&gain(a)));
+        let first: Vec<Apart> = (self.apart.iter())
+            .filter(|apart| gain(apart) > 0.0)
+            .take(AGAIN)
+            .cloned()
+            .collect();
+        for apart in first {
+            let found = self.find(apart.slot, &apart.theta, &apart.links);
+            if found.is_some()
+                || self.list.len() < MOST
+                    && self.take_in(apart.slot, &apart.theta, apart.solved, 2 * TRIES, BACK)
+            {
+                self.apart
+                    .retain(|other| other.slot != apart.slot || other.links != apart.links);
+            }
+        }
+    }
+
+    /// A closed position drawn anew, within the limits; sliders near those of the followed motion.
+    fn draw(&mut self, slot: usize) -> Option<Vec<f64>> {
+        let near = self.nodes[slot][0].theta.clone();
+        let scaled = self.anywhere.scaled();
+        let kinds = scaled.turns().iter().zip(scaled.limits()).zip(&near);
+        let theta: Vec<f64> = kinds
+            .map(|((&turns, limits), &near)| {
+                let (low, high) = if turns {
+                    (-PI, PI)
+                } else {
+                    (near - 1.0, near + 1.0)
+                };
+                let (low, high) = (limits.nearest(low), limits.nearest(high));
+                self.random.between(low, high)
+            })
+            .collect();
+        let mut joints = scaled.left(&theta);
+        let closed = self.anywhere.close_start(&mut joints, 0.0).is_closed();
+        closed.then(|| self.anywhere.scaled().entered(&joints))
+    }
+}
+
+/// The entry of a list of `count` that a number from 0 to 1 chooses.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "from 0 to below the count"
+)]
+fn index(share: f64, count: usize) -> usize {
+    ((share * count as f64) as usize).min(count - 1)
+}
