@@ -36,29 +36,29 @@ impl Branches {
         let ways: Vec<Vec<Vec<f64>>> = (0..back)
             .map(|_| walk::wander(&mut self.solver, to, FAR, &mut self.random))
             .collect();
-        let mut near = Vec::new();
-        let mut compare = |theta: &[f64], node: usize, way: Option<(usize, usize)>| {
-            let far = self.straight(theta, to);
-            near.push(Near {
-                far,
+        // Of each way only the nearest point: many near points of one way are one chance.
+        let mut near: Vec<Near> = Vec::new();
+        let compare = |theta: &[f64], node: usize, way: Option<(usize, usize)>| {
+            let mut best = Near {
+                far: self.unlike(theta, to),
                 node,
                 way,
                 back: None,
-            });
+            };
             for (number, points) in ways.iter().enumerate() {
                 for i in (0..points.len()).skip(KEPT - 1).step_by(KEPT) {
-                    near.push(Near {
-                        far: self.straight(theta, &points[i]),
-                        node,
-                        way,
-                        back: Some((number, i + 1)),
-                    });
+                    let far = self.unlike(theta, &points[i]);
+                    if far < best.far {
+                        best.far = far;
+                        best.back = Some((number, i + 1));
+                    }
                 }
             }
+            best
         };
         for (i, node) in self.nodes[slot].iter().enumerate() {
             if from(node.branch) {
-                compare(&node.theta, i, None);
+                near.push(compare(&node.theta, i, None));
             }
         }
         for (number, way) in self.ways.iter().enumerate() {
@@ -66,17 +66,32 @@ impl Branches {
                 .node(slot)
                 .filter(|_| from(way.branch))
             {
-                for i in (0..way.points.len()).skip(KEPT - 1).step_by(KEPT) {
-                    compare(&way.points[i], node, Some((number, i + 1)));
-                }
+                let points = (0..way.points.len()).skip(KEPT - 1).step_by(KEPT);
+                let points = points.map(|i| compare(&way.points[i], node, Some((number, i + 1))));
+                near.extend(points.min_by(|a, b| a.far.total_cmp(&b.far)));
             }
         }
-        near.sort_by(|a, b| a.far.total_cmp(&b.far));
+        // From nodes first, which are few and closest poses like the one that is looked for.
+        near.sort_by(|a, b| (a.way.is_some().cmp(&b.way.is_some())).then(a.far.total_cmp(&b.far)));
         near.truncate(tries);
         near.iter().find_map(|near| {
             let whole = self.by_way(slot, near, to, &ways)?;
             Some((near.node, whole))
         })
+    }
+
+    /// How unlike two positions are for a walk between them: a slider's way counts up to one size, since it mostly is straight
+    /// however long it is, and angles decide.
+    fn unlike(&self, from: &[f64], to: &[f64]) -> f64 {
+        let written = self.places.form_near(from, to).apply(to);
+        let turns = self.solver.scaled().turns();
+        let moves = from.iter().zip(&written).zip(turns);
+        let squares = moves.map(|((a, b), turns)| {
+            let moved = (a - b).abs();
+            let counted = if *turns { moved } else { moved.min(1.0) };
+            counted * counted
+        });
+        squares.sum()
     }
 
     /// The closed walk from a node by a way at random, straight on, and by the way back.
