@@ -4,6 +4,8 @@
 pub mod best;
 #[cfg(feature = "study")]
 pub mod branches;
+#[cfg(feature = "study")]
+pub mod calm;
 pub mod configuration;
 #[cfg(feature = "study")]
 pub mod driven;
