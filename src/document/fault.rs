@@ -51,6 +51,8 @@ pub enum FaultCode {
     TimeMissing,
     /// A time that is not later than the one before.
     TimeOrder,
+    /// Joints are driven, and what is asked for needs goals.
+    NoGoals,
 }
 
 /// A fault of a document: a person can mend it.

@@ -1,5 +1,7 @@
 //! The document format: text, schema, checks, faults, and the questions asked of a document.
 
+#[cfg(feature = "study")]
+pub mod best_report;
 pub mod bounds;
 pub mod chain_report;
 pub mod comparison;

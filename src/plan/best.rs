@@ -385,6 +385,12 @@ impl Search {
         &self.followed
     }
 
+    /// How close it comes.
+    pub fn followed_cost(&self) -> Cost {
+        let scaled = Scaled::new(&self.mechanism, extent(&self.goals));
+        Cost::of(&self.followed, &scaled)
+    }
+
     /// From 0 to 1.
     pub fn progress(&self) -> f64 {
         if self.done {
