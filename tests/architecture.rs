@@ -9,8 +9,9 @@ use std::path::Path;
 const FLOORS: &str = include_str!("../src/floors.md");
 
 /// The command's files, from the top down.
-const COMMAND: [&str; 11] = [
+const COMMAND: [&str; 12] = [
     "main",
+    "best",
     "motion",
     "check",
     "planned",

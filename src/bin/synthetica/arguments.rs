@@ -41,6 +41,8 @@ pub enum Command {
     Plan(Plan),
     /// Say what is wrong with documents, and how well their linkages follow the goal
     Check(Check),
+    /// Find the motion closest to the goal over all branches, not only the one that is followed
+    Best(Best),
     /// Print the planned motion for other programs, such as a model for MuJoCo
     Export(Export),
     /// Count the types of chains and assemblies, list them, find one by its number
@@ -169,6 +171,45 @@ pub struct Check {
 }
 
 #[derive(Args)]
+#[command(after_help = "\
+A plan follows one branch of the linkage; here the branches that closed walks join to the start are searched, and the
+motion may change from one to another while a goal stands. f is the distance to the goal, as in a plan. Without --format
+it says what was found, with it it prints the motion, every point of its closed path in order: frame is empty between
+frames, branch on the way of a change of branch, and switch is 1 there.
+
+Exit codes:
+  0  every frame of the best motion is certified: reached, closest or at_limit; with --format: the motion is printed
+  1  a document is at fault, its joints are driven, its loops are open, or a frame is not certified
+  2  the command line is wrong, or a file cannot be read or written
+
+Examples:
+  synthetica best 3rps.json
+  synthetica best --json 3rps.json 2tpr.json
+  synthetica best --format csv 3rps.json > best.csv
+  synthetica best --format json 3rps.json --output best.json
+  synthetica best --format csv --calm 1e-6 3rps.json > calm.csv")]
+pub struct Best {
+    /// The documents; `-` or nothing for standard input
+    #[arg(value_name = "DOCUMENT", default_value = "-", hide_default_value = true, value_hint = ValueHint::FilePath)]
+    pub documents: Vec<PathBuf>,
+    /// An object a line for each document; frames count from 0 there
+    #[arg(long, conflicts_with = "format")]
+    pub json: bool,
+    /// Print the motion of one document. csv: a table with units in its headings; json: what was found, columns, report and
+    /// document
+    #[arg(short, long, value_name = "FORMAT")]
+    pub format: Option<Table>,
+    /// Print the calm form of the motion, a row a frame: PRICE times the mean square of the joints' speeds, in rad and
+    /// sizes a motion, counts as much as the mean f
+    #[arg(long, value_name = "PRICE", requires = "format", value_parser = price)]
+    pub calm: Option<f64>,
+    #[command(flatten)]
+    pub planning: Planning,
+    #[command(flatten)]
+    pub into: Output,
+}
+
+#[derive(Args)]
 pub struct MotionOptions {
     /// The document; `-` or nothing for standard input
     #[arg(default_value = "-", hide_default_value = true, value_hint = ValueHint::FilePath)]
@@ -236,6 +277,15 @@ pub enum Table {
     Json,
 }
 
+impl From<Table> for Format {
+    fn from(table: Table) -> Self {
+        match table {
+            Table::Csv => Self::Csv,
+            Table::Json => Self::Json,
+        }
+    }
+}
+
 #[derive(Clone, Copy, ValueEnum)]
 pub enum Method {
     Newton,
@@ -299,6 +349,13 @@ pub enum Listing {
 
 /// The joints of a chain.
 pub type Chain = Vec<JointKind>;
+
+fn price(text: &str) -> Result<f64, String> {
+    let price = text.parse().ok();
+    price
+        .filter(|price: &f64| *price > 0.0 && price.is_finite())
+        .ok_or_else(|| "no price. Accepted: a number above 0, such as 1e-6".to_owned())
+}
 
 fn chain(letters: &str) -> Result<Chain, String> {
     let joint = |letter: char| {

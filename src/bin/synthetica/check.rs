@@ -135,7 +135,7 @@ impl<'a> Verdict<'a> {
 }
 
 /// For a program: one line.
-fn line(value: &impl Serialize) -> String {
+pub fn line(value: &impl Serialize) -> String {
     let text = serde_json::to_string(value).expect("plain data becomes JSON");
     text + "\n"
 }

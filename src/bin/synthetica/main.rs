@@ -1,6 +1,7 @@
 //! The command `synthetica`: plans, checks, exports and enumerates from a shell.
 
 mod arguments;
+mod best;
 mod check;
 mod enumerate;
 mod failure;
@@ -30,6 +31,7 @@ fn run(command: &Command) -> Result<(), Failure> {
     match command {
         Command::Plan(asked) => motion::plan(asked),
         Command::Check(asked) => check::check(asked),
+        Command::Best(asked) => best::best(asked),
         Command::Export(asked) => motion::export(asked),
         Command::Enumerate(asked) => enumerate::enumerate(asked),
         Command::New(asked) => new::new(asked),
