@@ -193,9 +193,9 @@ impl Search {
 
     /// One start, or one look for the best motion; false when there is nothing left.
     pub fn advance(&mut self) -> bool {
-        let Some(branches) = self.branches.as_mut().filter(|_| !self.done) else {
+        if self.done {
             return false;
-        };
+        }
         if self.calming.is_empty() {
             self.search();
             return true;

@@ -1,6 +1,8 @@
 //! Many frames: where a motion starts, the branch followed, one configuration moved by hand.
 
 #[cfg(feature = "study")]
+pub mod assemblies;
+#[cfg(feature = "study")]
 pub mod best;
 #[cfg(feature = "study")]
 pub mod branches;

@@ -1,16 +1,16 @@
 //! `best`: the motion closest to the goal over all branches that closed walks join to the start, and what is known of it.
 
-use crate::arguments::{Best, Table};
-use crate::check::{line, warnings};
-use crate::failure::{AT_FAULT, Failure, NO_ANSWER, tell};
+use crate::arguments::Best;
+use crate::check::{Refused, line, warnings};
+use crate::failure::{AT_FAULT, Failure, NO_ANSWER, at_fault, tell};
 use crate::files::{self, Out};
+use crate::options::Table;
 use crate::planned::{Planned, planned};
-use crate::progress::Progress;
+use crate::progress::{PARTS, Progress, part};
 use serde::Serialize;
 use std::path::Path;
 use synthetica::Trajectory;
 use synthetica::document::best_report::{BestReport, CostReport, SwitchReport};
-use synthetica::document::fault::Fault;
 use synthetica::document::number::readable;
 use synthetica::document::report::Report;
 use synthetica::exchange::export::{Format, Options, write};
@@ -19,8 +19,6 @@ use synthetica::exchange::table::Headings;
 use synthetica::motion::trajectory::Status;
 use synthetica::plan::best::{Found, Search};
 
-/// Steps of the progress that is shown.
-const STEPS: u32 = 100;
 /// Share by which the mean must fall for a motion to be called closer.
 const CLOSER: f64 = 1e-3;
 
@@ -47,7 +45,7 @@ impl Searched {
         let planned = planned(file, &asked.planning, None)?;
         let followed = planned.motion.clone();
         let mut search = at_fault(&planned.file, planned.problem().best(followed))?;
-        let mut progress = Progress::new("part", STEPS.into());
+        let mut progress = Progress::new("part", PARTS);
         while search.advance() {
             progress.at(part(search.progress()));
         }
@@ -60,23 +58,6 @@ impl Searched {
         let found = self.search.found();
         found.map_or(self.search.followed(), |found| &found.motion)
     }
-}
-
-/// The steps that this share is.
-#[expect(
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    reason = "a share from 0 to 1"
-)]
-fn part(share: f64) -> u64 {
-    (f64::from(STEPS) * share) as u64
-}
-
-fn at_fault<T>(file: &str, answer: Result<T, Fault>) -> Result<T, Failure> {
-    answer.map_err(|fault| Failure::Fault {
-        file: file.to_owned(),
-        fault: Box::new(fault),
-    })
 }
 
 fn report(asked: &Best) -> Result<(), Failure> {
@@ -94,8 +75,7 @@ fn report(asked: &Best) -> Result<(), Failure> {
                 if verdict.ok { 0 } else { AT_FAULT }
             }
             Err(Failure::Fault { file, fault }) if asked.json => {
-                let ok = false;
-                out.write(&line(&Refused { file, ok, fault }))?;
+                out.write(&line(&Refused::new(file, fault)))?;
                 AT_FAULT
             }
             Err(failure) => {
@@ -162,14 +142,6 @@ struct Verdict<'a> {
     best: BestReport,
 }
 
-/// What is said of a document that is at fault.
-#[derive(Serialize)]
-struct Refused {
-    file: String,
-    ok: bool,
-    fault: Box<Fault>,
-}
-
 impl<'a> Verdict<'a> {
     fn new(searched: &'a Searched) -> Self {
         let motion = searched.motion();
@@ -199,7 +171,7 @@ fn words(verdict: &Verdict, searched: &Searched) -> String {
     if let Some(found) = searched.search.found() {
         lines.push(format!("  best      {}", cost(&best.best)));
         lines.push(format!(
-            "  bound     mean f {}: no motion over the branches that are known is closer",
+            "  bound     mean f {} over the branches that are known",
             readable(best.lower_bound)
         ));
         lines.push(format!("  result    {}", result(best, found)));

@@ -7,8 +7,10 @@ mod enumerate;
 mod failure;
 mod files;
 mod inputs;
+mod modes;
 mod motion;
 mod new;
+mod options;
 mod planned;
 mod progress;
 
@@ -32,6 +34,7 @@ fn run(command: &Command) -> Result<(), Failure> {
         Command::Plan(asked) => motion::plan(asked),
         Command::Check(asked) => check::check(asked),
         Command::Best(asked) => best::best(asked),
+        Command::Modes(asked) => modes::modes(asked),
         Command::Export(asked) => motion::export(asked),
         Command::Enumerate(asked) => enumerate::enumerate(asked),
         Command::New(asked) => new::new(asked),

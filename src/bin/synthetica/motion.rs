@@ -1,9 +1,10 @@
 //! `plan` and `export`: a document's motion as text.
 
-use crate::arguments::{Export, MotionOptions, Plan};
+use crate::arguments::{Export, Plan};
 use crate::check::warnings;
 use crate::failure::{Failure, NO_ANSWER, tell};
 use crate::files;
+use crate::options::MotionOptions;
 use crate::planned::planned;
 use synthetica::document::report::Report;
 use synthetica::exchange::export::{Format, Options, write};

@@ -1,0 +1,506 @@
+//! All ways to assemble a linkage at a key frame: its assembly modes there.
+//!
+//! With the workpiece at a pose the chains do not know of each other: each has its own configurations, which starts at random
+//! find, and every combination is a way. Where the goal cannot be met, the ways at the closest pose known go on to their own
+//! closest poses, and positions drawn anew are closed and moved there too. Ways differ where a link is at another place and
+//! no chain can go from the one to the other while the workpiece stands still.
+
+use crate::math::metric::{Metric, MetricKind};
+use crate::math::pose::Pose;
+use crate::math::random::Random;
+use crate::model::mechanism::Mechanism;
+use crate::model::scaled::Scaled;
+use crate::motion::goal::Goal;
+use crate::motion::trajectory::Trajectory;
+use crate::plan::best::Cost;
+use crate::plan::follow::Planning;
+use crate::plan::one_chain::{Part, joined_still};
+use crate::plan::places::Places;
+use crate::plan::seeds::Variable;
+use crate::plan::settings::{Method, Settings, extent};
+use crate::plan::unseen::Unseen;
+use crate::solve::solver::Solver;
+
+/// Starts of each chain: at least, at most, and the bound on the share of configurations not seen with which they end.
+const STARTS: usize = 24;
+const MOST_STARTS: usize = 96;
+const SURE: f64 = 0.1;
+/// How near a chain comes to a pose that it can have, as ½‖q − g‖² with the size as length.
+const THERE: f64 = 1e-9;
+/// Combinations that are tried at one pose.
+const MOST: usize = 512;
+/// Poses whose combinations are tried where the goal cannot be met, and positions drawn anew.
+const POSES: usize = 6;
+const DRAWN: usize = 48;
+
+/// A way to assemble.
+#[derive(Clone, Debug)]
+pub struct Mode {
+    /// Joint values at the key frame, rad or lengths.
+    pub joints: Vec<f64>,
+    /// The workpiece there.
+    pub pose: Pose,
+    /// f there.
+    pub value: f64,
+    /// Whether the goal is met.
+    pub reached: bool,
+    /// Starts that led to it: of the chain with the fewest.
+    pub starts: usize,
+    /// Whether the motion planned from the document's start is in it.
+    pub is_start: bool,
+    /// The motion planned from it: its cost, and its certified frames.
+    pub planned: Option<(Cost, usize)>,
+    theta: Vec<f64>,
+    links: Vec<f64>,
+}
+
+/// One configuration of a chain at a pose.
+#[derive(Clone, Debug)]
+struct Configuration {
+    own: Vec<f64>,
+    starts: usize,
+}
+
+/// What is done next.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Stage {
+    /// One chain's configurations at the pose.
+    Chain(usize),
+    /// Their combinations.
+    Combine,
+    /// Positions drawn anew.
+    Draw(usize),
+    /// A motion from each way.
+    Plan(usize),
+    Done,
+}
+
+/// The search, in portions.
+pub struct Assemblies {
+    mechanism: Mechanism,
+    goals: Vec<Goal>,
+    frame: usize,
+    settings: Settings,
+    solver: Solver,
+    anywhere: Solver,
+    places: Places,
+    parts: Vec<Part>,
+    variables: Vec<Vec<Variable>>,
+    /// Of the motion from the document's start, at the frame.
+    start: Option<Vec<f64>>,
+    random: Random,
+    pose: Pose,
+    /// Poses whose combinations were tried.
+    poses: usize,
+    configurations: Vec<Vec<Configuration>>,
+    arrived: Vec<usize>,
+    /// Of the first pose's chains.
+    unseen: Vec<Unseen>,
+    starts: usize,
+    modes: Vec<Mode>,
+    stage: Stage,
+    planning: Option<Box<Planning>>,
+}
+
+impl Assemblies {
+    /// For the goal of frame `frame`. `followed` is the motion planned from the document's start.
+    ///
+    /// # Panics
+    /// When there is no such frame.
+    pub fn new(
+        mechanism: &Mechanism,
+        goals: &[Goal],
+        frame: usize,
+        settings: &Settings,
+        followed: &Trajectory,
+    ) -> Self {
+        let settings = Settings {
+            method: Method::Newton,
+            ..*settings
+        };
+        let extent = extent(goals);
+        let mut solver = settings.solver(mechanism, extent);
+        let mut closed = followed.start.clone();
+        let is_closed = solver
+            .close_start(&mut closed, settings.dimension_tolerance)
+            .is_closed();
+        let scaled = solver.scaled().clone();
+        let (mut parts, mut variables) = (Vec::new(), Vec::new());
+        let mut first = 0;
+        let alone = Settings {
+            metric: MetricKind::Pose,
+            metric_length: Some(1.0),
+            metric_origin: None,
+            ..settings
+        };
+        for (chain, unscaled) in scaled.chains().iter().zip(mechanism.chains()) {
+            let range = first..first + chain.freedoms();
+            first = range.end;
+            let one = Mechanism::new(vec![chain.clone()]).expect("one chain is a mechanism");
+            parts.push(Part {
+                chain: chain.clone(),
+                solver: alone.solver(&one, 1.0),
+                range,
+                given: false,
+            });
+            variables.push(Variable::of(chain, unscaled, scaled.unit(), false));
+        }
+        let at = followed.frames() > frame && is_closed;
+        let start = at.then(|| scaled.entered(followed.joints_at(frame)));
+        let pose = scaled.enter_pose(&goals[frame].pose);
+        Self {
+            places: Places::new(mechanism, &scaled),
+            mechanism: mechanism.clone(),
+            goals: goals.to_vec(),
+            frame,
+            settings,
+            anywhere: solver.clone(),
+            solver,
+            configurations: vec![Vec::new(); parts.len()],
+            arrived: vec![0; parts.len()],
+            parts,
+            variables,
+            start,
+            random: Random::new(88),
+            pose,
+            poses: 0,
+            unseen: Vec::new(),
+            starts: 0,
+            modes: Vec::new(),
+            stage: Stage::Chain(0),
+            planning: None,
+        }
+    }
+
+    /// Some starts of one chain, some combinations, or a frame of a motion; false when there is nothing left.
+    pub fn advance(&mut self) -> bool {
+        match self.stage {
+            Stage::Chain(chain) => {
+                self.configure(chain);
+                self.stage = if chain + 1 < self.parts.len() {
+                    Stage::Chain(chain + 1)
+                } else {
+                    Stage::Combine
+                };
+            }
+            Stage::Combine => {
+                self.combine();
+                self.poses += 1;
+                self.stage = self.next_pose();
+            }
+            Stage::Draw(count) => {
+                self.draw();
+                self.stage = if count + 1 < DRAWN {
+                    Stage::Draw(count + 1)
+                } else {
+                    self.next_pose()
+                };
+            }
+            Stage::Plan(number) => {
+                if number >= self.modes.len() {
+                    self.rank();
+                    self.stage = Stage::Done;
+                } else if self.plan(number) {
+                    self.stage = Stage::Plan(number + 1);
+                }
+            }
+            Stage::Done => return false,
+        }
+        self.stage != Stage::Done
+    }
+
+    /// Does all that is left.
+    pub fn finish(&mut self) -> &[Mode] {
+        while self.advance() {}
+        &self.modes
+    }
+
+    /// The ways found so far: the nearest first; when all are planned, those whose motions are closest on average.
+    pub fn modes(&self) -> &[Mode] {
+        &self.modes
+    }
+
+    /// Starts made so far, each of one chain or of a whole position.
+    pub fn starts(&self) -> usize {
+        self.starts
+    }
+
+    /// What starts say of configurations that are not known: a way is not seen where one of its chains' is not.
+    pub fn unseen(&self) -> Unseen {
+        let seen =
+            |part: fn(&Unseen) -> f64| self.unseen.iter().map(|u| 1.0 - part(u)).product::<f64>();
+        if self.unseen.is_empty() {
+            return Unseen::of(std::iter::empty(), 0);
+        }
+        Unseen {
+            share: 1.0 - seen(|u| u.share),
+            bound: 1.0 - seen(|u| u.bound),
+        }
+    }
+
+    /// From 0 to 1; the search is the first half, planning the second.
+    pub fn progress(&self) -> f64 {
+        let all = self.parts.len() + 1;
+        match self.stage {
+            Stage::Chain(chain) if self.poses == 0 => 0.5 * chain as f64 / all as f64,
+            Stage::Combine if self.poses == 0 => 0.5 * (all - 1) as f64 / all as f64,
+            Stage::Chain(_) | Stage::Combine | Stage::Draw(_) => 0.45,
+            Stage::Plan(number) => 0.5 + 0.5 * number as f64 / self.modes.len().max(1) as f64,
+            Stage::Done => 1.0,
+        }
+    }
+
+    /// Finds a chain's configurations at the pose.
+    fn configure(&mut self, chain: usize) {
+        let known = std::mem::take(&mut self.configurations[chain]);
+        self.arrived[chain] = 0;
+        let range = self.parts[chain].range.clone();
+        // The start's own configuration, and those at the pose before, are the first starts.
+        let own = self
+            .start
+            .as_ref()
+            .map(|start| start[range.clone()].to_vec());
+        let mut first: Vec<Vec<f64>> = known.into_iter().map(|c| c.own).chain(own).collect();
+        for count in 0..MOST_STARTS {
+            let from = first.pop().unwrap_or_else(|| {
+                let variables = self.variables[chain].iter();
+                let positive = count % 2 == 1;
+                variables
+                    .map(|v| v.draw(positive, &mut self.random))
+                    .collect()
+            });
+            self.starts += 1;
+            self.start_chain(chain, from);
+            if count + 1 >= STARTS {
+                let met = self.configurations[chain].iter().map(|c| c.starts);
+                let unseen = Unseen::of(met, self.arrived[chain]);
+                let nothing = self.arrived[chain] == 0;
+                if nothing || (unseen.share == 0.0 && unseen.bound <= SURE) {
+                    break;
+                }
+            }
+        }
+        if self.poses == 0 {
+            let met = self.configurations[chain].iter().map(|c| c.starts);
+            self.unseen.push(Unseen::of(met, self.arrived[chain]));
+        }
+    }
+
+    /// One start of a chain at the pose.
+    fn start_chain(&mut self, chain: usize, mut own: Vec<f64>) {
+        let part = &mut self.parts[chain];
+        part.go(&self.pose, &mut own);
+        let there = part.chain.pose(&own);
+        let size = Metric::default();
+        if !(size.value(&there, &self.pose) <= THERE) || self.has_turned_slider(chain, &own) {
+            return;
+        }
+        let range = self.parts[chain].range.clone();
+        let part = &self.parts[chain];
+        self.arrived[chain] += 1;
+        let place = |own: &[f64]| self.chain_links(chain, own);
+        let links = place(&own);
+        let same = |other: &Configuration| {
+            if Places::are_same(&place(&other.own), &links) {
+                return true;
+            }
+            let mut whole = vec![0.0; self.solver.scaled().variables()];
+            let mut reference = whole.clone();
+            whole[range.clone()].copy_from_slice(&other.own);
+            reference[range.clone()].copy_from_slice(&own);
+            let written = self.places.form_near(&reference, &whole).apply(&whole);
+            joined_still(&part.chain, &own, &written[range.clone()])
+        };
+        match self.configurations[chain].iter().position(same) {
+            Some(known) => self.configurations[chain][known].starts += 1,
+            None => self.configurations[chain].push(Configuration { own, starts: 1 }),
+        }
+    }
+
+    /// The links of one chain, with all other chains as they are at the joint values 0.
+    fn chain_links(&self, chain: usize, own: &[f64]) -> Vec<f64> {
+        let mut whole = vec![0.0; self.solver.scaled().variables()];
+        whole[self.parts[chain].range.clone()].copy_from_slice(own);
+        // Without the workpiece, which is the first chain's.
+        self.places.links(&whole)[7..].to_vec()
+    }
+
+    /// Whether a slider behind a revolute joint has a negative length: the same leg turned round, which no one builds; but
+    /// where the start has it so.
+    fn has_turned_slider(&self, chain: usize, own: &[f64]) -> bool {
+        let start = self
+            .start
+            .as_ref()
+            .map(|start| &start[self.parts[chain].range.clone()]);
+        let mut turned = false;
+        let lengths = self.variables[chain]
+            .iter()
+            .zip(self.parts[chain].chain.turns());
+        lengths.enumerate().any(|(i, (variable, turns))| {
+            let before = turned;
+            turned |= turns;
+            let negative = |own: &[f64]| variable.is_negative(own[i]);
+            before && !turns && negative(own) && !start.is_some_and(negative)
+        })
+    }
+
+    /// Tries all combinations of the chains' configurations.
+    fn combine(&mut self) {
+        let counts: Vec<usize> = self.configurations.iter().map(Vec::len).collect();
+        let all = counts.iter().fold(1_usize, |all, n| all.saturating_mul(*n));
+        for number in 0..all.min(MOST) {
+            let (mut rest, mut theta, mut starts) = (number, Vec::new(), usize::MAX);
+            for (configurations, count) in self.configurations.iter().zip(&counts) {
+                let one = &configurations[rest % count];
+                rest /= count;
+                theta.extend_from_slice(&one.own);
+                starts = starts.min(one.starts);
+            }
+            self.take(theta, starts);
+        }
+    }
+
+    /// A position drawn anew.
+    fn draw(&mut self) {
+        self.starts += 1;
+        let mut theta = Vec::new();
+        for variables in &self.variables {
+            let drawn = variables.iter().map(|v| v.draw(true, &mut self.random));
+            theta.extend(drawn);
+        }
+        self.take(theta, 1);
+    }
+
+    /// Closes a position, moves it to the closest pose, and keeps it where it is a way that is not known.
+    fn take(&mut self, theta: Vec<f64>, starts: usize) {
+        let mut joints = self.solver.scaled().left(&theta);
+        let tolerance = self.settings.dimension_tolerance;
+        if !self
+            .anywhere
+            .close_start(&mut joints, tolerance)
+            .is_closed()
+        {
+            return;
+        }
+        let goal = self.goals[self.frame].pose;
+        let predicted = joints.clone();
+        self.solver.clear_holding();
+        let solved = self.solver.solve(&goal, &mut joints, &predicted);
+        if !solved.end.is_minimum() {
+            return;
+        }
+        let scaled = self.solver.scaled();
+        let theta = self.written_short(&scaled.entered(&joints));
+        let turned = (0..self.parts.len())
+            .any(|chain| self.has_turned_slider(chain, &theta[self.parts[chain].range.clone()]));
+        if turned {
+            return;
+        }
+        let links = self.places.links(&theta);
+        if let Some(known) = self
+            .modes
+            .iter_mut()
+            .position(|mode| Places::are_same(&mode.links, &links))
+        {
+            self.modes[known].starts += 1;
+            return;
+        }
+        if self.modes.iter().any(|mode| {
+            Places::same_workpiece(&mode.links, &links)
+                && self.are_joined_still(&theta, &mode.theta)
+        }) {
+            return;
+        }
+        let is_start = self.start.as_ref().is_some_and(|start| {
+            let own = self.places.links(start);
+            Places::are_same(&own, &links)
+                || Places::same_workpiece(&own, &links) && self.are_joined_still(&theta, start)
+        });
+        let scaled = self.solver.scaled();
+        let pose = scaled.leave_pose(&scaled.chains()[0].pose(&theta));
+        let joints = scaled.left(&theta);
+        self.modes.push(Mode {
+            value: self.solver.value(&goal, &joints),
+            reached: solved.reached,
+            joints,
+            pose,
+            starts,
+            is_start,
+            planned: None,
+            theta,
+            links,
+        });
+        let nearer = |a: &Mode, b: &Mode| a.value.total_cmp(&b.value);
+        self.modes.sort_by(nearer);
+    }
+
+    fn are_joined_still(&self, from: &[f64], to: &[f64]) -> bool {
+        let to = self.places.form_near(from, to).apply(to);
+        self.parts.iter().all(|part| {
+            joined_still(
+                &part.chain,
+                &from[part.range.clone()],
+                &to[part.range.clone()],
+            )
+        })
+    }
+
+    /// Angles within ±π where the limits allow it.
+    fn written_short(&self, theta: &[f64]) -> Vec<f64> {
+        let variables = self.variables.iter().flatten();
+        variables.zip(theta).map(|(v, &x)| v.wrapped(x)).collect()
+    }
+
+    /// What follows the combinations at a pose, or the positions drawn anew.
+    fn next_pose(&mut self) -> Stage {
+        let reached = self.modes.iter().any(|mode| mode.reached);
+        if reached {
+            self.modes.retain(|mode| mode.reached);
+            return Stage::Plan(0);
+        }
+        match (self.poses, self.stage) {
+            // Where no chain comes to the goal, other positions.
+            (1, Stage::Combine) => Stage::Draw(0),
+            (poses, _) if poses <= POSES && poses <= self.modes.len() => {
+                let scaled = self.solver.scaled();
+                self.pose = scaled.chains()[0].pose(&self.modes[poses - 1].theta);
+                Stage::Chain(0)
+            }
+            _ => Stage::Plan(0),
+        }
+    }
+
+    /// A frame of the motion from a way; true when it is planned.
+    fn plan(&mut self, number: usize) -> bool {
+        let mut planning = self.planning.take().unwrap_or_else(|| {
+            let start = &self.modes[number].joints;
+            Box::new(Planning::new(
+                &self.mechanism,
+                start,
+                &self.goals,
+                &self.settings,
+            ))
+        });
+        if planning.advance() {
+            self.planning = Some(planning);
+            return false;
+        }
+        let t = planning.finish();
+        let scaled: &Scaled = self.solver.scaled();
+        let certified = t.status.iter().filter(|s| s.is_certified()).count();
+        self.modes[number].planned = Some((Cost::of(&t, scaled), certified));
+        true
+    }
+
+    /// Those whose motions have most certified frames, and of these the closest on average, first.
+    fn rank(&mut self) {
+        let key = |mode: &Mode| {
+            mode.planned
+                .map_or((0, f64::INFINITY), |(cost, n)| (n, cost.mean))
+        };
+        self.modes.sort_by(|a, b| {
+            let ((n, mean), (m, other)) = (key(a), key(b));
+            m.cmp(&n).then(mean.total_cmp(&other))
+        });
+    }
+}
