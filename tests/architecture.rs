@@ -9,8 +9,10 @@ use std::path::Path;
 const FLOORS: &str = include_str!("../src/floors.md");
 
 /// The command's files, from the top down.
-const COMMAND: [&str; 11] = [
+const COMMAND: [&str; 14] = [
     "main",
+    "best",
+    "modes",
     "motion",
     "check",
     "planned",
@@ -20,6 +22,7 @@ const COMMAND: [&str; 11] = [
     "files",
     "failure",
     "arguments",
+    "options",
     "inputs",
 ];
 

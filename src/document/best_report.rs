@@ -108,7 +108,7 @@ impl BestReport {
                     .map(|switch| SwitchReport::new(switch, &found.motion))
                     .collect()
             }),
-            curve: Vec::new(),
+            curve: search.curve().iter().map(CalmPoint::of).collect(),
             found_where_lost: found.map_or_else(Vec::new, |found| found.found_where_lost.clone()),
         }
     }
@@ -157,6 +157,15 @@ impl SwitchReport {
             length,
             largest,
             points,
+        }
+    }
+}
+
+impl CalmPoint {
+    fn of(&(price, cost): &(f64, Cost)) -> Self {
+        Self {
+            price,
+            cost: cost.into(),
         }
     }
 }

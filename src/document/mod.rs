@@ -13,6 +13,8 @@ mod drivers;
 pub mod example_document;
 pub mod fault;
 pub mod make;
+#[cfg(feature = "study")]
+pub mod modes_report;
 mod motion;
 pub mod number;
 pub(crate) mod parts;

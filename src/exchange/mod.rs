@@ -6,6 +6,8 @@ pub mod drives;
 pub mod export;
 pub mod mjcf;
 #[cfg(feature = "study")]
+pub mod path_table;
+#[cfg(feature = "study")]
 pub mod pose_columns;
 #[cfg(feature = "study")]
 pub mod pose_rows;

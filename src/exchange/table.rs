@@ -54,19 +54,29 @@ impl Headings {
 }
 
 /// What fills a column.
-enum Values {
+pub(crate) enum Values {
     Numbers(Vec<f64>),
     Statuses(Vec<Status>),
 }
 
 /// A column: a name in ASCII, its unit (empty for a pure number), an entry a frame.
-struct Column {
+pub(crate) struct Column {
     name: String,
     unit: String,
     values: Values,
 }
 
 impl Column {
+    /// Of pure numbers.
+    #[cfg(feature = "study")]
+    pub(crate) fn number(name: &str, values: Values) -> Self {
+        Self {
+            name: name.to_owned(),
+            unit: String::new(),
+            values,
+        }
+    }
+
     /// As a spreadsheet takes it: `theta1[deg]`.
     fn heading(&self) -> String {
         if self.unit.is_empty() {
@@ -104,7 +114,8 @@ pub(crate) fn variable_name(chain: usize, label: &str) -> String {
     format!("chain{}_{}", chain + 1, label.replace('θ', "theta"))
 }
 
-fn columns(document: &Document, report: &Report, t: &Trajectory) -> Vec<Column> {
+/// The columns of a motion, that of its frames' numbers first.
+pub(crate) fn columns(document: &Document, report: &Report, t: &Trajectory) -> Vec<Column> {
     let length = match document.length_unit.as_str() {
         "" => "length",
         unit => unit,
@@ -175,11 +186,12 @@ pub fn csv(
     t: &Trajectory,
     headings: Headings,
 ) -> String {
-    let columns = columns(
-        document,
-        &Report::new(mechanism, &document.length_unit, t),
-        t,
-    );
+    let report = Report::new(mechanism, &document.length_unit, t);
+    columns_in_csv(&columns(document, &report, t), t.frames(), headings)
+}
+
+/// Headings, then a line a row.
+pub(crate) fn columns_in_csv(columns: &[Column], rows: usize, headings: Headings) -> String {
     let line = |fields: Vec<String>| fields.join(",") + "\n";
     let row = |field: fn(&Column) -> String| {
         line(
@@ -194,7 +206,7 @@ pub fn csv(
         Headings::Plain => row(|column| column.name.clone()),
         Headings::TwoRows => row(|column| column.name.clone()) + &row(|column| column.unit.clone()),
     };
-    for frame in 0..t.frames() {
+    for frame in 0..rows {
         let entries = columns.iter().map(|column| column.entry(frame, ""));
         text += &line(entries.collect());
     }
@@ -208,13 +220,27 @@ pub fn csv(
 /// Never: texts and plain data become JSON.
 pub fn json(document: &Document, mechanism: &Mechanism, t: &Trajectory) -> String {
     let report = Report::new(mechanism, &document.length_unit, t);
-    let list: Vec<String> = columns(document, &report, t)
+    let columns = columns_in_json(&columns(document, &report, t), t.frames());
+    let counts = [("frames", t.frames().to_string())];
+    object(
+        "synthetica motion",
+        VERSION,
+        document,
+        &counts,
+        &columns,
+        &report,
+    )
+}
+
+/// A list of columns, each with its name, its unit and its values.
+pub(crate) fn columns_in_json(columns: &[Column], rows: usize) -> String {
+    let list: Vec<String> = columns
         .iter()
         .map(|column| {
-            let values: Vec<String> = (0..t.frames())
-                .map(|frame| match column.values {
-                    Values::Numbers(_) => column.entry(frame, "null"),
-                    Values::Statuses(_) => text_in_json(&column.entry(frame, "")),
+            let values: Vec<String> = (0..rows)
+                .map(|row| match column.values {
+                    Values::Numbers(_) => column.entry(row, "null"),
+                    Values::Statuses(_) => text_in_json(&column.entry(row, "")),
                 })
                 .collect();
             format!(
@@ -225,18 +251,32 @@ pub fn json(document: &Document, mechanism: &Mechanism, t: &Trajectory) -> Strin
             )
         })
         .collect();
+    format!("[\n{}\n  ]", list.join(",\n"))
+}
+
+/// The object around columns. `own` are its own fields, their values being JSON.
+pub(crate) fn object(
+    format: &str,
+    version: u32,
+    document: &Document,
+    own: &[(&str, String)],
+    columns: &str,
+    report: &Report,
+) -> String {
     let mut text = String::from("{\n");
     let mut field = |name: &str, value: &str| {
         let _ = writeln!(text, "  \"{name}\": {value},");
     };
-    field("format", "\"synthetica motion\"");
-    field("version", &VERSION.to_string());
+    field("format", &text_in_json(format));
+    field("version", &version.to_string());
     field("name", &text_in_json(&document.name));
     field("length_unit", &text_in_json(&document.length_unit));
     field("angle_unit", "\"deg\"");
-    field("frames", &t.frames().to_string());
-    field("columns", &format!("[\n{}\n  ]", list.join(",\n")));
-    let said = serde_json::to_string(&report).expect("plain data becomes JSON");
+    for (name, value) in own {
+        field(name, value);
+    }
+    field("columns", columns);
+    let said = serde_json::to_string(report).expect("plain data becomes JSON");
     field("report", &said);
     let document = document.text();
     text + "  \"document\": " + &document.trim_end().replace('\n', "\n  ") + "\n}\n"

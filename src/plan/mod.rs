@@ -20,6 +20,8 @@ pub mod leaps;
 pub mod modes;
 mod one_chain;
 #[cfg(feature = "study")]
+pub mod path;
+#[cfg(feature = "study")]
 pub mod places;
 pub mod planning;
 #[cfg(feature = "study")]

@@ -100,7 +100,15 @@ impl Session {
 
     /// The document's text with the start written into it.
     pub fn text_with_start(&self) -> String {
-        let start = start_values(&self.problem.mechanism, self.start());
+        self.text_started_at(self.start())
+    }
+
+    /// The document's text with these joint values (rad or lengths) as its start.
+    ///
+    /// # Panics
+    /// When there is not one value a joint variable.
+    pub fn text_started_at(&self, joints: &[f64]) -> String {
+        let start = start_values(&self.problem.mechanism, joints);
         self.source.text_with_start(start)
     }
 

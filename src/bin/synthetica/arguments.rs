@@ -1,14 +1,14 @@
 //! The command line: commands, options, and their help.
 
 use crate::inputs::Inputs;
+use crate::options::{MotionOptions, Output, Planning, Table};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint, value_parser};
+use clap::{Args, Parser, Subcommand, ValueHint, value_parser};
 use clap_complete::Shell;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use synthetica::exchange::export::Format;
 use synthetica::exchange::table::Headings;
 use synthetica::model::joint::JointKind;
-use synthetica::motion::goal::MAX_FRAMES;
 use synthetica::types::enumerate::{MAX_CHAIN_CONSTRAINTS, MAX_CONSTRAINTS};
 
 /// Closest reachable motions of spatial linkages, from documents in JSON
@@ -41,6 +41,10 @@ pub enum Command {
     Plan(Plan),
     /// Say what is wrong with documents, and how well their linkages follow the goal
     Check(Check),
+    /// Find the motion closest to the goal over all branches, not only the one that is followed
+    Best(Best),
+    /// Find all ways to assemble the linkage at a key frame, and how close the motion from each comes
+    Modes(Modes),
     /// Print the planned motion for other programs, such as a model for MuJoCo
     Export(Export),
     /// Count the types of chains and assemblies, list them, find one by its number
@@ -169,77 +173,75 @@ pub struct Check {
 }
 
 #[derive(Args)]
-pub struct MotionOptions {
-    /// The document; `-` or nothing for standard input
-    #[arg(default_value = "-", hide_default_value = true, value_hint = ValueHint::FilePath)]
-    pub document: PathBuf,
+#[command(after_help = "\
+A plan follows one branch of the linkage; here the branches that closed walks join to the start are searched, and the
+motion may change from one to another while a goal stands. f is the distance to the goal, as in a plan. Without --format
+it says what was found, with it it prints the motion, every point of its closed path in order: frame is empty between
+frames, branch on the way of a change of branch, and switch is 1 there.
+
+Exit codes:
+  0  every frame of the best motion is certified: reached, closest or at_limit; with --format: the motion is printed
+  1  a document is at fault, its joints are driven, its loops are open, or a frame is not certified
+  2  the command line is wrong, or a file cannot be read or written
+
+Examples:
+  synthetica best 3rps.json
+  synthetica best --json 3rps.json 2tpr.json
+  synthetica best --format csv 3rps.json > best.csv
+  synthetica best --format json 3rps.json --output best.json
+  synthetica best --format csv --calm 1e-6 3rps.json > calm.csv")]
+pub struct Best {
+    /// The documents; `-` or nothing for standard input
+    #[arg(value_name = "DOCUMENT", default_value = "-", hide_default_value = true, value_hint = ValueHint::FilePath)]
+    pub documents: Vec<PathBuf>,
+    /// An object a line for each document; frames count from 0 there
+    #[arg(long, conflicts_with = "format")]
+    pub json: bool,
+    /// Print the motion of one document. csv: a table with units in its headings; json: what was found, columns, report and
+    /// document
+    #[arg(short, long, value_name = "FORMAT")]
+    pub format: Option<Table>,
+    /// Print the calm form of the motion, a row a frame: PRICE times the mean square of the joints' speeds, in rad and
+    /// sizes a motion, counts as much as the mean f
+    #[arg(long, value_name = "PRICE", requires = "format", value_parser = price)]
+    pub calm: Option<f64>,
     #[command(flatten)]
     pub planning: Planning,
     #[command(flatten)]
-    pub key_frames: KeyFrames,
+    pub into: Output,
+}
+
+#[derive(Args)]
+#[command(after_help = "\
+Where the goal of the key frame cannot be met, the ways at the closest poses are found. From each a motion is planned; those
+with most certified frames and the least mean of f, the distance to the goal, stand first. All numbers count from 0.
+
+Exit codes:
+  0  ways to assemble every document were found
+  1  a document is at fault, its joints are driven, or no way was found
+  2  the command line is wrong, or a file cannot be read or written
+
+Examples:
+  synthetica modes 3rps.json
+  synthetica modes --key 1 --json 3rps.json
+  synthetica modes --start 0 3rps.json | synthetica plan --quiet > motion.csv")]
+pub struct Modes {
+    /// The documents; `-` or nothing for standard input
+    #[arg(value_name = "DOCUMENT", default_value = "-", hide_default_value = true, value_hint = ValueHint::FilePath)]
+    pub documents: Vec<PathBuf>,
+    /// The key frame, from 0
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub key: usize,
+    /// An object a line for each document
+    #[arg(long, conflicts_with = "start")]
+    pub json: bool,
+    /// Print one document with the joint values of this way, from 0, as its start
+    #[arg(long, value_name = "MODE")]
+    pub start: Option<usize>,
+    #[command(flatten)]
+    pub planning: Planning,
     #[command(flatten)]
     pub into: Output,
-    /// No warnings
-    #[arg(short, long)]
-    pub quiet: bool,
-}
-
-/// What is planned otherwise than the document says.
-#[derive(Args)]
-pub struct Planning {
-    /// Plan by Newton's method or by the paper's gradient, whatever the document says
-    #[arg(long, value_name = "METHOD")]
-    pub method: Option<Method>,
-    /// Plan so many frames, whatever the document says
-    #[arg(long, value_name = "N", value_parser = value_parser!(u32).range(2..=MAX_FRAMES as i64))]
-    pub frames: Option<u32>,
-    /// Change a parameter or any place of the document, such as base=400 or chains[0].base.x=1.2
-    #[arg(long, value_name = "PLACE=VALUE")]
-    pub set: Vec<String>,
-}
-
-/// Where key frames come from, where not from the document.
-#[derive(Args)]
-pub struct KeyFrames {
-    /// Take the key frames from a table, in place of the document's: CSV, or fields parted by tabs, semicolons or blanks;
-    /// the motion gets a frame for each of them where it has fewer. Rows that cannot be taken over are told
-    #[arg(long, value_name = "TABLE", value_hint = ValueHint::FilePath)]
-    pub key_frames: Option<PathBuf>,
-    /// What is known of the table, as JSON: convention, order, angles, time, scale
-    #[arg(
-        long,
-        value_name = "REQUEST",
-        requires = "key_frames",
-        default_value = "{}",
-        hide_default_value = true
-    )]
-    pub table: String,
-}
-
-#[derive(Args)]
-pub struct Output {
-    /// Write into this file; `-` or nothing for standard output
-    #[arg(short, long, value_name = "FILE", value_hint = ValueHint::FilePath)]
-    output: Option<PathBuf>,
-}
-
-impl Output {
-    /// The file, if it is to be one.
-    pub fn file(&self) -> Option<&Path> {
-        self.output.as_deref()
-    }
-}
-
-#[derive(Clone, Copy, ValueEnum)]
-pub enum Table {
-    Csv,
-    Json,
-}
-
-#[derive(Clone, Copy, ValueEnum)]
-pub enum Method {
-    Newton,
-    Gradient,
 }
 
 #[derive(Args)]
@@ -299,6 +301,13 @@ pub enum Listing {
 
 /// The joints of a chain.
 pub type Chain = Vec<JointKind>;
+
+fn price(text: &str) -> Result<f64, String> {
+    let price = text.parse().ok();
+    price
+        .filter(|price: &f64| *price > 0.0 && price.is_finite())
+        .ok_or_else(|| "no price. Accepted: a number above 0, such as 1e-6".to_owned())
+}
 
 fn chain(letters: &str) -> Result<Chain, String> {
     let joint = |letter: char| {

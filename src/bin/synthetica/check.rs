@@ -28,8 +28,7 @@ pub fn check(asked: &Check) -> Result<(), Failure> {
                 if verdict.ok { 0 } else { AT_FAULT }
             }
             Err(Failure::Fault { file, fault }) if asked.json => {
-                let ok = false;
-                out.write(&line(&Refused { file, ok, fault }))?;
+                out.write(&line(&Refused::new(file, fault)))?;
                 AT_FAULT
             }
             Err(failure) => {
@@ -83,10 +82,17 @@ struct Frames {
 
 /// What is said of a document that does not.
 #[derive(Serialize)]
-struct Refused {
+pub struct Refused {
     file: String,
     ok: bool,
     fault: Box<Fault>,
+}
+
+impl Refused {
+    pub fn new(file: String, fault: Box<Fault>) -> Self {
+        let ok = false;
+        Self { file, ok, fault }
+    }
 }
 
 /// Neighbouring frames with the same status, not certified.
@@ -135,7 +141,7 @@ impl<'a> Verdict<'a> {
 }
 
 /// For a program: one line.
-fn line(value: &impl Serialize) -> String {
+pub fn line(value: &impl Serialize) -> String {
     let text = serde_json::to_string(value).expect("plain data becomes JSON");
     text + "\n"
 }

@@ -53,6 +53,14 @@ impl Failure {
     }
 }
 
+/// The answer of a question about this file's document.
+pub fn at_fault<T>(file: &str, answer: Result<T, Fault>) -> Result<T, Failure> {
+    answer.map_err(|fault| Failure::Fault {
+        file: file.to_owned(),
+        fault: Box::new(fault),
+    })
+}
+
 /// A line on standard error; it does not matter whether anybody reads it.
 pub fn tell(line: &str) {
     let _ = writeln!(io::stderr(), "{line}");

@@ -1,13 +1,16 @@
 //! The command `synthetica`: plans, checks, exports and enumerates from a shell.
 
 mod arguments;
+mod best;
 mod check;
 mod enumerate;
 mod failure;
 mod files;
 mod inputs;
+mod modes;
 mod motion;
 mod new;
+mod options;
 mod planned;
 mod progress;
 
@@ -30,6 +33,8 @@ fn run(command: &Command) -> Result<(), Failure> {
     match command {
         Command::Plan(asked) => motion::plan(asked),
         Command::Check(asked) => check::check(asked),
+        Command::Best(asked) => best::best(asked),
+        Command::Modes(asked) => modes::modes(asked),
         Command::Export(asked) => motion::export(asked),
         Command::Enumerate(asked) => enumerate::enumerate(asked),
         Command::New(asked) => new::new(asked),

@@ -1,20 +1,17 @@
 //! `plan` and `export`: a document's motion as text.
 
-use crate::arguments::{Export, MotionOptions, Plan, Table};
+use crate::arguments::{Export, Plan};
 use crate::check::warnings;
 use crate::failure::{Failure, NO_ANSWER, tell};
 use crate::files;
+use crate::options::MotionOptions;
 use crate::planned::planned;
 use synthetica::document::report::Report;
 use synthetica::exchange::export::{Format, Options, write};
 
 /// The motion as a table or as JSON.
 pub fn plan(asked: &Plan) -> Result<(), Failure> {
-    let format = match asked.format {
-        Table::Csv => Format::Csv,
-        Table::Json => Format::Json,
-    };
-    print(format, Options::default(), &asked.options)
+    print(asked.format.into(), Options::default(), &asked.options)
 }
 
 /// The motion for another program.

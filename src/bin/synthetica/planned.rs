@@ -1,8 +1,8 @@
 //! A document read, changed as the options ask, and planned.
 
-use crate::arguments::{KeyFrames, Method, Planning};
 use crate::failure::{Failure, tell};
 use crate::files;
+use crate::options::{KeyFrames, Method, Planning};
 use crate::progress::Progress;
 use std::path::Path;
 use synthetica::document::fault::Fault;
@@ -30,6 +30,11 @@ impl Planned {
 
     pub fn problem(&self) -> &Problem {
         self.session.problem()
+    }
+
+    /// The document as it was typed, with these joint values (rad or lengths) as its start.
+    pub fn text_with_start(&self, joints: &[f64]) -> String {
+        self.session.text_started_at(joints)
     }
 }
 

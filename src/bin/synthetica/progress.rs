@@ -11,6 +11,19 @@ const REST: Duration = Duration::from_millis(100);
 /// Back to the beginning of the terminal's line, and clear it.
 const CLEAR: &str = "\r\x1b[K";
 
+/// Steps of work of which only the share that is done is known.
+pub const PARTS: u64 = 100;
+
+/// The steps that this share, from 0 to 1, is of [`PARTS`].
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "a share from 0 to 1"
+)]
+pub fn part(share: f64) -> u64 {
+    (PARTS as f64 * share) as u64
+}
+
 /// Work in so many steps.
 pub struct Progress {
     what: &'static str,
