@@ -1,0 +1,56 @@
+/**
+ * Small pictures of the linkage in each of its ways to assemble, as the view would show it from where it is looked from now. One
+ * after the other, so that the page answers in between.
+ *
+ * @typedef {import('../../core/best-types.js').Mode} Mode
+ */
+import { drawPicture } from '../../export/picture.js';
+import { groupAt } from '../../core/shown.js';
+
+/** In CSS pixels. */
+export const PICTURE = { width: 210, height: 150 };
+
+/**
+ * @param {Pick<import('../../element/workbench.js').App, 'store' | 'player'>} app
+ * @param {NonNullable<import('../../element/workbench.js').App['scene']>} scene
+ */
+export function createModePictures({ store, player }, scene) {
+  /** @type {{canvas: HTMLCanvasElement, mode: Mode, frame: number}[]} */
+  let waiting = [];
+  let working = false;
+
+  async function work() {
+    if (working) return;
+    working = true;
+    for (let next = waiting.shift(); next; next = waiting.shift()) {
+      draw(next);
+      await new Promise((resolve) => setTimeout(resolve));
+    }
+    working = false;
+  }
+
+  /** @param {{canvas: HTMLCanvasElement, mode: Mode, frame: number}} one */
+  function draw({ canvas, mode: { joints, rows, pose }, frame }) {
+    const { motion, plain } = store.result;
+    if (!motion || !plain || !canvas.isConnected) return;
+    // Another motion beside it would be taken for a part of it.
+    const ghosts = scene.pictured.filter(({ name, visible }) => name === 'best motion' && visible);
+    for (const ghost of ghosts) ghost.visible = false;
+    try {
+      scene.pose({ doc: plain, index: 0, frames: 1, joints, pose, rows, goal: groupAt(motion.goal, { index: Math.min(frame, motion.frames - 1), frames: motion.frames }) });
+      drawPicture(scene, { ...PICTURE, ratio: Math.min(2, devicePixelRatio), names: false, whole: true }, canvas);
+      canvas.dataset.drawn = '';
+    } finally {
+      for (const ghost of ghosts) ghost.visible = true;
+      player.invalidate();
+    }
+  }
+
+  return {
+    /** @param {HTMLCanvasElement} canvas @param {Mode} mode @param {number} frame of the key frame */
+    show(canvas, mode, frame) {
+      waiting = [...waiting.filter((one) => one.canvas !== canvas), { canvas, mode, frame }];
+      work();
+    },
+  };
+}
