@@ -37,8 +37,8 @@ export function createBestGhost({ store }, scene, search) {
     group,
     names: () => [],
     paint(palette) {
-      material.color.copy(palette.accent);
-      path.material.color.copy(palette.accent);
+      material.color.copy(palette.closest);
+      path.material.color.copy(palette.closest);
     },
   });
   /** What the bodies were built of. @type {unknown[]} */

@@ -12,6 +12,12 @@ const CLOSER = { least: 1e-6, share: 1e-3 };
 /** Whether a distance is less than another by more than what may be rounding. @param {number} one @param {number} other */
 export const isCloser = (one, other) => one < other - CLOSER.least - CLOSER.share * other;
 
+/** Below this a distance is told in powers of ten. */
+const SMALL = 1e-4;
+
+/** A distance ½‖q − g‖² with three digits, so that two that are close are told apart. @param {number} value */
+export const distance = (value) => (value >= SMALL && value < 1000 ? String(Number(value.toPrecision(3))) : scientific(value));
+
 /** Above this share a part of a hundred reads better than one in so many. */
 const OFTEN = 0.3;
 
@@ -38,8 +44,8 @@ export function unseenSentence({ starts, unseen, unseen_bound }, thing) {
 /** How close the best motion is to what no motion can be better than. @param {Best} best */
 export function boundSentence({ best, lower_bound: bound }) {
   const above = best.mean - bound;
-  const least = `No motion over the branches known is closer on average than ${scientific(bound)}`;
-  return above > 1e-12 + 1e-6 * bound ? `${least}; this one is ${scientific(above)} above it, the price of switching.` : `${least}, and this one is as close.`;
+  const least = `No motion over the branches known is closer on average than ${distance(bound)}`;
+  return above > 1e-12 + 1e-6 * bound ? `${least}; this one is ${distance(above)} above it, the price of switching.` : `${least}, and this one is as close.`;
 }
 
 /** The result of the search in a sentence. @param {Best} best */
@@ -62,7 +68,7 @@ const isByAngles = (motion) => motion?.report.chains.every(({ variables }) => va
 export const jointMotion = (value, motion) => (isByAngles(motion) ? angle(value) : short(value, 3));
 
 /** What such a number means. @param {Motion | null} motion */
-export const jointUnit = (motion) => (isByAngles(motion) ? '' : 'rad, or sizes of the mechanism');
+export const jointUnit = (motion) => (isByAngles(motion) ? '' : 'rad or sizes');
 
 /** What a branch is called. @param {number} branch */
 export const branchName = (branch) => (branch === 0 ? 'followed' : `branch ${branch + 1}`);
@@ -73,8 +79,8 @@ export const branchName = (branch) => (branch === 0 ? 'followed' : `branch ${bra
  */
 export function switchSentence({ frame, from, to, length, largest }, motion) {
   const when = frame === 0 ? 'At the start' : `Before frame ${frame + 1}`;
-  return `${when}: from ${from === 0 ? 'the followed branch' : `branch ${from + 1}`} to ${to === 0 ? 'the followed one' : `branch ${to + 1}`}, joint motion ${jointMotion(length, motion)}, at most ${scientific(largest)} from the goal on the way.`;
+  return `${when}: from ${from === 0 ? 'the followed branch' : `branch ${from + 1}`} to ${to === 0 ? 'the followed one' : `branch ${to + 1}`}, joint motion ${jointMotion(length, motion)}, at most ${distance(largest)} from the goal on the way.`;
 }
 
 /** A point of the curve from closer to calmer. @param {{mean: number, largest_step: number}} point @param {Motion | null} motion */
-export const calmWords = ({ mean, largest_step }, motion) => `mean distance ${scientific(mean)}, largest joint step ${jointMotion(largest_step, motion)}`;
+export const calmWords = ({ mean, largest_step }, motion) => `mean distance ${distance(mean)}, largest joint step ${jointMotion(largest_step, motion)}`;

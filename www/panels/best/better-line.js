@@ -2,10 +2,10 @@
  * In the info panel: that a better pose exists in the shown frame, or a finite one where the planner lost its way, with a button
  * that shows it. Over the view: that the best motion is shown in place of the followed one.
  */
-import { scientific } from '../../core/format.js';
 import { statusName } from '../../core/status-words.js';
 import { element } from '../../ui/dom.js';
 import { html, nothing, render } from '../../ui/render.js';
+import { distance } from './best-words.js';
 
 /** @param {Pick<import('../../element/workbench.js').App, 'find' | 'store'>} app @param {import('./search-state.js').SearchState} search */
 export function createBetterLine({ find, store }, search) {
@@ -26,10 +26,10 @@ export function createBetterLine({ find, store }, search) {
     const { which } = search.now;
     if (posture || store.result.doc !== search.now.doc) return nothing;
     const better = search.betterAt(frame);
-    if (which === 'best') return html`This is the best motion${better ? `: ${scientific(better.best)} here instead of ${scientific(better.now)}` : ''}. <button class="link" @click=${show('followed')}>Show the followed one</button>`;
+    if (which === 'best') return html`This is the best motion${better ? `: ${distance(better.best)} here instead of ${distance(better.now)}` : ''}. <button class="link" @click=${show('followed')}>Show the followed one</button>`;
     const more = which === 'both' ? html`<button class="link" @click=${show('followed')}>Hide it</button>` : html`<button class="link" @click=${show('both')}>Show it</button>`;
     if (search.isFoundWhereLost(frame)) return html`${lost(frame)} here; a finite closest pose was found. ${more}`;
-    return better ? html`A better pose exists: ${scientific(better.best)} instead of ${scientific(better.now)}. ${more}` : nothing;
+    return better ? html`A better pose exists: ${distance(better.best)} instead of ${distance(better.now)}. ${more}` : nothing;
   }
 
   /** How the followed motion failed in a frame. @param {number} frame */

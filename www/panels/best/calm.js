@@ -6,14 +6,13 @@
  * @typedef {import('../../core/best-types.js').MotionCost} MotionCost
  * @typedef {import('../../core/types.js').Motion} Motion
  */
-import { scientific } from '../../core/format.js';
 import { html, live, nothing, svg } from '../../ui/render.js';
-import { calmWords, jointMotion } from './best-words.js';
+import { calmWords, distance, jointMotion } from './best-words.js';
 
 /** Of the picture, in pixels, with the room for its scales. */
 const WIDTH = 260;
 const HEIGHT = 112;
-const ROOM = { left: 52, right: 12, top: 8, bottom: 28 };
+const ROOM = { left: 62, right: 12, top: 8, bottom: 28 };
 
 /** The points of the slider: the best motion itself, then the curve. @param {Best} best @returns {MotionCost[]} */
 export const pointsOf = ({ best, curve }) => [best, ...curve];
@@ -41,11 +40,11 @@ function picture(points, followed, chosen, motion, choose) {
     <path class="curve" d=${`M${at.map(({ x, y }) => `${x.toFixed(1)} ${y.toFixed(1)}`).join('L')}`} />
     ${at.map(({ x, y }, index) => svg`<circle class=${index === chosen ? 'chosen' : ''} cx=${x} cy=${y} r=${index === chosen ? 5.5 : 3} @click=${() => choose(index)} />`)}
     <path class="followed" d=${`M${other.x - 4} ${other.y - 4}l8 8m0 -8l-8 8`}><title>the followed motion</title></path>
-    <text x=${ROOM.left - 5} y=${ROOM.top + 8} text-anchor="end">${scientific(high)}</text>
+    <text x=${ROOM.left - 5} y=${ROOM.top + 8} text-anchor="end">${distance(high)}</text>
     <text x=${ROOM.left - 5} y=${bottom + 3} text-anchor="end">0</text>
     <text x=${right} y=${bottom + 12} text-anchor="end">${jointMotion(wide, motion)}</text>
     <text x=${(ROOM.left + right) / 2} y=${HEIGHT - 4} text-anchor="middle">largest joint step</text>
-    <text transform=${`translate(11 ${(ROOM.top + bottom) / 2}) rotate(-90)`} text-anchor="middle">mean distance</text>
+    <text transform=${`translate(10 ${(ROOM.top + bottom) / 2}) rotate(-90)`} text-anchor="middle">mean distance</text>
   </svg>`;
 }
 

@@ -5,10 +5,10 @@
  * @typedef {import('../../core/best-types.js').Best} Best
  * @typedef {import('./lanes.js').Lane} Lane
  */
-import { plural, scientific } from '../../core/format.js';
+import { plural } from '../../core/format.js';
 import { element } from '../../ui/dom.js';
 import { html, nothing, render, svg } from '../../ui/render.js';
-import { branchName, jointMotion, switchSentence } from './best-words.js';
+import { branchName, distance, jointMotion, switchSentence } from './best-words.js';
 import { lanesOf, outlineOf, runsOf } from './lanes.js';
 
 /** Heights in pixels: of a lane, of the distance drawn in it, and of the row of switches above. */
@@ -17,7 +17,7 @@ const HIGH = 15;
 const ABOVE = 20;
 
 /** Least room for the names of lanes, in pixels: beside the animation bar's buttons there is more. */
-const NAMES = 96;
+const NAMES = 116;
 /** What is left for their numbers. */
 const NUMBERS = 92;
 /** Least distance of two switches that are labelled, in pixels. */
@@ -88,7 +88,7 @@ export function createLanesPicture({ find, signal, goTo }) {
     const withNumbers = root.clientWidth - left - width > NUMBERS;
     render(
       html`<div class="lane-names">${lanes.map((lane) => {
-          const words = `${branchName(lane.branch)}: frames ${lane.first + 1} to ${lane.last + 1}, mean distance ${scientific(lane.mean)}${lane.used ? ', in the best motion' : ''}`;
+          const words = `${branchName(lane.branch)}: frames ${lane.first + 1} to ${lane.last + 1}, mean distance ${distance(lane.mean)}${lane.used ? ', in the best motion' : ''}`;
           const start = runs.find(({ branch }) => branch === lane.branch)?.from ?? lane.first;
           return html`<button class="quiet" title=${words} aria-label=${words} @click=${() => goTo(start)}>${branchName(lane.branch)}${lane.used ? html` <b>best</b>` : nothing}</button>`;
         })}</div>
@@ -104,11 +104,11 @@ export function createLanesPicture({ find, signal, goTo }) {
             const isLabelled = at - free >= APART;
             if (isLabelled) free = at;
             const words = switchSentence(one, motion);
-            return html`<button class="switch" style=${`left: ${at}px`} title=${words} aria-label=${words} @click=${() => goTo(one.frame)}>${isLabelled ? jointMotion(one.length, motion) : '·'}</button>`;
+            return html`<button class="switch" .style=${`left: ${at}px`} title=${words} aria-label=${words} @click=${() => goTo(one.frame)}>${isLabelled ? jointMotion(one.length, motion) : '·'}</button>`;
           })}
           <div class="lane-playhead" aria-hidden="true"></div>
         </div>
-        <div class="lane-numbers" aria-hidden="true">${withNumbers ? lanes.map(({ mean }) => html`<span>mean ${scientific(mean)}</span>`) : nothing}</div>
+        <div class="lane-numbers" aria-hidden="true">${withNumbers ? lanes.map(({ mean }) => html`<span>mean ${distance(mean)}</span>`) : nothing}</div>
         ${more > 0 ? html`<p class="muted more">and ${plural(more, 'branch', 'branches')} more, farther from the goal</p>` : nothing}`,
       root,
     );

@@ -22,6 +22,8 @@ export function createModePictures({ store, player }, scene) {
   async function work() {
     if (working) return;
     working = true;
+    // What was rendered just now stands in the page then.
+    await null;
     for (let next = waiting.shift(); next; next = waiting.shift()) {
       draw(next);
       await new Promise((resolve) => setTimeout(resolve));
@@ -33,15 +35,15 @@ export function createModePictures({ store, player }, scene) {
   function draw({ canvas, mode: { joints, rows, pose }, frame }) {
     const { motion, plain } = store.result;
     if (!motion || !plain || !canvas.isConnected) return;
-    // Another motion beside it would be taken for a part of it.
-    const ghosts = scene.pictured.filter(({ name, visible }) => name === 'best motion' && visible);
-    for (const ghost of ghosts) ghost.visible = false;
+    // The linkage alone: what belongs to the shown frame is not of this mode.
+    const others = scene.pictured.filter(({ name, type, visible }) => type === 'Group' && name !== 'linkage' && name !== 'ground' && visible);
+    for (const other of others) other.visible = false;
     try {
       scene.pose({ doc: plain, index: 0, frames: 1, joints, pose, rows, goal: groupAt(motion.goal, { index: Math.min(frame, motion.frames - 1), frames: motion.frames }) });
-      drawPicture(scene, { ...PICTURE, ratio: Math.min(2, devicePixelRatio), names: false, whole: true }, canvas);
+      drawPicture(scene, { ...PICTURE, ratio: Math.min(2, devicePixelRatio), names: false, whole: true, shadows: true }, canvas);
       canvas.dataset.drawn = '';
     } finally {
-      for (const ghost of ghosts) ghost.visible = true;
+      for (const other of others) other.visible = true;
       player.invalidate();
     }
   }

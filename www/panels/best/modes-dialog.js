@@ -8,7 +8,7 @@
 import { ask } from '../../core/ask.js';
 import { textOf } from '../../core/document-text.js';
 import { takeStarts } from '../../core/edits.js';
-import { plural, scientific } from '../../core/format.js';
+import { plural } from '../../core/format.js';
 import { keyFramesOf } from '../../core/key-frames.js';
 import { allTimes, keyFrameFrames } from '../../core/playhead.js';
 import { Search } from '../../planner/search.js';
@@ -18,25 +18,17 @@ import { openDialogIn } from '../../ui/dialog.js';
 import { element, setText } from '../../ui/dom.js';
 import { attach, html, live, nothing, render, renderRows, repeat } from '../../ui/render.js';
 import { wear } from '../../ui/style-sheets.js';
-import { unseenSentence } from './best-words.js';
+import { distance, unseenSentence } from './best-words.js';
+import { bestMode, ordered } from './mode-order.js';
 import { createModePictures, PICTURE } from './mode-pictures.js';
 
-/** @param {Mode} one @param {Mode} other */
-const byMotion = (one, other) => (one.mean ?? Infinity) - (other.mean ?? Infinity) || one.metric - other.metric;
-
-/** The mode whose motion is the closest on average, once all are planned. @param {Modes | null} modes */
-export const bestMode = (modes) => (modes?.progress === 1 ? [...modes.found].sort(byMotion).find(({ mean }) => mean !== undefined) : undefined);
-
-/** The modes in an order; those that are alike as they were found. @param {Mode[]} found @param {'key' | 'motion'} order */
-export const ordered = (found, order) => [...found].sort(order === 'motion' ? byMotion : (one, other) => one.metric - other.metric);
-
 /** How close a mode is at the key frame. @param {Mode} mode */
-const closeness = ({ reached, metric }) => (reached ? 'reaches the key frame' : `distance ${scientific(metric)} from the key frame`);
+const closeness = ({ reached, metric }) => (reached ? 'reaches the key frame' : `distance ${distance(metric)} from the key frame`);
 
 /** @param {Mode} mode @param {number} all starts that were made @param {number} frames of the motion */
 const facts = ({ starts, mean, largest = 0, certified }, all, frames) => [
   `found by ${starts} of ${plural(all, 'start')}`,
-  mean === undefined ? 'its motion is not planned yet' : `motion from it: mean distance ${scientific(mean)}, largest ${scientific(largest)}`,
+  mean === undefined ? 'its motion is not planned yet' : `motion from it: mean distance ${distance(mean)}, largest ${distance(largest)}`,
   ...(certified === undefined || certified >= frames ? [] : [`${plural(certified, 'frame')} of ${frames} certified`]),
 ];
 
@@ -66,7 +58,6 @@ export function openModes({ root, find, store, player, scene, say, signal }, fir
   // A document that comes from elsewhere has other ways.
   const unsubscribe = store.subscribe('document', () => dialog.close());
   signal.addEventListener('abort', leave);
-  begin();
 
   function leave() {
     unsubscribe();
@@ -178,4 +169,6 @@ export function openModes({ root, find, store, player, scene, say, signal }, fir
     setText(note, text);
     renderRows(repeat(ordered(found, order), ({ index }) => index, card), list);
   }
+
+  begin();
 }

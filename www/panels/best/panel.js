@@ -2,13 +2,13 @@
  * The panel of the best motion: the search with its progress, branches as lanes, what is known and what may be missing in words,
  * and how much calmer it may be. Loaded when it is first seen.
  */
-import { plural, scientific } from '../../core/format.js';
+import { plural } from '../../core/format.js';
 import { keyFrameFrames, allTimes } from '../../core/playhead.js';
 import { setText, element } from '../../ui/dom.js';
 import { html, live, nothing, render } from '../../ui/render.js';
 import { wear } from '../../ui/style-sheets.js';
 import look from '../../style/best.css?inline';
-import { boundSentence, branchName, jointMotion, jointUnit, unseenSentence, verdict } from './best-words.js';
+import { boundSentence, branchName, distance, jointMotion, jointUnit, unseenSentence, verdict } from './best-words.js';
 import { calmSlider, pointsOf } from './calm.js';
 import { createLanesPicture } from './lanes-picture.js';
 
@@ -74,17 +74,18 @@ export function createBestPanel({ root, find, store, player, signal }, panel, se
     const now = motion ?? store.result.motion;
     /** @type {[string, (cost: import('../../core/best-types.js').MotionCost) => string][]} */
     const rows = [
-      ['mean distance', ({ mean }) => scientific(mean)],
-      ['largest distance', ({ largest }) => scientific(largest)],
-      [`largest joint step${jointUnit(now) && `, ${jointUnit(now)}`}`, ({ largest_step }) => jointMotion(largest_step, now)],
+      ['mean distance', ({ mean }) => distance(mean)],
+      ['largest distance', ({ largest }) => distance(largest)],
+      ['largest joint step', ({ largest_step }) => jointMotion(largest_step, now)],
     ];
     const { choice } = search.now;
     const calm = choice > 0 ? best.curve[choice - 1] : null;
     render(
       html`<section aria-label="Followed and best motion in numbers">
           <table class="plain best-numbers">
+            <caption>Distances from the goal, ½‖q − g‖², over all frames</caption>
             <thead><tr><td></td><th scope="col">followed</th><th scope="col">best</th>${calm ? html`<th scope="col">calmer</th>` : nothing}</tr></thead>
-            <tbody>${rows.map(([name, write]) => html`<tr><th scope="row">${name}</th><td>${write(best.followed)}</td><td>${write(best.best)}</td>${calm ? html`<td>${write(calm)}</td>` : nothing}</tr>`)}</tbody>
+            <tbody>${rows.map(([name, write]) => html`<tr><th scope="row">${name}${name === 'largest joint step' && jointUnit(now) ? html` <small>${jointUnit(now)}</small>` : nothing}</th><td>${write(best.followed)}</td><td>${write(best.best)}</td>${calm ? html`<td>${write(calm)}</td>` : nothing}</tr>`)}</tbody>
           </table>
           <p>${boundSentence(best)}</p>
           <p>${plural(best.starts, 'start')} made, ${plural(best.branches.length, 'branch', 'branches')} found. ${unseenSentence(best, 'branch')}</p>
@@ -99,7 +100,7 @@ export function createBestPanel({ root, find, store, player, signal }, panel, se
   function tables(best, motion) {
     const used = new Set(best.lane);
     const jump = (/** @type {number} */ frame) => html`<button class="link" aria-label=${`To frame ${frame + 1}`} @click=${() => goTo(frame)}>${frame + 1}</button>`;
-    const mean = (/** @type {Float64Array} */ metric) => scientific(metric.reduce((sum, value) => sum + value, 0) / metric.length);
+    const mean = (/** @type {Float64Array} */ metric) => distance(metric.reduce((sum, value) => sum + value, 0) / metric.length);
     return html`<div class="rows" tabindex="0" role="region" aria-label="Branches, switches and calmer motions">
       <table class="plain"><caption>Branches</caption>
         <thead><tr><th scope="col">branch</th><th scope="col">from frame</th><th scope="col">to</th><th scope="col">mean distance</th><th scope="col">in the best motion</th></tr></thead>
@@ -107,11 +108,11 @@ export function createBestPanel({ root, find, store, player, signal }, panel, se
       </table>
       ${best.switches.length ? html`<table class="plain"><caption>Switches of the best motion</caption>
         <thead><tr><th scope="col">before frame</th><th scope="col">from</th><th scope="col">to</th><th scope="col">joint motion</th><th scope="col">largest distance on the way</th></tr></thead>
-        <tbody>${best.switches.map(({ frame, from, to, length, largest }) => html`<tr><th scope="row">${jump(frame)}</th><td>${branchName(from)}</td><td>${branchName(to)}</td><td>${jointMotion(length, motion)}</td><td>${scientific(largest)}</td></tr>`)}</tbody>
+        <tbody>${best.switches.map(({ frame, from, to, length, largest }) => html`<tr><th scope="row">${jump(frame)}</th><td>${branchName(from)}</td><td>${branchName(to)}</td><td>${jointMotion(length, motion)}</td><td>${distance(largest)}</td></tr>`)}</tbody>
       </table>` : nothing}
       ${best.curve.length ? html`<table class="plain"><caption>From closer to calmer</caption>
         <thead><tr><th scope="col">position</th><th scope="col">mean distance</th><th scope="col">largest distance</th><th scope="col">largest joint step</th></tr></thead>
-        <tbody>${pointsOf(best).map((point, index) => html`<tr><th scope="row">${index + 1}</th><td>${scientific(point.mean)}</td><td>${scientific(point.largest)}</td><td>${jointMotion(point.largest_step, motion)}</td></tr>`)}</tbody>
+        <tbody>${pointsOf(best).map((point, index) => html`<tr><th scope="row">${index + 1}</th><td>${distance(point.mean)}</td><td>${distance(point.largest)}</td><td>${jointMotion(point.largest_step, motion)}</td></tr>`)}</tbody>
       </table>` : nothing}
     </div>`;
   }
