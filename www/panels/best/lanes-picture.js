@@ -130,7 +130,7 @@ export function createLanesPicture({ find, signal, goTo }) {
       const isNew = !shown;
       shown = best && motion ? { best, motion } : null;
       root.hidden = !shown;
-      if (!shown) return;
+      if (!shown) return render(nothing, root);
       if (isNew) measure();
       draw();
     },

@@ -40,7 +40,7 @@ export function lanesOf({ branches, lane }) {
   }));
   const others = all.filter(({ branch }) => !used.includes(branch)).sort((a, b) => a.mean - b.mean);
   const room = Math.max(0, MOST - used.length);
-  const lanes = [...used.flatMap((branch) => all[branch] ?? []), ...others.slice(0, room)];
+  const lanes = [...used.flatMap((branch) => all[branch] ?? []), ...others.slice(0, room)].filter(({ metric }) => metric.length > 0);
   const top = lanes.reduce((most, { metric }) => metric.reduce((high, value) => (Number.isFinite(value) && value > high ? value : high), most), 0);
   return { lanes, more: Math.max(0, others.length - room), top };
 }
