@@ -82,7 +82,7 @@ test('lanes, switches and the slider go by keyboard, and are a table too', async
   const { page, problems } = await openGolden();
   await search(page);
   const lanes = panel(page).locator('.lane-names button');
-  assert.match(await lanes.first().getAttribute('aria-label'), /^followed: frames 1 to 33, mean distance [\d.]+/);
+  assert.match(await lanes.first().textContent(), /^followed( best)?: frames 1 to 33, mean distance [\d.]+/);
   const change = panel(page).locator('button.switch').first();
   const [, frame] = /^(?:Before frame|At the start)(?: (\d+))?: from the followed branch to branch \d+, joint motion/.exec(await change.getAttribute('aria-label'));
   await change.focus();

@@ -54,7 +54,7 @@ test('a way becomes the start, an edit that undo takes back', async () => {
   await isComplete(page);
   const before = await start(page);
   const other = ways(page).filter({ hasNotText: 'the document’s start' }).first();
-  await other.getByRole('button', { name: /^Start from way \d+$/ }).click();
+  await other.getByRole('button', { name: /^Start from this: way \d+$/ }).click();
   await dialog(page).waitFor({ state: 'detached' });
   await notice(page, /The motion starts from way \d+ now/).waitFor();
   assert.notEqual(await start(page), before);

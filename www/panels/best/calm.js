@@ -53,12 +53,12 @@ function picture(points, followed, chosen, motion, choose) {
  */
 export function calmSlider({ best, motion, choice, waiting }, choose) {
   if (!best) return nothing;
-  if (best.curve.length === 0) return best.progress < 1 ? html`<section class="calm"><h3>Closer – calmer</h3><p class="muted">When the search is complete.</p></section>` : nothing;
+  if (best.curve.length === 0) return best.progress < 1 ? html`<section class="calm"><h2>Closer – calmer</h2><p class="muted">When the search is complete.</p></section>` : nothing;
   const points = pointsOf(best);
   const words = calmWords(points[choice], motion);
   const slide = (/** @type {Event} */ { target }) => choose(Number(/** @type {HTMLInputElement} */ (target).value));
   return html`<section class="calm" aria-label="Closer – calmer">
-    <h3>Closer – calmer</h3>
+    <h2>Closer – calmer</h2>
     <label><span aria-hidden="true">closer</span><input type="range" min="0" max=${points.length - 1} step="1" .value=${live(String(choice))} aria-label="From closer to calmer" aria-valuetext=${words} @input=${slide} /><span aria-hidden="true">calmer</span></label>
     <output aria-busy=${String(waiting)} class=${waiting ? 'waiting' : ''}>${choice === 0 ? 'The best motion itself: it switches while the goal stands; ' : ''}${words}.</output>
     ${picture(points, best.followed, choice, motion, choose)}

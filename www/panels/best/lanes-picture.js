@@ -88,9 +88,9 @@ export function createLanesPicture({ find, signal, goTo }) {
     const withNumbers = root.clientWidth - left - width > NUMBERS;
     render(
       html`<div class="lane-names">${lanes.map((lane) => {
-          const words = `${branchName(lane.branch)}: frames ${lane.first + 1} to ${lane.last + 1}, mean distance ${distance(lane.mean)}${lane.used ? ', in the best motion' : ''}`;
+          const words = `frames ${lane.first + 1} to ${lane.last + 1}, mean distance ${distance(lane.mean)}`;
           const start = runs.find(({ branch }) => branch === lane.branch)?.from ?? lane.first;
-          return html`<button class="quiet" title=${words} aria-label=${words} @click=${() => goTo(start)}>${branchName(lane.branch)}${lane.used ? html` <b>best</b>` : nothing}</button>`;
+          return html`<button class="quiet" title=${words} @click=${() => goTo(start)}>${branchName(lane.branch)}${lane.used ? html` <b>best</b>` : nothing}<span class="sr">: ${words}</span></button>`;
         })}</div>
         <div class="lane-plot">
           <svg width=${width} height=${height} viewBox=${`0 0 ${width} ${height}`} role="img" aria-label=${`${plural(best.branches.length, 'branch', 'branches')} over the frames, ${plural(best.switches.length, 'switch', 'switches')} of the best motion; in numbers in the table below`}

@@ -3,8 +3,8 @@
  * after the other, so that the page answers in between.
  *
  * @typedef {import('../../core/best-types.js').Mode} Mode
+ * @typedef {typeof import('../../export/picture.js').drawPicture} DrawPicture
  */
-import { drawPicture } from '../../export/picture.js';
 import { groupAt } from '../../core/shown.js';
 
 /** In CSS pixels. */
@@ -13,8 +13,9 @@ export const PICTURE = { width: 210, height: 150 };
 /**
  * @param {Pick<import('../../element/workbench.js').App, 'store' | 'player'>} app
  * @param {NonNullable<import('../../element/workbench.js').App['scene']>} scene
+ * @param {DrawPicture} drawPicture
  */
-export function createModePictures({ store, player }, scene) {
+export function createModePictures({ store, player }, scene, drawPicture) {
   /** @type {{canvas: HTMLCanvasElement, mode: Mode, frame: number}[]} */
   let waiting = [];
   let working = false;

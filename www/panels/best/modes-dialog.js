@@ -32,13 +32,13 @@ const facts = ({ starts, mean, largest = 0, certified }, all, frames) => [
   ...(certified === undefined || certified >= frames ? [] : [`${plural(certified, 'frame')} of ${frames} certified`]),
 ];
 
-/** @param {import('../../element/workbench.js').App} app @param {number} first key frame, from 0 */
-export function openModes({ root, find, store, player, scene, say, signal }, first) {
+/** @param {import('../../element/workbench.js').App} app @param {number} first key frame, from 0 @param {import('./mode-pictures.js').DrawPicture} drawPicture */
+export function openModes({ root, find, store, player, scene, say, signal }, first, drawPicture) {
   wear(root, dialogLook);
   wear(root, look);
   const { doc } = store;
   const search = new Search();
-  const pictures = scene && createModePictures({ store, player }, scene);
+  const pictures = scene && createModePictures({ store, player }, scene, drawPicture);
   let life = new AbortController();
   let key = Math.min(first, keyFramesOf(doc).length - 1);
   /** @type {Modes | null} */
@@ -158,7 +158,7 @@ export function openModes({ root, find, store, player, scene, say, signal }, fir
       <h3>Way ${number} ${mode.is_start ? html`<small>the document’s start</small>` : nothing}${best ? html`<small class="mark">best mode</small>` : nothing}</h3>
       <p>${closeness(mode)}</p>
       ${facts(mode, modes?.starts ?? 0, motion?.goal_frames ?? 0).map((text) => html`<p class="muted">${text}</p>`)}
-      ${store.readonly ? nothing : html`<button ?disabled=${mode.is_start} aria-label=${`Start from way ${number}`} @click=${() => startFrom(mode, number)}>Start from this</button>`}
+      ${store.readonly ? nothing : html`<button ?disabled=${mode.is_start} aria-label=${`Start from this: way ${number}`} @click=${() => startFrom(mode, number)}>Start from this</button>`}
     </li>`;
   }
 
