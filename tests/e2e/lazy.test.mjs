@@ -67,7 +67,7 @@ test('the tables of the motion that cannot be loaded say so, and come when they 
   const { page, problems } = await browser.openPage();
   const pass = await block(page, /assets\/motion-tables-[^/]*\.js/);
   await page.getByRole('tab', { name: 'Motion', exact: true }).click();
-  const panel = page.getByRole('tabpanel', { name: 'Motion' });
+  const panel = page.getByRole('tabpanel', { name: 'Motion', exact: true });
   await panel.getByRole('alert').filter({ hasText: 'The tables of the motion could not be loaded' }).waitFor();
   await pass();
   await panel.getByRole('button', { name: 'Try again' }).click();

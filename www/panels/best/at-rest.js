@@ -23,10 +23,13 @@ export function searchOf(app) {
   return search;
 }
 
+/** Whether it looks by itself. @param {Pick<App, 'interaction' | 'keys' | 'root'>} app */
+export const isApplet = ({ interaction, keys, root }) => interaction === 'full' && keys !== root;
+
 /** @param {App} app */
 export function searchAtRest(app) {
   const { store, signal } = app;
-  if (signal.aborted || recall().search === false) return;
+  if (signal.aborted) return;
   /** The document that was searched last, or needs no search. @type {unknown} */
   let seen = null;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
@@ -40,13 +43,14 @@ export function searchAtRest(app) {
     clearTimeout(waiting);
     if (doc === seen || isBusy()) return;
     waiting = setTimeout(() => {
-      if (signal.aborted || isBusy() || !motion || motion !== store.result.motion) return;
+      if (signal.aborted || recall().search === false || isBusy() || !motion || motion !== store.result.motion) return;
       seen = doc;
       const isAllReached = motion.status.every((_, frame) => statusName(motion, frame) === 'reached');
       if (!isAllReached && !drivesJoints(motion)) searchOf(app).begin();
     }, REST);
   }
   for (const part of /** @type {const} */ (['document', 'result', 'view', 'planning'])) store.subscribe(part, follow);
+  document.addEventListener('visibilitychange', follow, { signal });
   signal.addEventListener('abort', () => clearTimeout(waiting));
   follow();
 }

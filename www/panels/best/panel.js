@@ -4,10 +4,12 @@
  */
 import { plural } from '../../core/format.js';
 import { keyFrameFrames, allTimes } from '../../core/playhead.js';
-import { setText, element } from '../../ui/dom.js';
+import { element, setText } from '../../ui/dom.js';
 import { html, live, nothing, render } from '../../ui/render.js';
+import { recall, remember } from '../../ui/kept-layout.js';
 import { wear } from '../../ui/style-sheets.js';
 import look from '../../style/best.css?inline';
+import { isApplet } from './at-rest.js';
 import { boundSentence, branchName, distance, jointMotion, jointUnit, unseenSentence, verdict } from './best-words.js';
 import { calmSlider, pointsOf } from './calm.js';
 import { createLanesPicture } from './lanes-picture.js';
@@ -20,11 +22,11 @@ const SHOWN = [
 ];
 
 /**
- * @param {Pick<import('../../element/workbench.js').App, 'root' | 'find' | 'store' | 'player' | 'signal'>} app @param {HTMLElement} panel
+ * @param {Pick<import('../../element/workbench.js').App, 'root' | 'find' | 'store' | 'player' | 'signal' | 'keys' | 'interaction'>} app @param {HTMLElement} panel
  * @param {import('./search-state.js').SearchState} search
  * @param {(key: number) => void} openModes
  */
-export function createBestPanel({ root, find, store, player, signal }, panel, search, openModes) {
+export function createBestPanel({ root, find, store, player, signal, keys, interaction }, panel, search, openModes) {
   wear(root, look);
   const goTo = (/** @type {number} */ frame) => {
     player.pause();
@@ -45,6 +47,10 @@ export function createBestPanel({ root, find, store, player, signal }, panel, se
     return Math.max(0, frames.filter((frame) => frame <= store.view.frame).length - 1);
   }
 
+  // On another page it is only looked for when it is asked for.
+  const byItself = isApplet({ interaction, keys, root });
+  const turn = (/** @type {Event} */ { target }) => remember({ search: /** @type {HTMLInputElement} */ (target).checked });
+
   function drawHead() {
     const { running, best, motion, which } = search.now;
     const obstacle = search.obstacle();
@@ -58,7 +64,7 @@ export function createBestPanel({ root, find, store, player, signal }, panel, se
           ? html`<button class="search" @click=${search.stop}>Stop the search</button><progress max="100" value=${percent} aria-label="Search for a better motion"></progress>
               <span class="muted">${percent} %, ${plural(best?.starts ?? 0, 'start')}</span>`
           : html`<button class="search" ?disabled=${obstacle !== '' || isOver} @click=${search.begin}>${best && !isOver ? 'Go on searching' : 'Look for a better motion'}</button>`}
-        ${obstacle ? nothing : html`<button @click=${() => openModes(keyHere())} title="All ways to assemble the linkage at a key frame">Ways to assemble…</button>${choices}`}`,
+        ${obstacle ? nothing : html`<button @click=${() => openModes(keyHere())} title="All ways to assemble the linkage at a key frame">Ways to assemble…</button>${byItself ? html`<label class="by-itself" title="When all rests after a plan that does not reach its goals"><input type="checkbox" .checked=${live(recall().search !== false)} @change=${turn} />look by itself</label>` : nothing}${choices}`}`,
       head,
     );
   }

@@ -12,6 +12,7 @@
  *   cost: import('../../core/best-types.js').MotionCost | null, choice: number, waiting: boolean, which: Which}} State
  */
 import { ask } from '../../core/ask.js';
+import { bestMotions } from '../../core/best-motions.js';
 import { textOf } from '../../core/document-text.js';
 import { drivesJoints } from '../../core/driven.js';
 import { Search } from '../../planner/search.js';
@@ -82,6 +83,7 @@ export function createSearchState({ store, signal }, search = new Search()) {
 
   /** @param {Motion} motion @param {State['cost']} cost @param {number} choice */
   function take(motion, cost, choice) {
+    bestMotions.add(motion);
     const isShown = store.result.motion === state.motion && state.motion !== null;
     set({ motion, cost, choice, waiting: false });
     if (isShown || state.which === 'best') show(state.which);
