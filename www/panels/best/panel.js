@@ -37,7 +37,6 @@ export function createBestPanel({ root, find, store, player, signal, keys, inter
   const words = element('p', { class: 'best-verdict' });
   const status = element('p', { class: 'sr', role: 'status' });
   const body = element('div', { class: 'best-body' });
-  panel.replaceChildren(head, words, status, lanes.root, body);
 
   /** The key frame at the playhead or before it. */
   function keyHere() {
@@ -49,7 +48,10 @@ export function createBestPanel({ root, find, store, player, signal, keys, inter
 
   // On another page it is only looked for when it is asked for.
   const byItself = isApplet({ interaction, keys, root });
-  const turn = (/** @type {Event} */ { target }) => remember({ search: /** @type {HTMLInputElement} */ (target).checked });
+  const box = element('input', { type: 'checkbox', checked: recall().search !== false, change: () => remember({ search: box.checked }) });
+  const foot = element('label', { class: 'by-itself', title: 'When all rests after a plan that does not reach its goals' }, box, 'Look for a better motion after each plan');
+  foot.hidden = !byItself;
+  panel.replaceChildren(head, words, status, lanes.root, body, foot);
 
   function drawHead() {
     const { running, best, motion, which } = search.now;
@@ -64,7 +66,7 @@ export function createBestPanel({ root, find, store, player, signal, keys, inter
           ? html`<button class="search" @click=${search.stop}>Stop the search</button><progress max="100" value=${percent} aria-label="Search for a better motion"></progress>
               <span class="muted">${percent} %, ${plural(best?.starts ?? 0, 'start')}</span>`
           : html`<button class="search" ?disabled=${obstacle !== '' || isOver} @click=${search.begin}>${best && !isOver ? 'Go on searching' : 'Look for a better motion'}</button>`}
-        ${obstacle ? nothing : html`<button @click=${() => openModes(keyHere())} title="All ways to assemble the linkage at a key frame">Ways to assemble…</button>${byItself ? html`<label class="by-itself" title="When all rests after a plan that does not reach its goals"><input type="checkbox" .checked=${live(recall().search !== false)} @change=${turn} />look by itself</label>` : nothing}${choices}`}`,
+        ${obstacle ? nothing : html`<button @click=${() => openModes(keyHere())} title="All ways to assemble the linkage at a key frame">Ways to assemble…</button>${choices}`}`,
       head,
     );
   }
