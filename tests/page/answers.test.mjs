@@ -43,7 +43,11 @@ function made() {
     return Object.assign(last, { id });
   };
   const progress = async (id) => {
-    while (!said.some((answer) => answer.id === id && answer.kind === 'progress')) await new Promise((turn) => setImmediate(turn));
+    const own = (wanted) => said.some((answer) => answer.id === id && wanted(answer.kind));
+    while (!own((kind) => kind === 'progress')) {
+      assert.ok(!own((kind) => !UNDERWAY.includes(kind)), `it ended without progress: ${JSON.stringify(said.at(-1))}`);
+      await new Promise((turn) => setImmediate(turn));
+    }
   };
   return { said, receive, ask, progress };
 }
