@@ -48,7 +48,7 @@ export async function edits(bench, count, { path, panel }) {
     const { store } = await /** @type {any} */ (document.querySelector('synthetica-linkage')).workbench;
     return store.result.doc?.motion.key_frames?.length === n;
   }, count);
-  await page.getByRole('tab', { name: panel }).click();
+  await page.getByRole('tab', { name: panel, exact: true }).click();
   const cell = page.locator(`[data-path="${path}"]`);
   await cell.waitFor();
   const first = Number((await cell.getAttribute('title')) || (await cell.inputValue()));

@@ -89,7 +89,7 @@ export interface Progress {
 }
 
 export interface Report {
-  statuses: ["reached", "closest", "at_limit", "stalled", "closure_lost"];
+  statuses: ["reached", "closest", "at_limit", "stalled", "closure_lost", "passing"];
   chains: ChainReport[];
   /** The driven joint variables, counted from 0 through all chains: none, or not there, where the motion has goals. */
   drivers?: number[];
@@ -398,4 +398,128 @@ export interface MakerInput {
 export interface Enumeration {
   classes: { category: "I" | "II" | "III" | "IV"; constraints: number; name: string; count: number; chains: string[] }[];
   assemblies: { constraints: number; total: number; categories: { name: string; count: number }[] }[];
+}
+
+/** The search for the best motion so far. Frames count from 0. */
+export interface Best {
+  /** 0 to 1; 1 when complete. */
+  progress: number;
+  /** Starts made so far. */
+  starts: number;
+  /** The motion that the planner follows. */
+  followed: MotionCost;
+  /** The best motion found so far: the followed one until a better one is found. */
+  best: MotionCost;
+  /** Mean over the frames of the least distance seen at each: no motion over the branches known is closer. */
+  lower_bound: number;
+  /** Good and Turing's estimate of the share of starts that lead to a branch not known yet. */
+  unseen: number;
+  /** That share is at most this, with a confidence of 95 %. */
+  unseen_bound: number;
+  /** Runs of frames; the first is the followed motion. */
+  branches: Branch[];
+  /** The branch of each frame of the best motion; -1 where there is none. */
+  lane: Int32Array;
+  /** Where the best motion changes its branch. */
+  switches: Switch[];
+  /** From closer to calmer: prices rise. Empty until the search is complete. */
+  curve: CalmPoint[];
+  /** Frames in which the followed motion has no certified pose, and the best motion has one. */
+  found_where_lost: number[];
+}
+
+/** How close a motion comes to its goals. */
+export interface MotionCost {
+  /** Mean of ½‖q − g‖² over the frames. */
+  mean: number;
+  /** The largest of any frame. */
+  largest: number;
+  /** Largest joint motion from frame to frame, in rad or sizes of the mechanism. */
+  largest_step: number;
+}
+
+/** A run of frames on one branch. */
+export interface Branch {
+  /** Its first frame. */
+  first: number;
+  /** ½‖q − g‖², frame by frame. */
+  metric: Float64Array;
+}
+
+/** A change of branch: a closed walk while the goal stands. */
+export interface Switch {
+  /** It comes before this frame; before frame 0 it comes after the start. */
+  frame: number;
+  time: number;
+  /** The branches before it and behind it. */
+  from: number;
+  to: number;
+  /** Joint motion on the way: root of squares, in rad and sizes of the mechanism. */
+  length: number;
+  /** Largest ½‖q − g‖² on the way. */
+  largest: number;
+  /** Points on the way, the frame's own included. */
+  points: number;
+}
+
+/** The calm form at a price of joint motion. */
+export interface CalmPoint extends MotionCost {
+  price: number;
+}
+
+/** The calm form at a price of joint motion, frame by frame. */
+export interface CalmMotion extends MotionCost {
+  motion: Motion;
+}
+
+/** All points of the best motion, in order. */
+export interface BestPath {
+  points: number;
+  /** The frame whose own point it is; -1 between frames. */
+  frame: Int32Array;
+  time: Float64Array;
+  metric: Float64Array;
+  closure: Float64Array;
+  joints: Float64Array;
+  /** As in Motion. */
+  pose: Float64Array;
+  rows: Float64Array;
+}
+
+/** All ways to assemble at a key frame, as far as they are found. */
+export interface Modes {
+  /** The key frame, and the frame at its time. */
+  key: number;
+  frame: number;
+  /** 0 to 1; the search is the first half, planning from each way the second. */
+  progress: number;
+  starts: number;
+  /** Good and Turing's estimate of the share of starts that lead to a way not known yet, and its bound with a confidence of 95 %. */
+  unseen: number;
+  unseen_bound: number;
+  /** Nearest first; when all are planned those with most certified frames, and of these the closest on average, first. */
+  found: Mode[];
+}
+
+/** A way to assemble. */
+export interface Mode {
+  index: number;
+  /** Rad or lengths, chain by chain. */
+  joints: Float64Array;
+  /** The same as a document has them: degrees or lengths. */
+  start: number[][];
+  /** As in Motion, of one frame. */
+  rows: Float64Array;
+  pose: Float64Array;
+  /** ½‖q − g‖² at the key frame. */
+  metric: number;
+  reached: boolean;
+  /** Starts that led to it. */
+  starts: number;
+  /** It is the assembly of the document's start. */
+  is_start: boolean;
+  /** Of the motion planned from it; not there before: mean and largest ½‖q − g‖², certified frames. */
+  mean?: number;
+  largest?: number;
+  certified?: number;
 }

@@ -2,6 +2,8 @@
 //! small objects come out. No arithmetic. What a page asks by itself, without input, and no more: see wasm_study.
 
 #[cfg(feature = "study")]
+use crate::bind::searches::Searches;
+#[cfg(feature = "study")]
 use crate::document::comparison::Comparison;
 use crate::document::fault::Fault;
 use crate::document::problem::Problem;
@@ -54,6 +56,8 @@ pub struct Session {
     /// The plans with either metric, while they are made.
     #[cfg(feature = "study")]
     pub(crate) comparison: Option<Box<Comparison>>,
+    #[cfg(feature = "study")]
+    pub(crate) searches: Searches,
 }
 
 /// A plan in portions.
@@ -77,6 +81,8 @@ impl Session {
             milliseconds: 0.0,
             #[cfg(feature = "study")]
             comparison: None,
+            #[cfg(feature = "study")]
+            searches: Searches::default(),
         })
     }
 

@@ -16,7 +16,7 @@ use crate::plan::best::Cost;
 use crate::plan::follow::Planning;
 use crate::plan::one_chain::{Part, joined_still};
 use crate::plan::places::Places;
-use crate::plan::seeds::Variable;
+use crate::plan::seeds::{Shape, Variable};
 use crate::plan::settings::{Method, Settings, extent};
 use crate::plan::unseen::Unseen;
 use crate::solve::solver::Solver;
@@ -51,7 +51,7 @@ pub struct Mode {
     /// The motion planned from it: its cost, and its certified frames.
     pub planned: Option<(Cost, usize)>,
     theta: Vec<f64>,
-    links: Vec<f64>,
+    axes: Vec<f64>,
 }
 
 /// One configuration of a chain at a pose.
@@ -292,56 +292,38 @@ impl Assemblies {
         part.go(&self.pose, &mut own);
         let there = part.chain.pose(&own);
         let size = Metric::default();
-        if !(size.value(&there, &self.pose) <= THERE) || self.has_turned_slider(chain, &own) {
+        if !(size.value(&there, &self.pose) <= THERE) {
             return;
         }
         let range = self.parts[chain].range.clone();
         let part = &self.parts[chain];
         self.arrived[chain] += 1;
-        let place = |own: &[f64]| self.chain_links(chain, own);
-        let links = place(&own);
+        let here = self.whole(chain, &own);
+        let axes = self.places.axes(&here);
         let same = |other: &Configuration| {
-            if Places::are_same(&place(&other.own), &links) {
-                return true;
-            }
-            let mut whole = vec![0.0; self.solver.scaled().variables()];
-            let mut reference = whole.clone();
-            whole[range.clone()].copy_from_slice(&other.own);
-            reference[range.clone()].copy_from_slice(&own);
-            let written = self.places.form_near(&reference, &whole).apply(&whole);
-            joined_still(&part.chain, &own, &written[range.clone()])
+            let there = self.whole(chain, &other.own);
+            let written = self.places.form_near(&here, &there).apply(&there);
+            self.places.are_axes_same(&self.places.axes(&there), &axes)
+                || joined_still(&part.chain, &own, &written[range.clone()])
         };
-        match self.configurations[chain].iter().position(same) {
-            Some(known) => self.configurations[chain][known].starts += 1,
-            None => self.configurations[chain].push(Configuration { own, starts: 1 }),
+        let known = self.configurations[chain].iter().position(same);
+        let Some(known) = known.map(|known| &mut self.configurations[chain][known]) else {
+            self.configurations[chain].push(Configuration { own, starts: 1 });
+            return;
+        };
+        known.starts += 1;
+        // Written with sliders of positive length, and small angles.
+        let variables = &self.variables[chain];
+        if Shape::new(variables, &own).before(&Shape::new(variables, &known.own)) {
+            known.own = own;
         }
     }
 
-    /// The links of one chain, with all other chains as they are at the joint values 0.
-    fn chain_links(&self, chain: usize, own: &[f64]) -> Vec<f64> {
+    /// A position with one chain as it is given and all others at the joint values 0.
+    fn whole(&self, chain: usize, own: &[f64]) -> Vec<f64> {
         let mut whole = vec![0.0; self.solver.scaled().variables()];
         whole[self.parts[chain].range.clone()].copy_from_slice(own);
-        // Without the workpiece, which is the first chain's.
-        self.places.links(&whole)[7..].to_vec()
-    }
-
-    /// Whether a slider behind a revolute joint has a negative length: the same leg turned round, which no one builds; but
-    /// where the start has it so.
-    fn has_turned_slider(&self, chain: usize, own: &[f64]) -> bool {
-        let start = self
-            .start
-            .as_ref()
-            .map(|start| &start[self.parts[chain].range.clone()]);
-        let mut turned = false;
-        let lengths = self.variables[chain]
-            .iter()
-            .zip(self.parts[chain].chain.turns());
-        lengths.enumerate().any(|(i, (variable, turns))| {
-            let before = turned;
-            turned |= turns;
-            let negative = |own: &[f64]| variable.is_negative(own[i]);
-            before && !turns && negative(own) && !start.is_some_and(negative)
-        })
+        whole
     }
 
     /// Tries all combinations of the chains' configurations.
@@ -391,30 +373,24 @@ impl Assemblies {
         }
         let scaled = self.solver.scaled();
         let theta = self.written_short(&scaled.entered(&joints));
-        let turned = (0..self.parts.len())
-            .any(|chain| self.has_turned_slider(chain, &theta[self.parts[chain].range.clone()]));
-        if turned {
-            return;
-        }
-        let links = self.places.links(&theta);
+        let axes = self.places.axes(&theta);
         if let Some(known) = self
             .modes
             .iter_mut()
-            .position(|mode| Places::are_same(&mode.links, &links))
+            .position(|mode| self.places.are_same(&mode.axes, &axes))
         {
             self.modes[known].starts += 1;
             return;
         }
         if self.modes.iter().any(|mode| {
-            Places::same_workpiece(&mode.links, &links)
-                && self.are_joined_still(&theta, &mode.theta)
+            Places::same_workpiece(&mode.axes, &axes) && self.are_joined_still(&theta, &mode.theta)
         }) {
             return;
         }
         let is_start = self.start.as_ref().is_some_and(|start| {
-            let own = self.places.links(start);
-            Places::are_same(&own, &links)
-                || Places::same_workpiece(&own, &links) && self.are_joined_still(&theta, start)
+            let own = self.places.axes(start);
+            self.places.are_same(&own, &axes)
+                || Places::same_workpiece(&own, &axes) && self.are_joined_still(&theta, start)
         });
         let scaled = self.solver.scaled();
         let pose = scaled.leave_pose(&scaled.chains()[0].pose(&theta));
@@ -428,7 +404,7 @@ impl Assemblies {
             is_start,
             planned: None,
             theta,
-            links,
+            axes,
         });
         let nearer = |a: &Mode, b: &Mode| a.value.total_cmp(&b.value);
         self.modes.sort_by(nearer);

@@ -38,7 +38,7 @@ pub struct Node {
     pub solved: Solved,
     /// The branch that it is on.
     pub branch: usize,
-    links: Vec<f64>,
+    axes: Vec<f64>,
 }
 
 /// A run of closest poses that follow each other from slot to slot by closed walks.
@@ -99,7 +99,7 @@ pub(super) struct Way {
 pub(super) struct Apart {
     pub slot: usize,
     pub theta: Vec<f64>,
-    pub links: Vec<f64>,
+    pub axes: Vec<f64>,
     pub solved: Solved,
 }
 
@@ -220,12 +220,12 @@ impl Branches {
         let back = self.track(slot, &theta, -1);
         for (at, (theta, solved)) in (1..slot).rev().zip(back) {
             let index = self.nodes[at].len();
-            let links = self.places.links(&theta);
+            let axes = self.places.axes(&theta);
             self.nodes[at].push(Node {
                 theta,
                 solved,
                 branch,
-                links,
+                axes,
             });
             let to = self.nodes[at + 1][node].theta.clone();
             let Some(way) = self.step(at + 1, index, node, &to) else {
@@ -307,12 +307,12 @@ impl Branches {
             });
             self.list.len() - 1
         };
-        let links = self.places.links(&theta);
+        let axes = self.places.axes(&theta);
         self.nodes[slot].push(Node {
             theta,
             solved,
             branch,
-            links,
+            axes,
         });
         branch
     }
@@ -362,18 +362,18 @@ impl Branches {
     }
 
     /// The node of a slot that is this position, if there is one.
-    pub(super) fn find(&self, slot: usize, theta: &[f64], links: &[f64]) -> Option<usize> {
+    pub(super) fn find(&self, slot: usize, theta: &[f64], axes: &[f64]) -> Option<usize> {
         let nodes = &self.nodes[slot];
-        let same = |node: &Node| Places::are_same(&node.links, links);
+        let same = |node: &Node| self.places.are_same(&node.axes, axes);
         if let Some(found) = nodes.iter().position(same) {
             return Some(found);
         }
         if !self.inner {
             return None;
         }
-        // With inner freedoms other links may belong to the same pose, joined while the workpiece stands still.
+        // With inner freedoms other axes may belong to the same pose, joined while the workpiece stands still.
         nodes.iter().position(|node| {
-            Places::same_workpiece(&node.links, links) && self.are_joined_still(theta, &node.theta)
+            Places::same_workpiece(&node.axes, axes) && self.are_joined_still(theta, &node.theta)
         })
     }
 
@@ -441,8 +441,8 @@ impl Branches {
             if !self.is_answer(&theta, &solved, &goal) || walk::largest(&before, &theta) > LEAP {
                 break;
             }
-            let links = self.places.links(&theta);
-            if self.find(at, &theta, &links).is_some() {
+            let axes = self.places.axes(&theta);
+            if self.find(at, &theta, &axes).is_some() {
                 break;
             }
             history.extend_from_slice(&joints);
@@ -463,8 +463,8 @@ impl Branches {
             return None;
         }
         let mut walk = walk::retrace(&mut self.solver, &from, passed, &end)?;
-        let links = self.places.links(&end);
-        let found = self.find(slot + 1, &end, &links);
+        let axes = self.places.axes(&end);
+        let found = self.find(slot + 1, &end, &axes);
         if found.is_none() && self.list.len() >= MOST {
             return None;
         }

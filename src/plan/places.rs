@@ -1,12 +1,17 @@
 //! When two positions are the same, and the joint values of one as near to another's as they can be written.
 //!
-//! The same position can have other joint values: whole turns, and a spherical joint's two sets of angles (φ₁, φ₂, φ₃) and
-//! (φ₁ + π, −φ₂, φ₃ + π), which give the same rotation where its inner twists are ±90°. Positions are compared by the poses
-//! of their links, those inside T, S and E left out.
+//! Positions are compared by their workpieces and the lines of their joints' axes, of a spherical joint by its centre; of
+//! universal joints and sliders it does not matter to which side they point. What is the same so is built in the same way,
+//! though the joint values differ: by whole turns; a spherical joint's two sets of angles (φ₁, φ₂, φ₃) and (φ₁ + π, −φ₂, φ₃ + π), which give the same rotation where its inner twists are ±90°; a rod
+//! between two universal joints turned round by half a turn; a leg that turns by half a turn about its base and has a slider of
+//! negative length.
 
+use crate::math::norm::norm;
+use crate::model::chain::Chain;
 use crate::model::joint::{JointKind, Limits};
 use crate::model::mechanism::Mechanism;
 use crate::model::scaled::Scaled;
+use nalgebra::Vector3;
 use std::f64::consts::{PI, TAU};
 
 /// How far apart links of the same position may be, shares of the size and rad: two minima are known to 1e-6 or better,
@@ -20,8 +25,23 @@ pub struct Places {
     scaled: Scaled,
     /// Of each spherical joint its first variable, and what its second row adds to the second.
     spherical: Vec<(usize, f64)>,
-    /// Numbers of the frames, among those of all rows, behind a joint that is followed by another.
-    links: Vec<usize>,
+    /// What is compared of each row's axis.
+    axes: Vec<Axis>,
+}
+
+/// What is compared of an axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Axis {
+    /// Its line, and to which side it points.
+    Line,
+    /// Its line: of a universal joint.
+    Undirected,
+    /// Its direction, or the opposite one: where a slider is, the axes behind it show.
+    Direction,
+    /// A point: the centre of a spherical joint.
+    Point,
+    /// Nothing: the other axes of a spherical joint.
+    Nothing,
 }
 
 /// Joint values of one position written in another way: `sign` times the value plus `offset`, variable by variable.
@@ -67,31 +87,33 @@ impl Form {
 impl Places {
     /// Of this mechanism, as the solver has it.
     pub fn new(mechanism: &Mechanism, scaled: &Scaled) -> Self {
-        let (mut spherical, mut links) = (Vec::new(), Vec::new());
-        let (mut variable, mut frames) = (0, 0);
-        for chain in mechanism.chains() {
-            let last = chain.joints().len() - 1;
-            for (i, joint) in chain.joints().iter().enumerate() {
-                if joint.kind() == JointKind::S {
-                    spherical.push((variable, joint.rows()[1].theta));
-                }
-                variable += joint.kind().freedoms();
-                frames += 2 * joint.rows().len();
-                if i < last {
-                    links.push(frames - 1);
-                }
+        let (mut spherical, mut axes) = (Vec::new(), Vec::new());
+        let mut variable = 0;
+        for joint in mechanism.chains().iter().flat_map(Chain::joints) {
+            let kind = joint.kind();
+            if kind == JointKind::S {
+                spherical.push((variable, joint.rows()[1].theta));
             }
+            variable += kind.freedoms();
+            axes.extend((0..joint.rows().len()).map(|row| match (kind, row) {
+                (JointKind::S, 0) => Axis::Point,
+                (JointKind::S, _) => Axis::Nothing,
+                (JointKind::P, _) | (JointKind::E, 0 | 1) => Axis::Direction,
+                (JointKind::T, _) => Axis::Undirected,
+                (JointKind::R | JointKind::C | JointKind::E, _) => Axis::Line,
+            }));
         }
         Self {
             mechanism: mechanism.clone(),
             scaled: scaled.clone(),
             spherical,
-            links,
+            axes,
         }
     }
 
-    /// The links of a position, seven numbers each (shares of the size, a quaternion); the workpiece first.
-    pub fn links(&self, theta: &[f64]) -> Vec<f64> {
+    /// The workpiece of a position, seven numbers (shares of the size, a quaternion), and a point and the direction of the
+    /// axis of each row.
+    pub fn axes(&self, theta: &[f64]) -> Vec<f64> {
         let joints = self.scaled.left(theta);
         let mut frames = Vec::new();
         let mut first = 0;
@@ -100,29 +122,48 @@ impl Places {
             first += chain.freedoms();
         }
         let workpiece = self.scaled.chains()[0].pose(theta);
-        let others = self
-            .links
-            .iter()
-            .map(|&i| self.scaled.enter_pose(&frames[i]));
-        std::iter::once(workpiece)
-            .chain(others)
-            .flat_map(|pose| {
-                let (d, r) = (pose.translation.vector, pose.rotation.coords);
-                [d.x, d.y, d.z, r.x, r.y, r.z, r.w]
-            })
-            .collect()
+        let (d, r) = (workpiece.translation.vector, workpiece.rotation.coords);
+        let mut numbers = vec![d.x, d.y, d.z, r.x, r.y, r.z, r.w];
+        // Before its joint a row's frame has the axis as z.
+        for seat in frames.iter().step_by(2) {
+            let seat = self.scaled.enter_pose(seat);
+            let (o, z) = (seat.translation.vector, seat.rotation * Vector3::z());
+            numbers.extend([o.x, o.y, o.z, z.x, z.y, z.z]);
+        }
+        numbers
     }
 
-    /// Whether two positions have the same links.
-    pub fn are_same(a: &[f64], b: &[f64]) -> bool {
-        a.chunks_exact(7)
-            .zip(b.chunks_exact(7))
-            .all(|(a, b)| near(a, b))
+    /// Whether two positions, given by [`Places::axes`], are the same.
+    pub fn are_same(&self, a: &[f64], b: &[f64]) -> bool {
+        Self::same_workpiece(a, b) && self.are_axes_same(a, b)
+    }
+
+    /// Whether the axes of two positions are.
+    pub fn are_axes_same(&self, a: &[f64], b: &[f64]) -> bool {
+        let pairs = a[7..].chunks_exact(6).zip(b[7..].chunks_exact(6));
+        pairs.zip(&self.axes).all(|((a, b), axis)| {
+            let part = |numbers: &[f64], at: usize| {
+                Vector3::new(numbers[at], numbers[at + 1], numbers[at + 2])
+            };
+            let off = part(a, 0) - part(b, 0);
+            let (za, zb) = (part(a, 3), part(b, 3));
+            let parallel = norm(&za.cross(&zb)) <= SAME;
+            match axis {
+                Axis::Nothing => true,
+                Axis::Point => norm(&off) <= SAME,
+                Axis::Direction => parallel,
+                Axis::Undirected => parallel && norm(&off.cross(&za)) <= SAME,
+                Axis::Line => parallel && za.dot(&zb) > 0.0 && norm(&off.cross(&za)) <= SAME,
+            }
+        })
     }
 
     /// Whether the workpiece is at the same place.
     pub fn same_workpiece(a: &[f64], b: &[f64]) -> bool {
-        near(&a[..7], &b[..7])
+        let square: f64 = (0..3).map(|i| (a[i] - b[i]) * (a[i] - b[i])).sum();
+        let dot: f64 = (3..7).map(|i| a[i] * b[i]).sum();
+        // 1 − |cos(φ/2)| = φ²/8.
+        square <= SAME * SAME && 1.0 - dot.abs() <= SAME * SAME / 8.0
     }
 
     /// How to write the joint values `theta` so that they are nearest to `reference`, within the limits.
@@ -168,12 +209,4 @@ fn turned(reference: f64, theta: f64, (sign, offset): (f64, f64), limits: &Limit
     } else {
         (sign, offset)
     }
-}
-
-/// Whether two poses of seven numbers are the same up to [`SAME`].
-fn near(a: &[f64], b: &[f64]) -> bool {
-    let square: f64 = (0..3).map(|i| (a[i] - b[i]) * (a[i] - b[i])).sum();
-    let dot: f64 = (3..7).map(|i| a[i] * b[i]).sum();
-    // 1 − |cos(φ/2)| = φ²/8.
-    square <= SAME * SAME && 1.0 - dot.abs() <= SAME * SAME / 8.0
 }

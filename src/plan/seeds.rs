@@ -71,12 +71,6 @@ impl Variable {
         low + (high - low) * random.unit()
     }
 
-    /// Whether it is a slider whose length, with what its row adds, is negative.
-    #[cfg(feature = "study")]
-    pub fn is_negative(&self, x: f64) -> bool {
-        !self.turns && x + self.offset < -EQUAL
-    }
-
     /// The same angle in (−π, π], or where the limits do not allow that, as near to it as they do. What
     /// is −π but for rounding is π.
     pub fn wrapped(&self, x: f64) -> f64 {

@@ -1,7 +1,7 @@
 //! Starts of the search for branches: from a closest pose that is known, and from anywhere.
 
 use crate::plan::branches::{Apart, Branches, Edge, MOST, Way};
-use crate::plan::places::{Form, Places};
+use crate::plan::places::Form;
 use crate::plan::reach::TRIES;
 use crate::plan::walk::{self, Walk};
 use crate::solve::solver::Solved;
@@ -38,8 +38,8 @@ impl Branches {
             return;
         }
         self.arrived += 1;
-        let links = self.places.links(&end);
-        let found = self.find(slot, &end, &links);
+        let axes = self.places.axes(&end);
+        let found = self.find(slot, &end, &axes);
         let branch = found.map(|node| self.nodes[slot][node].branch);
         if let Some(branch) = branch {
             self.list[branch].starts += 1;
@@ -94,14 +94,14 @@ impl Branches {
         if !self.is_answer(&end, &solved, &goal) {
             return;
         }
-        let links = self.places.links(&end);
-        if let Some(node) = self.find(slot, &end, &links) {
+        let axes = self.places.axes(&end);
+        if let Some(node) = self.find(slot, &end, &axes) {
             self.arrived += 1;
             let branch = self.nodes[slot][node].branch;
             self.list[branch].starts += 1;
             return;
         }
-        let met = |apart: &Apart| apart.slot == slot && Places::are_same(&apart.links, &links);
+        let met = |apart: &Apart| apart.slot == slot && self.places.are_same(&apart.axes, &axes);
         if self.list.len() >= MOST || self.apart.iter().any(met) {
             return;
         }
@@ -117,7 +117,7 @@ impl Branches {
             self.apart.push(Apart {
                 slot,
                 theta: end,
-                links,
+                axes,
                 solved,
             });
         }
@@ -154,13 +154,13 @@ impl Branches {
             .cloned()
             .collect();
         for apart in first {
-            let found = self.find(apart.slot, &apart.theta, &apart.links);
+            let found = self.find(apart.slot, &apart.theta, &apart.axes);
             if found.is_some()
                 || self.list.len() < MOST
                     && self.take_in(apart.slot, &apart.theta, apart.solved, 2 * TRIES, BACK)
             {
                 self.apart
-                    .retain(|other| other.slot != apart.slot || other.links != apart.links);
+                    .retain(|other| other.slot != apart.slot || other.axes != apart.axes);
             }
         }
     }

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { violations } from './axe.mjs';
-import { cell, doTo, faultBeside, openBrowser } from './browser.mjs';
+import { cell, doTo, faultBeside, openBrowser, unfoldCharts } from './browser.mjs';
 
 let browser;
 before(async () => {
@@ -133,6 +133,23 @@ test('axe finds nothing in the gallery, the form for a new linkage, the export o
   await page.getByText('Back to the motion').first().waitFor();
   assert.deepEqual(await violations(page), [], 'in hand');
 });
+
+for (const [name, options] of [['desktop, dark', PLACES['desktop, dark']], ['phone, light', PLACES['phone, light']]]) {
+  test(`axe finds nothing in the best motion and the ways to assemble, and nothing is cut off: ${name}`, async () => {
+    const { page } = await browser.openPage(options);
+    if (!options.isMobile) await unfoldCharts(page);
+    await page.getByRole('tab', { name: 'Best motion' }).click();
+    await page.getByRole('button', { name: 'Look for a better motion' }).click();
+    await page.getByRole('tabpanel', { name: 'Best motion' }).locator('.calm-curve, .best-verdict:has-text("best one")').first().waitFor({ timeout: 180_000 });
+    await page.locator('#best summary').click();
+    assert.deepEqual(await violations(page), [], 'best motion');
+    assert.deepEqual(await cutOff(page), []);
+    await page.getByRole('button', { name: 'Ways to assemble…' }).click();
+    await page.locator('.best-mode').waitFor({ timeout: 180_000 });
+    assert.deepEqual(await violations(page), [], 'ways to assemble');
+    assert.deepEqual(await cutOff(page), []);
+  });
+}
 
 test('axe finds nothing while a fault is shown, in a lesson, and in the first minute', async () => {
   const { page } = await browser.openPage({ firstVisit: true, viewport: { width: 1280, height: 800 } });

@@ -178,7 +178,7 @@ test('angles in radians: converted, labelled, and back', async () => {
 test('a key frame gives its rotation as a quaternion, and keeps it so, also on a phone', async () => {
   const page = await openPage(PHONE);
   const before = await poses(page);
-  await page.getByRole('tab', { name: 'Motion' }).click();
+  await page.getByRole('tab', { name: 'Motion', exact: true }).click();
   await doTo(page, 'key frame 1', 'Turn as quaternion, matrix…');
   await page.getByLabel('form in the document').selectOption('quaternion_wxyz');
   await page.getByRole('button', { name: 'Use this turn' }).click();

@@ -46,8 +46,8 @@ export async function openBrowser() {
       await page.waitForFunction(() => (page$('#closure')?.textContent ?? '–') !== '–');
       return { page, problems };
     },
-    /** A page that is nowhere yet; the first minute counts as seen, unless it is the visitor's first; the legend is open, or as it opens by itself. */
-    async blankPage({ firstVisit = false, legend = true, ...options } = {}) {
+    /** A page that is nowhere yet; the first minute counts as seen, unless it is the visitor's first; the legend is open, or as it opens by itself; a better motion is looked for only when asked, or by itself. */
+    async blankPage({ firstVisit = false, legend = true, search = false, ...options } = {}) {
       const context = await browser.newContext({ viewport: WINDOW, reducedMotion: 'reduce', ...options });
       if (!firstVisit) {
         await context.addInitScript(() => {
@@ -58,15 +58,14 @@ export async function openBrowser() {
           }
         });
       }
-      if (legend) {
-        await context.addInitScript(() => {
-          try {
-            localStorage.setItem('synthetica.dock', JSON.stringify({ ...JSON.parse(localStorage.getItem('synthetica.dock')), legend: true }));
-          } catch {
-            // As above.
-          }
-        });
-      }
+      const layout = { ...(legend && { legend }), ...(!search && { search }) };
+      await context.addInitScript((chosen) => {
+        try {
+          localStorage.setItem('synthetica.dock', JSON.stringify({ ...JSON.parse(localStorage.getItem('synthetica.dock')), ...chosen }));
+        } catch {
+          // As above.
+        }
+      }, layout);
       await context.addInitScript(lookInside);
       // Other suites may run at the same time.
       context.setDefaultTimeout(60_000);

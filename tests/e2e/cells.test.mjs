@@ -47,7 +47,7 @@ for (const [name, options] of [['a desktop', {}], ['a phone', PHONE]]) {
       await page.locator('#file').setInputFiles({ name: file, mimeType: 'application/json', buffer: Buffer.from(JSON.stringify(doc)) });
       await page.waitForFunction((wanted) => page$('[data-path="name"]').value === wanted, doc.name);
       for (const panel of ['Mechanism', 'Motion']) {
-        await page.getByRole('tab', { name: panel }).click();
+        await page.getByRole('tab', { name: panel, exact: true }).click();
         await page.waitForFunction(() => page$$('.panel.shown input.cell:not(.text)').length > 15);
         const { cut, count } = await page.evaluate(() => {
           for (const fold of page$$('.chain details')) fold.open = true;

@@ -47,7 +47,7 @@ async function drag(from, dx, dy, { steps = 4, release = true } = {}) {
 }
 
 const coordinates = async () => {
-  await page.getByRole('tab', { name: 'Motion' }).click();
+  await page.getByRole('tab', { name: 'Motion', exact: true }).click();
   const names = ['x', 'y', 'z', 'longitude', 'latitude', 'roll'];
   return Promise.all(names.map(async (name) => Number((await cell(page, `${KEY}.${name}`).getAttribute('title')) || (await cell(page, `${KEY}.${name}`).inputValue()))));
 };
@@ -244,7 +244,7 @@ test('a posture becomes a key frame or the start', async () => {
   await byHand(true);
   await page.getByRole('button', { name: 'Add key frame here' }).click();
   await page.locator('#labels [data-place="motion.key_frames[3]"]').waitFor();
-  await page.getByRole('tab', { name: 'Motion' }).click();
+  await page.getByRole('tab', { name: 'Motion', exact: true }).click();
   await cell(page, 'motion.key_frames[3].z').waitFor();
   await page.keyboard.press('Control+z');
   await cell(page, 'motion.key_frames[3].z').waitFor({ state: 'detached' });

@@ -21,7 +21,7 @@ async function fourBar(options) {
   let page;
   ({ page, problems } = await browser.openPage({ viewport: { width: 1280, height: 860 }, ...options }));
   await openSample(page, 'four-bar.json');
-  await page.getByRole('tab', { name: 'Motion' }).click();
+  await page.getByRole('tab', { name: 'Motion', exact: true }).click();
   return page;
 }
 
@@ -79,7 +79,7 @@ test('the crank goes round, and nothing is said of a goal; the key frames come b
   await page.getByRole('button', { name: 'Undo' }).first().click();
   await page.getByRole('button', { name: 'Undo' }).first().click();
   await page.waitForFunction(() => /Metric/.test(page$('#motion-metric').textContent));
-  await page.getByRole('tab', { name: 'Motion' }).click();
+  await page.getByRole('tab', { name: 'Motion', exact: true }).click();
   await page.locator('.keys tbody').nth(6).waitFor();
   assert.equal(await page.locator('.keys tbody').count(), 7);
 });
@@ -167,7 +167,7 @@ test('a joint is driven from its slider and from its menu; a hand may pull, and 
   await doTo(page, 'joint 2 of chain 2', 'Drive θ₂');
   // It leaves the crank no freedom, or the crank it.
   await page.locator('#warning-list').filter({ hasText: 'is not driven' }).waitFor();
-  await page.getByRole('tab', { name: 'Motion' }).click();
+  await page.getByRole('tab', { name: 'Motion', exact: true }).click();
   assert.equal(await page.locator('.driver').count(), 2);
 });
 

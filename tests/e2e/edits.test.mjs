@@ -81,14 +81,14 @@ test('a fault in a panel that is not open is found from the info panel', async (
   await cell(page, A).fill('abc');
   await page.keyboard.press('Tab');
   await faultBeside(page, A);
-  await page.getByRole('tab', { name: 'Motion' }).click();
+  await page.getByRole('tab', { name: 'Motion', exact: true }).click();
   await page.getByRole('button', { name: 'Go to it' }).click();
   assert.equal(await page.evaluate(() => pageFocus().dataset.path), A);
 });
 
 test('a key frame moves the goal', async () => {
   const old = await text(page, 'metric');
-  await page.getByRole('tab', { name: 'Motion' }).click();
+  await page.getByRole('tab', { name: 'Motion', exact: true }).click();
   await cell(page, 'motion.key_frames[1].x').fill('0.6');
   await otherMetric(page, old);
   await cell(page, 'motion.key_frames[1].name').fill('half way');
@@ -100,7 +100,7 @@ test('a key frame moves the goal', async () => {
 });
 
 test('frames, interpolation and method are settings of the document', async () => {
-  await page.getByRole('tab', { name: 'Motion' }).click();
+  await page.getByRole('tab', { name: 'Motion', exact: true }).click();
   await cell(page, 'motion.frames').fill('9');
   await page.locator('#frame-number').filter({ hasText: '/ 9' }).waitFor();
   await cell(page, 'motion.interpolation').selectOption('straight');

@@ -351,7 +351,7 @@ test('two never clash: keys, edits, selection, ids', async () => {
   const states = () => page.evaluate(() => [...document.querySelectorAll('synthetica-linkage')].map(({ frame, paused, document: { chains } }) => [frame > 0, paused, chains[0].base.x]));
   assert.deepEqual(await states(), [[false, true, -1], [true, false, -1]]);
   await two.evaluate((element) => element.pause());
-  await two.getByRole('tab', { name: 'Motion' }).click();
+  await two.getByRole('tab', { name: 'Motion', exact: true }).click();
   await two.locator('[data-path="motion.key_frames[0].name"]').focus();
   assert.equal(await one.locator('.chosen').count(), 0);
   assert.ok((await two.locator('.chosen').count()) > 0);

@@ -73,13 +73,13 @@ test('what is no number is kept as pasted and explained beside its cell', async 
 test('frames and key frames take blocks too', async () => {
   await paste('chains[0].base.x', '-0.51\t-0.86\t0.01');
   await become({ 'chains[0].base.x': '-0.51', 'chains[0].base.y': '-0.86', 'chains[0].base.z': '0.01' });
-  await page.getByRole('tab', { name: 'Motion' }).click();
+  await page.getByRole('tab', { name: 'Motion', exact: true }).click();
   await paste('motion.key_frames[1].x', '0.3\t0.3\t0.4\n0.25\t0.2\t0');
   await become({ 'motion.key_frames[2].z': '0', 'motion.key_frames[2].x': '0.25' });
 });
 
 test('more key frames than there are, with names and times under heads, are appended in one step of undo', async () => {
-  await page.getByRole('tab', { name: 'Motion' }).click();
+  await page.getByRole('tab', { name: 'Motion', exact: true }).click();
   const keys = page.locator('#motion tbody.key');
   const row = (name, time, x) => [name, time, x, 0.2, 0.3, 10, 5, 0].join('\t');
   const head = ['name', 'time [s]', 'x', 'y', 'z', 'lon', 'lat', 'roll'].join('\t');

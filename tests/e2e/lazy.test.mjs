@@ -66,8 +66,8 @@ test('a panel that cannot be loaded says so, and comes when it is tried again', 
 test('the tables of the motion that cannot be loaded say so, and come when they are tried again', async () => {
   const { page, problems } = await browser.openPage();
   const pass = await block(page, /assets\/motion-tables-[^/]*\.js/);
-  await page.getByRole('tab', { name: 'Motion' }).click();
-  const panel = page.getByRole('tabpanel', { name: 'Motion' });
+  await page.getByRole('tab', { name: 'Motion', exact: true }).click();
+  const panel = page.getByRole('tabpanel', { name: 'Motion', exact: true });
   await panel.getByRole('alert').filter({ hasText: 'The tables of the motion could not be loaded' }).waitFor();
   await pass();
   await panel.getByRole('button', { name: 'Try again' }).click();

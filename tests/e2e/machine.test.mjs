@@ -210,7 +210,7 @@ test('a frame’s turn is typed as quaternion, matrix or roll-pitch-yaw, and is 
   await undo();
   assert.equal(await canUndo(), false);
 
-  await page.getByRole('tab', { name: 'Motion' }).click();
+  await page.getByRole('tab', { name: 'Motion', exact: true }).click();
   await doTo(page, 'key frame 2', 'Turn as quaternion, matrix…');
   await page.getByRole('dialog', { name: 'Turn of key frame 2' }).getByLabel('Roll, pitch, yaw in degrees', { exact: true }).fill('0 0 10');
   await page.keyboard.press('Enter');

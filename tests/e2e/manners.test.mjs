@@ -16,8 +16,8 @@ const overflow = (page) => page.evaluate(() => document.documentElement.scrollWi
 test('on a phone nothing sticks out, and every panel can be reached', async () => {
   const { page, problems } = await browser.openPage(PHONE);
   for (const name of ['Mechanism', 'Motion', 'Info']) {
-    await page.getByRole('tab', { name }).tap();
-    assert.ok(await page.getByRole('tabpanel', { name }).isVisible(), name);
+    await page.getByRole('tab', { name, exact: true }).tap();
+    assert.ok(await page.getByRole('tabpanel', { name, exact: true }).isVisible(), name);
     assert.equal(await overflow(page), 0, name);
   }
   assert.ok(await page.locator('#gap-translation').isVisible());
@@ -57,7 +57,7 @@ test('the first stop of the Tab key leads past everything to the tables', async 
   assert.ok((await page.locator('#skip').boundingBox()).y >= 0, 'it is seen while it has the focus');
   await page.keyboard.press('Enter');
   assert.ok(await page.evaluate(() => pageFocus().matches('#mechanism *')));
-  await page.getByRole('tab', { name: 'Motion' }).click();
+  await page.getByRole('tab', { name: 'Motion', exact: true }).click();
   await page.locator('#motion input').first().waitFor();
   await page.locator('#skip').focus();
   await page.keyboard.press('Enter');
@@ -66,8 +66,8 @@ test('the first stop of the Tab key leads past everything to the tables', async 
 
 test('in forced colours the chosen tab differs from the others', async () => {
   const { page } = await browser.openPage({ forcedColors: 'active' });
-  const line = (name) => page.getByRole('tab', { name }).evaluate((tab) => getComputedStyle(tab).borderBottomColor);
-  await page.getByRole('tab', { name: 'Motion' }).click();
+  const line = (name) => page.getByRole('tab', { name, exact: true }).evaluate((tab) => getComputedStyle(tab).borderBottomColor);
+  await page.getByRole('tab', { name: 'Motion', exact: true }).click();
   await page.mouse.move(400, 300);
   assert.notEqual(await line('Motion'), await line('Mechanism'));
   assert.equal(await line('Teach'), await line('Mechanism'));

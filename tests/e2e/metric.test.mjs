@@ -20,7 +20,7 @@ const inUse = (page) => comparison(page).locator('dt', { hasText: 'in use' }).te
 
 async function openMotion() {
   const { page, problems } = await browser.openPage({ viewport: { width: 1280, height: 800 } });
-  await page.getByRole('tab', { name: 'Motion' }).click();
+  await page.getByRole('tab', { name: 'Motion', exact: true }).click();
   return { page, problems };
 }
 

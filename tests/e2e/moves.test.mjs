@@ -46,7 +46,7 @@ async function goAround(place) {
   await page.addInitScript(count);
   await page.goto(browser.address);
   await page.waitForFunction(() => (page$('#closure')?.textContent ?? '–') !== '–');
-  await page.getByRole('tab', { name: 'Motion' }).click();
+  await page.getByRole('tab', { name: 'Motion', exact: true }).click();
   await page.locator('#motion .keys').waitFor();
   await page.locator('#canvas').focus();
   const pointed = page.locator(`#canvas[data-hovered="${place}"]`);

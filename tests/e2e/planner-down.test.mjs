@@ -116,7 +116,7 @@ test('a planner that does not come is told, nothing kept is moved, and trying ag
 
   await page.getByRole('tab', { name: 'Algorithm' }).click();
   await page.getByRole('tabpanel', { name: 'Algorithm' }).getByText(gone).waitFor();
-  await page.getByRole('tab', { name: 'Motion' }).click();
+  await page.getByRole('tab', { name: 'Motion', exact: true }).click();
   await page.locator('.comparison-place').scrollIntoViewIfNeeded();
   await page.locator('.comparison').getByText(gone).waitFor();
 

@@ -10,7 +10,7 @@ before(async () => {
 after(() => browser.close());
 
 const open = async (page) => {
-  await page.getByRole('tab', { name: 'Motion' }).click();
+  await page.getByRole('tab', { name: 'Motion', exact: true }).click();
   await page.getByRole('button', { name: 'From a table…' }).click();
   return page.getByRole('dialog', { name: 'Key frames from a table' });
 };

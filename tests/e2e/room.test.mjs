@@ -59,7 +59,7 @@ test('on a phone held across, what is scrolled or unfolded leaves the view in si
   await wide.page.locator('#mechanism').waitFor();
   assert.ok((await share(wide.page)) > 0.35);
   const small = await browser.openPage({ viewport: { width: 667, height: 375 }, ...TOUCH });
-  await small.page.getByRole('tab', { name: 'Motion' }).tap();
+  await small.page.getByRole('tab', { name: 'Motion', exact: true }).tap();
   await small.page.locator('#motion input').last().scrollIntoViewIfNeeded();
   assert.ok((await small.page.evaluate(() => scrollY)) > 100, 'the page is scrolled');
   assert.ok((await share(small.page)) >= 0.5);

@@ -36,7 +36,7 @@ test('what is chosen in the view is marked in the tables and in the tree, and th
 test('a name clicked in the view opens the table that it is in', async () => {
   await page.locator('#labels').getByText('between').click();
   await marked('motion.key_frames[1]').waitFor();
-  assert.ok(await page.getByRole('tabpanel', { name: 'Motion' }).isVisible());
+  assert.ok(await page.getByRole('tabpanel', { name: 'Motion', exact: true }).isVisible());
   // Sliders do not give way to a click.
   await page.getByRole('tab', { name: 'Teach' }).click();
   await page.locator('#labels').getByText('begin').click();

@@ -54,7 +54,7 @@ test('chains change places', async () => {
 
 test('key frames come at the shown pose, and change places', async () => {
   await scrubTo(page, 40);
-  await page.getByRole('tab', { name: 'Motion' }).click();
+  await page.getByRole('tab', { name: 'Motion', exact: true }).click();
   await page.getByRole('button', { name: '+ at the shown pose' }).click();
   await cell(page, 'motion.key_frames[3].x').waitFor();
   await page.keyboard.press('Control+z');
@@ -69,7 +69,7 @@ test('key frames come at the shown pose, and change places', async () => {
 });
 
 test('a key frame at the shown goal is where the goal is', async () => {
-  await page.getByRole('tab', { name: 'Motion' }).click();
+  await page.getByRole('tab', { name: 'Motion', exact: true }).click();
   await scrubTo(page, 128);
   await page.getByRole('button', { name: '+ at the shown goal' }).click();
   await cell(page, 'motion.key_frames[3].x').waitFor();
@@ -81,7 +81,7 @@ test('a key frame at the shown goal is where the goal is', async () => {
 
 test('a key frame at the shown pose can be reached', async () => {
   await scrubTo(page, 64);
-  await page.getByRole('tab', { name: 'Motion' }).click();
+  await page.getByRole('tab', { name: 'Motion', exact: true }).click();
   await doTo(page, 'key frame 2', 'Take the shown pose');
   await page.getByRole('button', { name: 'Go to key frame 2' }).click();
   await page.waitForFunction(() => page$('#frame-word').textContent === 'Reached');
@@ -144,7 +144,7 @@ test('a cell that is being typed in keeps its node, its text and its caret, what
   await stays('a type that is half typed', 'chains[1].type', ['RR', 1, 1]);
   await page.getByText('Enter makes this chain RR; Escape keeps RPS.').waitFor();
 
-  await page.getByRole('tab', { name: 'Motion' }).click();
+  await page.getByRole('tab', { name: 'Motion', exact: true }).click();
   await enter('motion.key_frames[1].x', '0.', 2, 2);
   await change('doc.motion.key_frames.splice(1, 0, { ...doc.motion.key_frames[0], name: "fresh" }); return doc');
   await stays('a key frame above it', 'motion.key_frames[2].x', ['0.', 2, 2]);

@@ -115,7 +115,7 @@ test('a posture becomes the start or a key frame, and undo takes it back', async
   await page.waitForFunction(() => page$('#frame-word').textContent === 'Driven');
   const panel = page.getByRole('tabpanel', { name: 'Teach' });
   await panel.getByRole('button', { name: 'Add key frame here' }).click();
-  await page.getByRole('tab', { name: 'Motion' }).click();
+  await page.getByRole('tab', { name: 'Motion', exact: true }).click();
   await page.locator('[data-path="motion.key_frames[3].x"]').waitFor();
   await page.keyboard.press('Control+z');
   await page.locator('[data-path="motion.key_frames[3].x"]').waitFor({ state: 'detached' });

@@ -109,12 +109,30 @@ test('a session is asked many times, and gives the same bits as the functions', 
   assert.equal((await session.normalise()).planner.method, 'newton');
   assert.equal((await session.findStart()).chains[0].start.length, 5);
   assert.equal(await session.exportMotion('csv'), await exportMotion(text, 'csv'));
+  await assert.rejects(session.calmMotion('1'), { name: 'TypeError' });
+  await assert.rejects(session.best({ gravity: true }), /The option gravity is unknown\. Accepted: signal, stop, onProgress/);
   for (const index of [-1, 1.5, NaN, 129]) await assert.rejects(session.trace(index), { name: 'DocumentFault', where: 'motion.frames' });
   await assert.rejects(session.drive(joints, -1, 0), { where: 'variable' });
   assert.equal(await chainByIndex(-1, 0), undefined);
   session.close();
   await assert.rejects(session.plan(), /closed/);
   await assert.rejects(open('{'), DocumentFault);
+});
+
+test('a session searches the best motion and the ways to assemble, and tells what it has so far', async () => {
+  const session = await open({ ...JSON.parse(sample('3rps')), motion: { ...JSON.parse(sample('3rps')).motion, frames: 17 } });
+  const told = [];
+  const best = await session.best({ onProgress: (soFar) => told.push(soFar.progress) });
+  assert.equal(best.progress, 1);
+  assert.ok(told.every((progress) => progress >= 0 && progress <= 1));
+  assert.ok(best.best.mean <= best.followed.mean);
+  assert.equal((await session.bestMotion()).frames, 17);
+  assert.ok((await session.bestPath()).points >= 17);
+  const modes = await session.modes(0);
+  assert.equal(modes.progress, 1);
+  assert.equal((await session.withMode(modes.found[0].index)).chains.length, 3);
+  await assert.rejects(session.modes(0, { signal: AbortSignal.abort() }), { name: 'AbortError' });
+  session.close();
 });
 
 test('a long plan tells how far it is, ends with what there is so far, or without an answer, and holds nobody up', async () => {

@@ -43,7 +43,11 @@ function made() {
     return Object.assign(last, { id });
   };
   const progress = async (id) => {
-    while (!said.some((answer) => answer.id === id && answer.kind === 'progress')) await new Promise((turn) => setImmediate(turn));
+    const own = (wanted) => said.some((answer) => answer.id === id && wanted(answer.kind));
+    while (!own((kind) => kind === 'progress')) {
+      assert.ok(!own((kind) => !UNDERWAY.includes(kind)), `it ended without progress: ${JSON.stringify(said.at(-1))}`);
+      await new Promise((turn) => setImmediate(turn));
+    }
   };
   return { said, receive, ask, progress };
 }
@@ -89,6 +93,38 @@ test('a comparison goes in portions: other questions are answered in between, an
   assert.ok(said.every(({ id, kind }) => id !== comparison.id || UNDERWAY.includes(kind)), 'it is not done yet');
   receive({ kind: 'cancel', id: comparison.id });
   assert.equal((await comparison).kind, 'cancelled');
+});
+
+test('a search tells what it has so far, other questions are answered in between, and asked again it goes on', async () => {
+  const { said, ask, receive, progress } = made();
+  const some = JSON.stringify({ ...sample, motion: { ...sample.motion, frames: 33 } });
+  const stopped = ask('best', [], { doc: 1, text: some });
+  await progress(stopped.id);
+  const { value: motion } = await ask('best_motion', [], { doc: 1 });
+  assert.equal(motion.frames, 33);
+  receive({ kind: 'stop', id: stopped.id });
+  const { value: part } = await stopped;
+  assert.ok(part.progress < 1 && part.starts >= 0, `${part.progress}`);
+  const { value: best } = await ask('best', [], { doc: 1 });
+  assert.equal(best.progress, 1);
+  assert.ok(best.starts >= part.starts && best.best.mean <= best.followed.mean && best.lower_bound <= best.best.mean + 1e-12);
+  assert.equal(best.lane.length, 33);
+  const tellings = said.filter(({ id, kind }) => id === stopped.id && kind === 'progress').map((answer) => answer.progress.progress);
+  assert.deepEqual(tellings, [...tellings].sort((a, b) => a - b));
+  if (best.curve.length) assert.equal((await ask('calm_motion', [best.curve[0].price], { doc: 1 })).value.motion.frames, 33);
+});
+
+test('ways to assemble are searched at one key frame after the other, each from its beginning', async () => {
+  const { ask } = made();
+  const some = JSON.stringify({ ...sample, motion: { ...sample.motion, frames: 17 } });
+  const { value: first } = await ask('modes', [0], { doc: 1, text: some });
+  assert.deepEqual([first.key, first.progress], [0, 1]);
+  assert.equal(first.found.filter(({ is_start }) => is_start).length, 1);
+  const { value: text } = await ask('text_with_mode', [first.found[0].index], { doc: 1 });
+  assert.equal(JSON.parse(text).chains[0].start.length, 5);
+  const { value: other } = await ask('modes', [1], { doc: 1 });
+  assert.deepEqual([other.key, other.progress], [1, 1]);
+  assert.equal((await ask('modes', [9], { doc: 1 })).kind, 'fault');
 });
 
 test('other questions are answered between the portions of a plan, and another plan is made beside it', async () => {

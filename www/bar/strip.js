@@ -29,17 +29,23 @@ export function drawStrip(svg, motion) {
 
   const piece = pieceOf(motion);
   // One rectangle a run of equal status, half a frame to either side of its frames; of a long motion the worst of each piece.
-  const worst = (/** @type {number} */ first) => motion.status.subarray(first, first + piece).reduce((most, code) => Math.max(most, code), 0);
+  const statuses = /** @type {readonly string[]} */ (motion.report.statuses);
+  // The last one, passing, is no worse than a closest pose.
+  const rank = (/** @type {number} */ code) => (statuses[code] === 'passing' ? 1.5 : code);
+  const worst = (/** @type {number} */ first) => motion.status.subarray(first, first + piece).reduce((most, code) => (rank(code) > rank(most) ? code : most), 0);
   for (let first = 0; first < motion.frames; ) {
     const code = worst(first);
-    const name = motion.report.statuses[code];
+    const name = statuses[code];
     let end = Math.min(motion.frames, first + piece) - 1;
     while (end + 1 < motion.frames && worst(end + 1) === code) end = Math.min(motion.frames, end + 1 + piece) - 1;
     const from = Math.max(0, first - 0.5);
     const to = Math.min(last, end + 0.5);
     const height = HIGHER[name] ?? BAND;
     const band = { tag: /** @type {const} */ ('rect'), x: from, width: to - from, class: `band ${name}` };
-    if (name === 'closest') {
+    if (name === 'passing') {
+      // Dots: on the way.
+      shapes.push({ tag: 'path', d: `M${from} ${HEIGHT - BAND / 2}H${to}`, class: 'passing' });
+    } else if (name === 'closest') {
       // A double line: not reached.
       shapes.push({ ...band, y: HEIGHT - height, height: LINE }, { ...band, y: HEIGHT - LINE, height: LINE });
     } else shapes.push({ ...band, y: HEIGHT - height, height });

@@ -16,6 +16,7 @@ const STATUS = {
   closest: { sign: '◐', word: 'Closest', meaning: 'The closest pose found on this branch of the linkage: no pose nearby comes closer to the goal.' },
   at_limit: { sign: '◧', word: 'At a limit', meaning: 'The closest pose found on this branch: a joint limit keeps the workpiece from coming closer.' },
   stalled: { sign: '△', word: 'Stalled', meaning: 'The planner stopped before it could show that this is the closest pose.' },
+  passing: { sign: '◌', word: 'Passing', meaning: 'On the way of a calmer motion or of a switch: loops closed, a pose nearby would be closer.' },
   iterate: { sign: '◇', word: 'On the way', meaning: 'A step of the planner: loops closed, the closest pose not reached yet.' },
   driven: { sign: '◆', word: 'Driven', meaning: 'One joint is driven by hand; the others follow, and every loop stays closed.' },
   closure_lost: { sign: '✕', word: 'Closure lost', meaning: 'The loops could not be closed here; the last closed position is shown instead. Do not trust this frame.' },

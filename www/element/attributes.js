@@ -20,7 +20,7 @@ import { Refusal } from '../core/refusal.js';
 import { STANDARD_VIEWS } from '../core/standard-views.js';
 
 /** @type {import('./workbench.js').Panel[]} */
-export const PANELS = ['mechanism', 'motion', 'teach', 'types', 'info', 'charts', 'algorithm'];
+export const PANELS = ['mechanism', 'motion', 'teach', 'types', 'info', 'charts', 'algorithm', 'best'];
 
 /** @template {string} T @param {string} name @param {string} text @param {readonly T[]} accepted @returns {T} */
 function oneOf(name, text, accepted) {

@@ -1,5 +1,5 @@
 /**
- * The panels around the 3D view: tables, joints, types, info, charts, algorithm. What is seen later is loaded later.
+ * The panels around the 3D view: tables, joints, types, info, charts, algorithm, best motion. What is seen later is loaded later.
  *
  * @typedef {import('./workbench.js').App} App
  * @typedef {import('./workbench.js').AppWithPanels} AppWithPanels
@@ -11,7 +11,7 @@ import { DEFAULTS } from '../core/defaults.js';
 import { textOf } from '../core/document-text.js';
 import { createDock } from '../panels/dock.js';
 import { createFolds } from '../panels/folds.js';
-import { whenSeen } from '../ui/lazy.js';
+import { whenSeen, withPart } from '../ui/lazy.js';
 import { createSelection } from '../panels/tables/selection.js';
 import { createStatus } from '../panels/info/status.js';
 import { createTables } from '../panels/tables/tables.js';
@@ -51,7 +51,8 @@ export async function createPanels(bare, banners) {
     const read = await ask(() => planner.normalise(textOf(doc)), 'read the document');
     return read.is === 'fault' ? read.fault : null;
   };
-  const tables = createTables(places, store, DEFAULTS, { markFault: tabs.mark, findStart, goToKey, compareMetrics, readPoses, check, bringOut: (target) => bringOut(target, app), say, rewrite: (text, chain) => ask(() => planner.byAxes(text, chain), 'find the axes'), view: app });
+  const openModes = (/** @type {number} */ key) => withPart(app, 'The ways to assemble', () => Promise.all([import('../panels/best/modes-dialog.js'), import('../export/picture.js')]), ([{ openModes }, { drawPicture }]) => openModes(app, key, drawPicture));
+  const tables = createTables(places, store, DEFAULTS, { markFault: tabs.mark, findStart, goToKey, openModes, compareMetrics, readPoses, check, bringOut: (target) => bringOut(target, app), say, rewrite: (text, chain) => ask(() => planner.byAxes(text, chain), 'find the axes'), view: app });
   const selection = createSelection(places.root, [places.mechanism, places.motion], app, tables.ready);
   for (const kind of ['pointerover', 'focusin']) places.root.addEventListener(kind, () => planner.prepare(), { once: true });
   places.root.addEventListener('focusin', ({ target }) => bringOut(/** @type {Element} */ (target), app));
@@ -62,12 +63,22 @@ export async function createPanels(bare, banners) {
     app.unfold(panel);
     tabs.choosePanel(panel);
   }));
+  const best = () => import('../panels/best/at-rest.js');
+  // In the applet by itself, when the first picture is long there; on another page only where it is asked for.
+  if (app.interaction === 'full' && app.keys !== app.root) setTimeout(() => best().then(({ searchAtRest }) => searchAtRest(app), () => {}), LATER);
+  whenSeen(find('best'), 'The best motion', async () => {
+    const [{ createBestPanel }, { searchOf }] = await Promise.all([import('../panels/best/panel.js'), best()]);
+    createBestPanel(app, find('best'), searchOf(app), openModes);
+  });
   whenSeen(find('algorithm'), 'The algorithm', async () => (await import('../panels/algorithm/algorithm.js')).createAlgorithm(app, find('algorithm')));
   whenSeen(find('charts'), 'The charts', async () => (await import('../panels/charts/charts.js')).createCharts(app, find('charts')));
   whenSeen(find('types'), 'The types', async () => (await import('../panels/types/types-panel.js')).createTypes(app, find('types')));
   whenSeen(find('teach'), 'The joints', async () => (await import('../panels/teach/teach.js')).createTeach(app, find('teach')));
   return app;
 }
+
+/** When that is loaded which the first view does not need, in milliseconds. */
+const LATER = 2000;
 
 /** Room for the row above, in pixels. */
 const ABOVE = 32;
@@ -89,7 +100,7 @@ function bringOut(target, { find, narrow }) {
 /** Beside the tables, one at a time. @type {import('./workbench.js').Panel[]} */
 const TABLES = ['mechanism', 'motion', 'teach', 'types'];
 /** @type {import('./workbench.js').Panel[]} */
-const DOCK = ['charts', 'algorithm'];
+const DOCK = ['charts', 'algorithm', 'best'];
 
 /** Panels that are not asked for have no tab, and leave their room to the view. @param {Pick<App, 'find' | 'panels'>} app */
 function leaveOut({ find, panels }) {

@@ -3,7 +3,7 @@
  * tree, and lives until its signal is aborted; the linkage lives on.
  *
  * @typedef {import('../core/linkage.js').Linkage} Linkage
- * @typedef {'mechanism' | 'motion' | 'teach' | 'types' | 'info' | 'charts' | 'algorithm'} Panel
+ * @typedef {'mechanism' | 'motion' | 'teach' | 'types' | 'info' | 'charts' | 'algorithm' | 'best'} Panel
  *
  * @typedef {'none' | 'ctrl' | 'full'} Interaction
  *

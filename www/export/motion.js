@@ -2,6 +2,7 @@
  * The motion as text: a table, data, a MuJoCo model; the planner writes them.
  */
 import { ask } from '../core/ask.js';
+import { bestMotions } from '../core/best-motions.js';
 import { textOf } from '../core/document-text.js';
 import { fileName, saveFile } from './save.js';
 
@@ -16,7 +17,7 @@ const FILES = {
  * @param {import('../core/types.js').ExportOptions} options
  */
 export async function exportMotion({ store, planner, say }, format, options) {
-  const { doc } = store.result;
+  const { doc, motion } = store.result;
   if (!doc) return;
   const text = await ask(() => planner.exportMotion(textOf(doc), format, options), 'write the motion');
   if (text.is === 'late') return;
@@ -24,5 +25,5 @@ export async function exportMotion({ store, planner, say }, format, options) {
   const { ending, type } = FILES[format];
   const name = fileName(doc, ending);
   saveFile(name, new Blob([text.value], { type }));
-  say(`Saved ${name}.`);
+  say(`Saved ${name}.${motion && bestMotions.has(motion) ? ' It has the followed motion: the best one is only shown.' : ''}`);
 }

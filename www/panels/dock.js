@@ -79,7 +79,7 @@ export function createDock({ find, root, keys, interaction, narrow, tabs, signal
     if (signal.aborted || phone === narrow()) return;
     phone = narrow();
     const [row, panels] = phone ? [find('tabs'), find('tables')] : [find('dock-tabs'), dock];
-    for (const name of ['charts', 'algorithm']) {
+    for (const name of ['charts', 'algorithm', 'best']) {
       row.append(find(`tab-${name}`));
       panels.append(find(name));
     }

@@ -10,6 +10,10 @@
  * @typedef {import('../core/types.js').Matrix} Matrix
  * @typedef {import('../core/types.js').MetricGaps} MetricGaps
  * @typedef {import('../core/types.js').Enumeration} Enumeration
+ * @typedef {import('../core/best-types.js').Best} Best
+ * @typedef {import('../core/best-types.js').BestPath} BestPath
+ * @typedef {import('../core/best-types.js').CalmMotion} CalmMotion
+ * @typedef {import('../core/best-types.js').Modes} Modes
  *
  * @typedef {import('../core/types.js').Progress} Progress
  *
@@ -17,6 +21,9 @@
  * @typedef {Options & {stop?: AbortSignal, onProgress?: (progress: Progress) => void}} PlanOptions `stop` ends the planning
  *   with what there is so far, a motion whose `partial` is true; `onProgress` is told how far the planning is
  * @typedef {Pick<PlanOptions, 'signal' | 'onProgress'> & import('../core/types.js').ExportOptions} ExportOptions
+ * @typedef {Options & {stop?: AbortSignal, onProgress?: (soFar: Best) => void}} BestOptions `stop` ends a search with what is
+ *   found so far; `onProgress` is told that while it goes on
+ * @typedef {Options & {stop?: AbortSignal, onProgress?: (soFar: Modes) => void}} ModesOptions likewise
  */
 import { column, number, object, options as optionsOf, text as textOf, wrong, written } from './arguments.js';
 import { DocumentFault } from './errors.js';
@@ -33,7 +40,7 @@ const JOINTS = 'an array of numbers: rad or lengths, chain by chain';
 const GOAL = 'an array of 7 numbers: x y z, then the rotation’s quaternion x y z w';
 
 /** The options of a question. @type {Record<string, (keyof PlanOptions | keyof ExportOptions)[]>} */
-const KNOWN = { plan: ['signal', 'stop', 'onProgress'], compare_metrics: ['signal'], export_motion: ['signal', 'onProgress', 'headings', 'gravity'] };
+const KNOWN = { plan: ['signal', 'stop', 'onProgress'], compare_metrics: ['signal'], export_motion: ['signal', 'onProgress', 'headings', 'gravity'], best: ['signal', 'stop', 'onProgress'], modes: ['signal', 'stop', 'onProgress'] };
 
 /** Columns that `at` reads. @type {('joints' | 'pose' | 'goal' | 'rows')[]} */
 const GROUPS = ['joints', 'pose', 'goal', 'rows'];
@@ -131,6 +138,46 @@ export class Session {
   }
 
   /**
+   * Searches for the best motion over all branches, with the price of going from one to another: its branches and switches in
+   * numbers. A search that was ended goes on when it is asked for again.
+   * @param {BestOptions} [options] @returns {Promise<Best>}
+   */
+  best(options) {
+    return this.#ask('best', () => [], options);
+  }
+
+  /** The best motion that `best` has found: columns like those of any motion. @returns {Promise<Motion>} */
+  bestMotion() {
+    return this.#ask('best_motion', () => []);
+  }
+
+  /** Its whole closed path, with the points between frames, as of its switches. @returns {Promise<BestPath>} */
+  bestPath() {
+    return this.#ask('best_path', () => []);
+  }
+
+  /**
+   * The calm form of the best motion, once `best` is complete.
+   * @param {number} price of joint motion, such as those of the curve @returns {Promise<CalmMotion>}
+   */
+  calmMotion(price) {
+    return this.#ask('calm_motion', () => [number('price', price, 'a number, not negative')]);
+  }
+
+  /**
+   * All ways to assemble the linkage at a key frame, and what the motion planned from each costs.
+   * @param {number} key counted from 0 @param {ModesOptions} [options] @returns {Promise<Modes>}
+   */
+  modes(key, options) {
+    return this.#ask('modes', () => [number('key', key, 'a whole number, counted from 0')], options);
+  }
+
+  /** The document that starts as one of the ways that `modes` has found. @param {number} index @returns {Promise<MechanismDocument>} */
+  async withMode(index) {
+    return JSON.parse(await this.#ask('text_with_mode', () => [number('index', index, 'a whole number, counted from 0')]));
+  }
+
+  /**
    * The planned motion as text for other programs.
    * @param {'csv' | 'json' | 'mjcf'} format `mjcf` is a model for MuJoCo
    * @param {ExportOptions} [options]
@@ -150,7 +197,7 @@ export class Session {
     pool.close(this.#asker, this.#text);
   }
 
-  /** @param {import('./calls.js').Call} call @param {() => unknown[]} args @param {PlanOptions} [options] @returns {Promise<any>} */
+  /** @param {import('./calls.js').Call} call @param {() => unknown[]} args @param {PlanOptions | BestOptions | ModesOptions} [options] @returns {Promise<any>} */
   async #ask(call, args, options) {
     if (this.#closed) throw new Error('the session is closed');
     const { signal, stop, onProgress } = optionsOf(options, KNOWN[call] ?? []);

@@ -4,6 +4,8 @@
  *
  * @typedef {import('../core/types.js').Fault} Fault
  * @typedef {import('../core/types.js').Progress} Progress
+ * @typedef {import('../core/best-types.js').Best} Best
+ * @typedef {import('../core/best-types.js').Modes} Modes
  *
  * A question of a document names it by a number of the asker's choice; its text comes with the first question. `stop`
  * asks for what there is so far of a plan, `cancel` for nothing more; `close` frees a document. `wasm`, before all others,
@@ -16,15 +18,18 @@
  *   | {id: number, kind: 'fault', fault: Fault}
  *   | {id: number, kind: 'failure', message: string, loading?: boolean}
  *   | {id: number, kind: 'received' | 'begun'}
- *   | {id: number, kind: 'progress', progress: Progress}
+ *   | {id: number, kind: 'progress', progress: Progress | Best | Modes}
  *   | {id: number, kind: 'cancelled'}} Answer `received`, at once, `begun`, when the planner is loaded, and `progress` are
  *   followed by others, all else is the last; `loading` where the planner could not be loaded
  *
  * @typedef {'plan' | 'pull' | 'explain' | 'text' | 'find_start' | 'drive' | 'trace' | 'matrix' | 'compare_metrics' | 'export_motion' | 'by_axes'
- *   | 'looks_standard'} DocumentCall
+ *   | 'looks_standard' | 'best' | 'best_motion' | 'best_path' | 'calm_motion' | 'modes' | 'text_with_mode'} DocumentCall
  *   methods of the packages' Session
  * @typedef {DocumentCall | 'ready' | 'defaults' | 'enumeration' | 'assemble' | 'make' | 'makers' | 'make_named' | 'read_poses' | 'schema' | 'chain_by_index' | 'assembly_by_index'} Call
  * @typedef {import('./packages.js').Open} Open
+ *
+ * A question that is answered in portions.
+ * @typedef {{id: number, question: {stopped: boolean}, isWanted: () => boolean}} Portioned
  */
 import { configuration } from './configuration.js';
 import { first, isFault, isRead, NotLoaded, packageFor, putInWords, sessionOf, valueOf, whole } from './packages.js';
@@ -32,12 +37,17 @@ import { first, isFault, isRead, NotLoaded, packageFor, putInWords, sessionOf, v
 /** How long a portion of a plan is, in milliseconds: two pictures of a screen, so that what is dragged goes on. */
 const PORTION = 30;
 
+/** Least pause between two answers that tell what a search has found so far, in milliseconds. */
+const TELL_EVERY = 250;
+
 /** @param {(answer: Answer) => void} send */
 export function createAnswers(send) {
   /** @type {Map<number, Open>} */
   const documents = new Map();
   /** Questions without an answer yet. @type {Map<number, {stopped: boolean}>} */
   const asked = new Map();
+  /** The key frame whose ways to assemble a session searches. @type {WeakMap<object, unknown>} */
+  const keys = new WeakMap();
 
   /** @param {Message} message */
   function receive(message) {
@@ -78,7 +88,7 @@ export function createAnswers(send) {
       }
       send({ id, kind: 'begun' });
       if (doc) {
-        const done = await prepare(call, sessionOf(doc, module), { id, question, isWanted });
+        const done = await prepare(call, args, sessionOf(doc, module), { id, question, isWanted });
         const value = done && (await valueOf(call, args, doc, module));
         if (value && call === 'plan') await putInWords(value, doc, module);
         if (done && isWanted()) last = { id, kind: 'value', value };
@@ -99,13 +109,19 @@ export function createAnswers(send) {
 
   /**
    * What must be planned before a question can be answered, in portions.
-   * @param {Call} call @param {any} session @param {{id: number, question: {stopped: boolean}, isWanted: () => boolean}} of
+   * @param {Call} call @param {unknown[]} args @param {any} session @param {Portioned} of
    * @returns {Promise<boolean>} whether an answer is still wanted
    */
-  async function prepare(call, session, of) {
+  async function prepare(call, args, session, of) {
     if (call === 'plan' || call === 'export_motion') return plan(session, of);
     if (call === 'compare_metrics') return compare(session, of);
-    return true;
+    if (call === 'best') return search('best', session, of);
+    if (call !== 'modes') return true;
+    // Of one key frame at a time; of the same one it goes on where it was.
+    const [key] = args;
+    if (keys.get(session) !== key) session.begin_modes(key);
+    keys.set(session, key);
+    return search('modes', session, of);
   }
 
   /**
@@ -122,8 +138,27 @@ export function createAnswers(send) {
   }
 
   /**
+   * Searches in portions, on from where it was ended before.
+   * @param {'best' | 'modes'} what @param {any} session @param {Portioned} of
+   * @returns {Promise<boolean>} whether an answer is still wanted
+   */
+  async function search(what, session, { id, question, isWanted }) {
+    let told = performance.now();
+    while (session[`advance_${what}`](PORTION)) {
+      if (performance.now() > told + TELL_EVERY) {
+        send({ id, kind: 'progress', progress: session[what]() });
+        told = performance.now();
+      }
+      await nextTurn();
+      if (!isWanted()) return false;
+      if (question.stopped) break;
+    }
+    return true;
+  }
+
+  /**
    * Plans a document's motion in portions, on from where it was stopped before.
-   * @param {any} session @param {{id: number, question: {stopped: boolean}, isWanted: () => boolean}} of
+   * @param {any} session @param {Portioned} of
    * @returns {Promise<boolean>} whether an answer is still wanted
    */
   async function plan(session, { id, question, isWanted }) {

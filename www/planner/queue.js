@@ -11,12 +11,11 @@
  * @typedef {import('./calls.js').Answer} Answer
  * @typedef {import('./calls.js').Call} Call
  * @typedef {import('./calls.js').Message} Message
- * @typedef {import('../core/types.js').Progress} Progress
  *
  * `text` is the document that is asked about. `latest`: takes the place of the same asker's same call. `signal` takes the
  * question back; `stop` asks for what there is so far of a plan.
  * @typedef {{asker: object, latest: boolean, call: Call, args: unknown[], text?: string, signal?: AbortSignal,
- *   stop?: AbortSignal, onProgress?: (progress: Progress) => void}} Request
+ *   stop?: AbortSignal, onProgress?: (progress: any) => void}} Request
  *
  * `begun` once the worker computes, which on a slow network it first has to load; `slow` after a while; `cancelled` if its
  * answer is not wanted any more; `repeated` if it is asked again because its worker ended.
@@ -35,7 +34,10 @@ const PATIENCE = 4000;
 const GRACE = 500;
 
 /** What goes in portions. @type {Call[]} */
-const LONG = ['plan', 'compare_metrics', 'export_motion'];
+const LONG = ['plan', 'compare_metrics', 'export_motion', 'best', 'modes'];
+
+/** What does so with motions of its own. @type {Call[]} */
+const APART = ['compare_metrics', 'modes'];
 
 export class Queue {
   #patience;
@@ -255,9 +257,9 @@ export class Queue {
 /** Whether it goes in portions. @param {Request} request */
 export const isLong = ({ call }) => LONG.includes(call);
 
-/** Whether one of the two goes on with what the other one plans; a comparison makes plans of its own. @param {Request} one @param {Request} other */
+/** Whether one of the two goes on with what the other one plans. @param {Request} one @param {Request} other */
 const isOfSamePlan = (one, other) =>
-  one.asker === other.asker && one.text === other.text && one.call !== 'compare_metrics' && other.call !== 'compare_metrics';
+  one.asker === other.asker && one.text === other.text && ![one, other].some(({ call }) => APART.includes(call));
 
 /** @param {Request} one @param {Request} other */
 const isSame = (one, other) => one.asker === other.asker && one.call === other.call;

@@ -1,7 +1,8 @@
 /**
  * What the browser remembers of the layout: the dock's height, and what a person folded or unfolded.
  *
- * @typedef {{height?: number, open?: boolean, tables?: boolean, info?: boolean, legend?: boolean}} Layout height of the dock in pixels; true: not folded, `open` of the dock
+ * @typedef {{height?: number, open?: boolean, tables?: boolean, info?: boolean, legend?: boolean, search?: boolean}} Layout height of the dock in pixels; true: not folded, `open` of the dock;
+ *   `search` false: no better motion is looked for by itself
  */
 
 const KEY = 'synthetica.dock';

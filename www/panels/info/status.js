@@ -181,7 +181,8 @@ export function certificateNumbers({ result: { motion }, view: { posture }, why 
   const curvature = why?.least_curvature;
   const gradient = Number.isFinite(end.projected_gradient) ? end.projected_gradient : why?.projected_gradient;
   const steepest = posture ? why?.stationary : bounds?.projected_gradient;
-  const noGoal = hasNoGoal({ result: { motion }, view: { posture } });
+  // What is on the way of a calmer motion is no closest pose, and not said to be one.
+  const noGoal = hasNoGoal({ result: { motion }, view: { posture } }) || /** @type {string} */ (end.status) === 'passing';
   /** @type {[string, boolean][]} */
   const outside = [
     ['closure', end.closure > (bounds?.closure ?? Infinity)],

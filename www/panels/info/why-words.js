@@ -56,6 +56,7 @@ function forbidden(wrench, metricLength) {
  */
 export function certificate({ projected_gradient: slope, stationary, least_curvature: curvature, flat }, status, end, bounds) {
   const falls = !(slope <= stationary);
+  if (status === 'passing' && end.closure <= bounds.closure) return 'On the way, with closed loops: it is not meant to be the closest pose.';
   if (status === 'closest' || status === 'at_limit') {
     if (falls) return `Certified closest by the gradient method’s bound. Newton’s method would go on: in its measure the slope is ${scientific(slope)}, and it stops at ${scientific(stationary)}.`;
     if (curvature === null) return 'Certified closest: no direction is free, so no small motion of the linkage comes nearer.';

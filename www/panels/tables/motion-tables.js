@@ -29,12 +29,12 @@ import look from '../../style/motion.css?inline';
  * @param {ReturnType<typeof import('./cells.js').createCells>} cells
  * @param {Defaults} defaults
  * @param {ReturnType<typeof import('./reorder.js').createArrange>} arrange
- * @param {{goTo: (key: number) => void, compareMetrics: Parameters<typeof import('./metric-comparison.js').createMetricComparison>[1]}} outside `goTo` takes
- *   the playhead to a key frame; `compareMetrics` asks the planner
+ * @param {{goTo: (key: number) => void, openModes: (key: number) => void, compareMetrics: Parameters<typeof import('./metric-comparison.js').createMetricComparison>[1]}} outside `goTo` takes
+ *   the playhead to a key frame; `openModes` shows the ways to assemble there; `compareMetrics` asks the planner
  * @param {import('./forms.js').Forms} forms
  * @param {ReturnType<typeof import('./typed-parts.js').createTypedParts>} typed
  */
-export function createMotionTables(panel, store, cells, defaults, arrange, { goTo, compareMetrics }, forms, typed) {
+export function createMotionTables(panel, store, cells, defaults, arrange, { goTo, openModes, compareMetrics }, forms, typed) {
   wear(/** @type {ShadowRoot} */ (panel.getRootNode()), look);
   const unit = () => store.doc.length_unit;
   // Times stay where they are when poses change places.
@@ -81,6 +81,7 @@ export function createMotionTables(panel, store, cells, defaults, arrange, { goT
       { label: 'Duplicate', act: () => store.edit((doc) => duplicateKeyFrame(doc, index)) },
       { label: 'Insert the shown pose after it', act: () => addShown('pose', index + 1) },
       { label: 'Take the shown pose', act: () => takeShown(index) },
+      { label: 'Ways to assemble…', act: () => openModes(index) },
       { label: 'Turn as quaternion, matrix…', act: () => forms.turn(path, label) },
       { label: 'Remove', disabled: isShort ? 'A motion has at least two key frames' : '', act: () => store.edit((doc) => removeKeyFrame(doc, index)) },
     ]);

@@ -22,19 +22,19 @@ const OF_MOTION = /^(motion|planner)\b/;
  * @param {{root: HTMLElement, mechanism: HTMLElement, motion: HTMLElement}} place
  * @param {Store} store
  * @param {import('../../core/types.js').Defaults} defaults
- * @param {{markFault: (panel: HTMLElement | null) => void, findStart: () => void, goToKey: (key: number) => void,
+ * @param {{markFault: (panel: HTMLElement | null) => void, findStart: () => void, goToKey: (key: number) => void, openModes: (key: number) => void,
  *   compareMetrics: Parameters<typeof import('./metric-comparison.js').createMetricComparison>[1],
  *   readPoses: import('./pose-table-form.js').ReadPoses,
  *   check: (doc: import('../../core/types.js').MechanismDocument) => Promise<Fault | null>,
  *   bringOut: (target: Element) => void, say: import('../../ui/notice.js').Say, rewrite: import('./forms.js').Rewrite,
  *   view: import('./typed-parts.js').View}} outside
  *   `markFault` is told which panel holds the fault; `findStart` asks the planner for start values; `goToKey` takes
- *   the playhead to a key frame; `compareMetrics` asks the planner for both metrics' gaps, `readPoses` for a table's
+ *   the playhead to a key frame, `openModes` shows the ways to assemble there; `compareMetrics` asks the planner for both metrics' gaps, `readPoses` for a table's
  *   key frames, `check` for a document's fault;
  *   `bringOut` brings what has the focus out from under the view; `rewrite` asks the planner for a chain by its axes;
  *   `view` is where points are picked and axes drawn
  */
-export function createTables({ root, mechanism, motion }, store, defaults, { markFault, findStart, goToKey, compareMetrics, readPoses, check, bringOut, say, rewrite, view }) {
+export function createTables({ root, mechanism, motion }, store, defaults, { markFault, findStart, goToKey, openModes, compareMetrics, readPoses, check, bringOut, say, rewrite, view }) {
   const arrange = createArrange(root, store, bringOut);
   const cells = createCells(store);
   // Each of the forms as a function that first loads them.
@@ -57,7 +57,7 @@ export function createTables({ root, mechanism, motion }, store, defaults, { mar
     (coming ??= import('./motion-tables.js').then(
       ({ createMotionTables }) => {
         motion.replaceChildren();
-        keys = createMotionTables(motion, store, cells, defaults, arrange, { goTo: goToKey, compareMetrics }, forms, typed);
+        keys = createMotionTables(motion, store, cells, defaults, arrange, { goTo: goToKey, openModes, compareMetrics }, forms, typed);
         keys.reveal(store.view.selected);
         showAnew();
       },

@@ -8,8 +8,8 @@
 export function createAdded(take, changed) {
   /** @type {Part[]} */
   const parts = [];
-  /** For the legend: each begins with its sign. @type {string[]} */
-  let notes = [];
+  /** For the legend, of each part: each begins with its sign. @type {Map<Part, string[]>} */
+  const notes = new Map();
   /** @type {Set<() => void>} */
   const noted = new Set();
   return {
@@ -19,7 +19,7 @@ export function createAdded(take, changed) {
       for (const part of parts) part.paint(palette);
     },
     get notes() {
-      return notes;
+      return [...notes.values()].flat();
     },
     /** Called when the notes are others. */
     noted,
@@ -31,7 +31,7 @@ export function createAdded(take, changed) {
       parts.push(part);
       take(part);
       return (next) => {
-        notes = next;
+        notes.set(part, next);
         changed();
         for (const tell of noted) tell();
       };

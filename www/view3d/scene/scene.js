@@ -52,6 +52,7 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
   const rest = createRest(drawing.slow, changed, () => pointing());
   const ground = createGround();
   const linkage = new Linkage(materials);
+  linkage.group.name = 'linkage';
   const paths = new MotionPaths(materials);
   const { size, take } = createMeasure();
   const pointing = watchPointers(() => built && view.refit(), signal);

@@ -1,0 +1,175 @@
+// The best motion: a search beside the plans, what it finds as lanes, numbers, line and ghost, and how much calmer it may be.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { goldenDocument } from './golden.mjs';
+import { cell, number, openBrowser, openSample, scrubTo, text, unfoldCharts } from './browser.mjs';
+
+let browser;
+before(async () => {
+  browser = await openBrowser();
+});
+after(() => browser.close());
+
+const DESK = { viewport: { width: 1280, height: 800 } };
+const panel = (page) => page.getByRole('tabpanel', { name: 'Best motion' });
+const better = (page) => page.locator('#better');
+const shown = (page, name) => panel(page).getByRole('radio', { name, exact: true });
+/** The frame at which the ghost stands; '' for none. */
+const ghost = (page) => page.locator('#canvas').getAttribute('data-best');
+
+/** 3PRS, of which a better motion of the same assembly is known. */
+async function openGolden(options = DESK) {
+  const { page, problems } = await browser.openPage(options);
+  await page.evaluate((doc) => {
+    document.querySelector('synthetica-linkage').document = doc;
+  }, goldenDocument('3PRS'));
+  await page.locator('#frame-number').filter({ hasText: '/ 33' }).waitFor();
+  return { page, problems };
+}
+
+async function openPanel(page) {
+  await unfoldCharts(page);
+  await page.getByRole('tab', { name: 'Best motion' }).click();
+  await panel(page).getByRole('button', { name: /^(Look for a better motion|Stop the search)$/ }).waitFor();
+}
+
+async function search(page) {
+  await openPanel(page);
+  await panel(page).getByRole('button', { name: 'Look for a better motion' }).click();
+  await isComplete(page);
+}
+const isComplete = (page) => panel(page).getByRole('button', { name: 'Look for a better motion' }).and(page.locator(':disabled')).waitFor({ timeout: 180_000 });
+
+test('a better motion is found, told in numbers and words, and shown as a ghost or in place of the followed one', async () => {
+  const { page, problems } = await openGolden();
+  await search(page);
+  assert.match(await panel(page).locator('.best-verdict').textContent(), /^A motion with \d+ switch(es)? to another branch is closer on average by \d+ %\.$/);
+  const words = await panel(page).locator('.best-body').textContent();
+  assert.match(words, /No motion over the branches known is closer on average than [\d.e−]+/);
+  assert.match(words, /\d+ starts made, \d+ branches found\. .*further starts would find another/);
+  // Of the numbers the best one's mean and largest distance are less.
+  const row = async (name) => (await panel(page).getByRole('row', { name: new RegExp(`^${name}`) }).first().getByRole('cell').allTextContents()).map(number);
+  for (const name of ['mean distance', 'largest distance']) {
+    const [followed, best] = await row(name);
+    assert.ok(best < followed, `${name}: ${best} for ${followed}`);
+  }
+  assert.equal(number(String((await row('largest distance'))[0])), 0.0359);
+
+  await scrubTo(page, 16);
+  await better(page).filter({ hasText: /^A better pose exists: [\d.]+ instead of 0\.03\d+\. Show it$/ }).waitFor();
+  assert.equal(await ghost(page), '');
+  await better(page).getByRole('button', { name: 'Show it' }).click();
+  await page.locator('#canvas[data-best="16"]').waitFor();
+  assert.ok(await shown(page, 'both').isChecked());
+  await page.locator('#legend').filter({ hasText: 'best motion' }).waitFor();
+  const followed = number(await text(page, 'metric'));
+
+  await shown(page, 'best').check();
+  await page.locator('#best-shown').filter({ hasText: 'The best motion is shown.' }).waitFor();
+  assert.ok(number(await text(page, 'metric')) < followed - 1e-3, 'its numbers stand in the panels');
+  assert.equal(await ghost(page), '');
+  await page.getByRole('button', { name: 'Back to the followed one' }).click();
+  assert.equal(number(await text(page, 'metric')), followed);
+  await better(page).getByRole('button', { name: 'Show it' }).waitFor();
+  assert.equal(await page.locator('#strip-best .other').count(), 1);
+  assert.equal(await page.locator('#strip-best .switch').count(), await panel(page).locator('button.switch').count());
+  await scrubTo(page, 0);
+  await better(page).waitFor({ state: 'hidden' });
+  assert.deepEqual(problems, []);
+});
+
+test('lanes, switches and the slider go by keyboard, and are a table too', async () => {
+  const { page, problems } = await openGolden();
+  await search(page);
+  const lanes = panel(page).locator('.lane-names button');
+  assert.match(await lanes.first().textContent(), /^followed( best)?: frames 1 to 33, mean distance [\d.]+/);
+  const change = panel(page).locator('button.switch').first();
+  const [, frame] = /^(?:Before frame|At the start)(?: (\d+))?: from the followed branch to branch \d+, joint motion/.exec(await change.getAttribute('aria-label'));
+  await change.focus();
+  await page.keyboard.press('Enter');
+  if (frame) assert.match(await text(page, 'frame-number'), new RegExp(`^${frame} /`));
+  // In line with the strip above.
+  const [strip, plot] = await Promise.all(['#strip', '.lane-plot svg'].map((one) => page.locator(one).boundingBox()));
+  assert.ok(Math.abs(strip.x - plot.x) < 2 && Math.abs(strip.width - plot.width) < 2, 'frames stand below frames');
+  await page.mouse.click(plot.x + plot.width / 2, plot.y + plot.height - 8);
+  assert.match(await text(page, 'frame-number'), /^17 \//);
+
+  const slider = panel(page).getByRole('slider', { name: 'From closer to calmer' });
+  await slider.focus();
+  const first = await slider.getAttribute('aria-valuetext');
+  await page.keyboard.press('ArrowRight');
+  await page.locator('#canvas[data-best="16"]').waitFor();
+  const next = await slider.getAttribute('aria-valuetext');
+  const step = (words) => number(/largest joint step (.*)$/.exec(words)[1]);
+  assert.ok(step(next) <= step(first), `${next} after ${first}`);
+  await panel(page).locator('output[aria-busy="false"]').waitFor();
+  await panel(page).getByRole('columnheader', { name: 'calmer' }).waitFor();
+  await shown(page, 'best').check();
+  await page.keyboard.press('Tab');
+  await panel(page).locator('summary').filter({ hasText: 'Table' }).click();
+  const tables = panel(page).getByRole('region', { name: 'Branches, switches and calmer motions' });
+  assert.equal(await tables.getByRole('table').count(), 3);
+  assert.ok((await tables.getByRole('table', { name: 'Branches' }).getByRole('row').count()) > 2);
+  await slider.focus();
+  await page.keyboard.press('Home');
+  await panel(page).locator('output').filter({ hasText: 'The best motion itself' }).waitFor();
+  assert.deepEqual(problems, []);
+});
+
+test('a plan is not held up, partial results are shown, and an edit ends the search quietly', async () => {
+  const { page, problems } = await openGolden();
+  await page.evaluate((doc) => {
+    document.querySelector('synthetica-linkage').document = doc;
+  }, goldenDocument('3PRS', 513));
+  await page.locator('#frame-number').filter({ hasText: '/ 513' }).waitFor();
+  await openPanel(page);
+  await panel(page).getByRole('button', { name: 'Look for a better motion' }).click();
+  await panel(page).getByRole('progressbar', { name: 'Search for a better motion' }).waitFor();
+  await panel(page).locator('.lane-names button').first().waitFor();
+  const stop = panel(page).getByRole('button', { name: 'Stop the search' });
+  assert.ok(await stop.isVisible(), 'lanes are there while it goes on');
+  await stop.click();
+  await panel(page).getByRole('button', { name: 'Go on searching' }).click();
+  await stop.waitFor();
+  await page.getByRole('tab', { name: 'Motion', exact: true }).click();
+  await cell(page, 'motion.frames').fill('65');
+  await page.locator('#frame-number').filter({ hasText: '/ 65' }).waitFor();
+  await panel(page).getByRole('button', { name: 'Look for a better motion' }).waitFor();
+  assert.equal(await panel(page).locator('.lane-names button').count(), 0, 'what was found went with its document');
+  assert.ok(await better(page).isHidden());
+  assert.deepEqual(await page.locator('#notices p').allTextContents(), []);
+  assert.deepEqual(problems, []);
+});
+
+test('in the applet it is looked for by itself, when all rests', async () => {
+  const { page, problems } = await openGolden({ ...DESK, search: true });
+  await scrubTo(page, 16);
+  await better(page).filter({ hasText: 'A better pose exists' }).waitFor({ timeout: 180_000 });
+  assert.equal(await ghost(page), '', 'nothing is shown that was not asked for');
+  assert.deepEqual(problems, []);
+});
+
+test('on a phone, in the dark, all of it is there', async () => {
+  const { page, problems } = await openGolden({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, colorScheme: 'dark' });
+  await page.getByRole('tab', { name: 'Best motion' }).click();
+  await panel(page).getByRole('button', { name: 'Look for a better motion' }).click();
+  await isComplete(page);
+  const width = await page.evaluate(() => document.documentElement.scrollWidth);
+  assert.ok(width <= 390, `no wider than the screen: ${width}`);
+  for (const name of await panel(page).locator('.lane-names button').all()) assert.ok((await name.boundingBox()).x >= 0, 'its name is seen');
+  await shown(page, 'both').tap();
+  await page.locator('#canvas[data-best]:not([data-best=""])').waitFor();
+  assert.deepEqual(problems, []);
+});
+
+test('driven joints have no goal: there is nothing to look for', async () => {
+  const { page, problems } = await browser.openPage(DESK);
+  await openSample(page, 'four-bar.json');
+  await page.getByRole('tab', { name: 'Motion', exact: true }).click();
+  await page.getByRole('radio', { name: 'Driven joints' }).check();
+  await unfoldCharts(page);
+  await page.getByRole('tab', { name: 'Best motion' }).click();
+  await panel(page).getByText('Joints are driven').waitFor();
+  assert.ok(await panel(page).getByRole('button', { name: 'Look for a better motion' }).isDisabled());
+  assert.deepEqual(problems, []);
+});

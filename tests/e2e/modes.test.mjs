@@ -1,0 +1,100 @@
+// The ways to assemble at a key frame: pictures, numbers, an order, and a start that undo takes back.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { cell, doTo, notice, openBrowser, scrubTo } from './browser.mjs';
+
+let browser;
+before(async () => {
+  browser = await openBrowser();
+});
+after(() => browser.close());
+
+const dialog = (page) => page.getByRole('dialog', { name: 'Ways to assemble' });
+const ways = (page) => dialog(page).getByRole('list', { name: 'Ways to assemble' }).getByRole('listitem');
+const isComplete = (page) => dialog(page).locator('.best-mode').waitFor({ timeout: 180_000 });
+const start = (page) => page.evaluate(() => JSON.stringify(document.querySelector('synthetica-linkage').document.chains.map((chain) => chain.start)));
+
+async function openDialog(options = { viewport: { width: 1280, height: 800 } }, key = 1) {
+  const { page, problems } = await browser.openPage(options);
+  await page.getByRole('tab', { name: 'Motion', exact: true }).click();
+  await doTo(page, `key frame ${key}`, 'Ways to assemble…');
+  await dialog(page).waitFor();
+  return { page, problems };
+}
+
+test('each way has its picture, its distance, who found it and what its motion costs; one is the document’s start', async () => {
+  const { page, problems } = await openDialog();
+  await isComplete(page);
+  const count = await ways(page).count();
+  assert.ok(count >= 2, `${count} ways`);
+  assert.match(await dialog(page).locator('.modes-note').textContent(), new RegExp(`^${count} ways found by \\d+ starts\\. .*further starts`));
+  assert.equal(await ways(page).filter({ hasText: 'the document’s start' }).count(), 1);
+  for (const one of await ways(page).all()) {
+    const words = await one.textContent();
+    assert.match(words, /reaches the key frame|distance [\d.e−]+ from the key frame/);
+    assert.match(words, /found by \d+ of \d+ starts?/);
+    assert.match(words, /motion from it: mean distance [\d.e−]+, largest [\d.e−]+/);
+    await one.locator('canvas[data-drawn]').waitFor();
+  }
+  // A picture has more than its background.
+  const colours = await ways(page).first().locator('canvas').evaluate((canvas) => {
+    const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+    return new Set(Array.from({ length: data.length / 4 }, (_, i) => `${data[4 * i] >> 4} ${data[4 * i + 1] >> 4} ${data[4 * i + 2] >> 4}`)).size;
+  });
+  assert.ok(colours > 20, `${colours} colours`);
+  await dialog(page).getByLabel('Order').selectOption('motion');
+  const means = (await ways(page).allTextContents()).map((words) => Number(/mean distance ([\d.e−]+)/.exec(words)[1].replace('−', '-')));
+  assert.deepEqual(means, [...means].sort((a, b) => a - b));
+  assert.match(await ways(page).first().textContent(), /best mode/);
+  assert.deepEqual(problems, []);
+});
+
+test('a way becomes the start, an edit that undo takes back', async () => {
+  const { page, problems } = await openDialog();
+  await isComplete(page);
+  const before = await start(page);
+  const other = ways(page).filter({ hasNotText: 'the document’s start' }).first();
+  await other.getByRole('button', { name: /^Start from this: way \d+$/ }).click();
+  await dialog(page).waitFor({ state: 'detached' });
+  await notice(page, /The motion starts from way \d+ now/).waitFor();
+  assert.notEqual(await start(page), before);
+  await notice(page, /starts from way/).getByRole('button', { name: 'Undo' }).click();
+  await page.waitForFunction((old) => JSON.stringify(document.querySelector('synthetica-linkage').document.chains.map((chain) => chain.start)) === old, before);
+  assert.deepEqual(problems, []);
+});
+
+test('by keyboard: another key frame, stop, go on, close; the focus comes back', async () => {
+  const { page, problems } = await openDialog();
+  const stop = dialog(page).getByRole('button', { name: 'Stop', exact: true });
+  await stop.waitFor();
+  await stop.focus();
+  await page.keyboard.press('Enter');
+  const on = dialog(page).getByRole('button', { name: 'Go on searching' });
+  await on.waitFor();
+  await on.focus();
+  await page.keyboard.press('Enter');
+  await stop.waitFor();
+  await dialog(page).getByLabel('Key frame').selectOption('2');
+  await stop.waitFor();
+  await page.keyboard.press('Escape');
+  await dialog(page).waitFor({ state: 'detached' });
+  // Plans go on as before.
+  await scrubTo(page, 5);
+  await cell(page, 'motion.frames').fill('33');
+  await page.locator('#frame-number').filter({ hasText: '/ 33' }).waitFor();
+  assert.deepEqual(problems, []);
+});
+
+test('from the panel of the best motion, of the key frame at the playhead; on a phone it fits', async () => {
+  const { page, problems } = await browser.openPage({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+  await scrubTo(page, 100);
+  await page.getByRole('tab', { name: 'Best motion' }).click();
+  await page.getByRole('button', { name: 'Ways to assemble…' }).tap();
+  assert.equal(await dialog(page).getByLabel('Key frame').inputValue(), '1');
+  await ways(page).first().waitFor();
+  const box = await dialog(page).boundingBox();
+  assert.ok(box.x >= 0 && box.x + box.width <= 390, JSON.stringify(box));
+  await dialog(page).getByRole('button', { name: 'Close' }).tap();
+  await dialog(page).waitFor({ state: 'detached' });
+  assert.deepEqual(problems, []);
+});

@@ -1,0 +1,177 @@
+// The best motion in words and pictures: estimates, lanes, the curve from closer to calmer, and the state of the search.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { boundSentence, branchName, calmWords, distance, isCloser, jointMotion, oneIn, switchSentence, unseenSentence, verdict } from '../../www/panels/best/best-words.js';
+import { lanesOf, outlineOf, runsOf } from '../../www/panels/best/lanes.js';
+import { placesOf, pointsOf } from '../../www/panels/best/calm.js';
+import { createSearchState } from '../../www/panels/best/search-state.js';
+import { bestMode, ordered } from '../../www/panels/best/mode-order.js';
+import { createStore } from '../../www/core/store.js';
+import { statusWords } from '../../www/core/status-words.js';
+import { DocumentFault, Superseded } from '../../www/planner/errors.js';
+
+const cost = (mean, largest_step = 0.1) => ({ mean, largest: 2 * mean, largest_step });
+const best = {
+  progress: 1, starts: 240, followed: cost(0.04), best: cost(0.026, 0.6), lower_bound: 0.025, unseen: 0.005, unseen_bound: 1 / 60,
+  branches: [
+    { first: 0, metric: Float64Array.of(0, 0.04, 0.09, 0.04, 0) },
+    { first: 1, metric: Float64Array.of(0.01, 0.01) },
+    { first: 2, metric: Float64Array.of(0.5, 0.5, 0.5) },
+    { first: 0, metric: Float64Array.of(0.3) },
+  ],
+  lane: Int32Array.of(0, 1, 1, 0, -1),
+  switches: [{ frame: 1, time: 0.25, from: 0, to: 1, length: Math.PI / 2, largest: 0.08, points: 9 }],
+  curve: [{ price: 0.1, ...cost(0.03, 0.3) }, { price: 1, ...cost(0.05, 0.05) }],
+  found_where_lost: [2],
+};
+const motionOf = (unit, metric = [0, 0.04, 0.09, 0.04, 0]) => ({
+  frames: metric.length, goal_frames: metric.length, partial: false, metric: Float64Array.from(metric), status: Uint8Array.from(metric, () => 1),
+  report: { statuses: ['reached', 'closest'], chains: [{ variables: [{ unit }] }] },
+});
+
+test('the estimate of what was not seen stands in words', () => {
+  assert.deepEqual([0.005, 1 / 60, 0.0123, 0.25, 0.3, 0.45, 1, 3.2e-5].map(oneIn), ['1 in 200', '1 in 60', '1 in 81', '1 in 4', '1 in 3', '45 in 100', '100 in 100', '1 in 31000']);
+  assert.equal(unseenSentence(best, 'branch'), 'About 1 in 200 further starts would find another branch (95 %: at most 1 in 60).');
+  assert.equal(unseenSentence({ starts: 100, unseen: 0, unseen_bound: 0.019 }, 'way'), 'Every way was found more than once: at most 1 in 53 further starts would find another one (95 %).');
+  assert.match(unseenSentence({ starts: 2, unseen: 1, unseen_bound: 1 }, 'way'), /Too few starts/);
+  assert.equal(unseenSentence({ starts: 0, unseen: 1, unseen_bound: 1 }, 'way'), '');
+});
+
+test('the bound, the verdict and a switch are told as they are', () => {
+  assert.match(boundSentence(best), /closer on average than 0\.025; this one is 0\.001 above it, the price of switching\.$/);
+  assert.match(boundSentence({ ...best, lower_bound: 0.026 }), /and this one is as close\.$/);
+  assert.equal(verdict(best), 'A motion with 1 switch to another branch is closer on average by 35 %.');
+  assert.match(verdict({ ...best, best: best.followed, switches: [] }), /is the best one over the 4 branches found/);
+  assert.equal(verdict({ ...best, best: best.followed, progress: 0.5 }), '', 'nothing is claimed before the end');
+  assert.equal(switchSentence(best.switches[0], motionOf('rad')), 'Before frame 2: from the followed branch to branch 2, joint motion 90°, at most 0.08 from the goal on the way.');
+  assert.match(switchSentence({ ...best.switches[0], frame: 0 }, motionOf('length')), /^At the start: .* joint motion 1\.571,/);
+  assert.deepEqual([branchName(0), branchName(3)], ['followed', 'branch 4']);
+  assert.equal(jointMotion(0.5, motionOf('length')), '0.5');
+  assert.equal(calmWords(best.curve[0], motionOf('length')), 'mean distance 0.03, largest joint step 0.3');
+  assert.deepEqual([0.0172, 0.036, 1.5e-7, 0].map(distance), ['0.0172', '0.036', '1.5e−7', '0']);
+  assert.ok(isCloser(0.0172, 0.036) && !isCloser(0.036 - 1e-8, 0.036) && !isCloser(0, 5e-7));
+  assert.equal(statusWords('passing').word, 'Passing');
+});
+
+test('lanes: the followed branch, those of the best motion, then the closest others; many are left out and counted', () => {
+  assert.deepEqual(runsOf(best.lane), [{ branch: 0, from: 0, to: 0 }, { branch: 1, from: 1, to: 2 }, { branch: 0, from: 3, to: 3 }]);
+  const { lanes, more, top } = lanesOf(best);
+  assert.deepEqual(lanes.map(({ branch, first, last, used }) => [branch, first, last, used]), [[0, 0, 4, true], [1, 1, 2, true], [3, 0, 0, false], [2, 2, 4, false]]);
+  assert.deepEqual([more, top], [0, 0.5]);
+  const many = { ...best, branches: [...best.branches, ...Array.from({ length: 30 }, () => best.branches[2])] };
+  assert.deepEqual([lanesOf(many).lanes.length, lanesOf(many).more], [8, 26]);
+});
+
+test('a lane’s outline: roots as heights, the largest of each piece, and what has run away is full', () => {
+  const outline = (metric, pieces) => outlineOf({ first: 10, metric: Float64Array.from(metric) }, 0.16, pieces);
+  assert.deepEqual(outline([0, 0.04, 0.16], 9), [{ frame: 10, height: 0 }, { frame: 11, height: 0.5 }, { frame: 12, height: 1 }]);
+  assert.deepEqual(outline([0, 0.04, 0.16, 0], 2).map(({ frame }) => frame), [11, 12]);
+  assert.equal(outline([NaN], 2)[0].height, 1);
+  assert.deepEqual(outlineOf({ first: 0, metric: Float64Array.of(0) }, 0, 2), [{ frame: 0, height: 0 }]);
+});
+
+test('the slider goes over the best motion and the points of the curve; the picture holds them all', () => {
+  const points = pointsOf(best);
+  assert.deepEqual(points.map(({ mean }) => mean), [0.026, 0.03, 0.05]);
+  const places = placesOf(points, best.followed);
+  assert.ok(places.points[0].x > places.points[1].x && places.points[1].x > places.points[2].x, 'calmer is to the left');
+  assert.ok(places.points[0].y > places.points[1].y && places.points[1].y > places.points[2].y, 'closer is below');
+  assert.ok([...places.points, places.followed].every(({ x, y }) => Number.isFinite(x) && Number.isFinite(y) && x >= 0 && y >= 0));
+  const still = placesOf([{ mean: 0, largest_step: 0 }], { mean: 0, largest_step: 0 });
+  assert.ok(Number.isFinite(still.points[0].x) && Number.isFinite(still.points[0].y));
+});
+
+test('modes: by nearness or by their motions; the best one is known when all are planned', () => {
+  const found = [{ index: 0, metric: 0, mean: 0.02 }, { index: 1, metric: 0.1, mean: 0.01 }, { index: 2, metric: 0.05 }];
+  assert.deepEqual(ordered(found, 'key').map(({ index }) => index), [0, 2, 1]);
+  assert.deepEqual(ordered(found, 'motion').map(({ index }) => index), [1, 0, 2]);
+  assert.equal(bestMode({ progress: 1, found })?.index, 1);
+  assert.equal(bestMode({ progress: 0.9, found }), undefined);
+  assert.equal(bestMode(null), undefined);
+});
+
+/** A store with a motion, and a search whose answers are given by hand. */
+function made() {
+  const doc = { version: 1, chains: [], motion: {} };
+  const store = createStore(doc);
+  const followed = motionOf('rad');
+  store.setResult({ motion: followed, doc, plain: doc });
+  const asked = [];
+  const closer = motionOf('rad', [0, 0.01, 0.01, 0.04, 0]);
+  const search = {
+    left: false,
+    best: (text, options) => new Promise((resolve, reject) => {
+      options.signal.addEventListener('abort', () => reject(new DOMException('', 'AbortError')));
+      asked.push({ resolve, reject, ...options });
+    }),
+    bestMotion: async () => closer,
+    calmMotion: async (_, price) => ({ motion: { ...closer, price }, ...cost(price) }),
+    leave() {
+      this.left = true;
+    },
+  };
+  const life = new AbortController();
+  return { store, doc, followed, closer, asked, search, life, state: createSearchState({ store, signal: life.signal }, search) };
+}
+const turn = () => new Promise((resolve) => setTimeout(resolve));
+
+test('partial results are there at once; the best motion takes the followed one’s place when it is wanted', async () => {
+  const { store, followed, closer, asked, state } = made();
+  const over = state.begin();
+  state.begin();
+  assert.equal(asked.length, 1, 'one search at a time');
+  asked[0].onProgress({ ...best, progress: 0.3, curve: [] });
+  await turn();
+  assert.deepEqual([state.now.running, state.now.best.progress, state.now.motion], [true, 0.3, closer]);
+  assert.deepEqual(state.betterAt(1), { best: 0.01, now: 0.04 });
+  assert.equal(state.betterAt(3), null);
+  assert.ok(state.isFoundWhereLost(2) && !state.isFoundWhereLost(1));
+  asked[0].resolve(best);
+  await over;
+  assert.equal(state.now.running, false);
+  state.show('best');
+  assert.equal(store.result.motion, state.now.motion);
+  assert.deepEqual(state.betterAt(1), { best: 0.01, now: 0.04 }, 'still against the followed one');
+  await state.choose(2);
+  assert.deepEqual([store.result.motion.price, state.now.choice, state.now.which], [1, 2, 'best']);
+  state.show('followed');
+  assert.equal(store.result.motion, followed);
+  await state.choose(0);
+  assert.deepEqual([state.now.choice, state.now.which, store.result.motion], [0, 'both', followed]);
+  await state.begin();
+  assert.equal(asked.length, 1, 'what is complete is not searched again');
+});
+
+test('an edit ends the search quietly, and what it found goes with the document', async () => {
+  const { store, asked, state } = made();
+  const over = state.begin();
+  asked[0].onProgress(best);
+  store.edit((doc) => ({ ...doc, name: 'other' }));
+  await over;
+  assert.ok(asked[0].signal.aborted);
+  assert.deepEqual([state.now.best, state.now.running, state.now.message, state.now.which], [null, false, '', 'followed']);
+  assert.match(state.obstacle(), /no motion/);
+  await state.begin();
+  assert.equal(asked.length, 1, 'nothing is searched before it is planned');
+});
+
+test('what goes wrong is told in its place; a person may stop and go on', async () => {
+  const { asked, state, life, search } = made();
+  let over = state.begin();
+  asked[0].reject(new DocumentFault({ code: 'no_goals', message: 'there are no goals', where: '' }));
+  await over;
+  assert.deepEqual([state.now.running, state.now.message], [false, 'There are no goals.']);
+  over = state.begin();
+  assert.equal(state.now.message, '');
+  const half = { ...best, progress: 0.5 };
+  asked[1].onProgress(half);
+  await turn();
+  state.stop();
+  await over;
+  assert.deepEqual([state.now.running, state.now.best], [false, half]);
+  over = state.begin();
+  asked[2].reject(new Superseded());
+  await over;
+  life.abort();
+  assert.ok(search.left);
+});

@@ -1,0 +1,86 @@
+/**
+ * What was found by the searches for the best motion and for ways to assemble, in words.
+ *
+ * @typedef {import('../../core/best-types.js').Best} Best
+ * @typedef {import('../../core/types.js').Motion} Motion
+ */
+import { angle, plural, scientific, short } from '../../core/format.js';
+
+/** By how much a pose must be closer to be told as a better one: absolutely, and as a share of the other's distance. */
+const CLOSER = { least: 1e-6, share: 1e-3 };
+
+/** Whether a distance is less than another by more than what may be rounding. @param {number} one @param {number} other */
+export const isCloser = (one, other) => one < other - CLOSER.least - CLOSER.share * other;
+
+/** Below this a distance is told in powers of ten. */
+const SMALL = 1e-4;
+
+/** A distance ½‖q − g‖² with three digits, so that two that are close are told apart. @param {number} value */
+export const distance = (value) => (value >= SMALL && value < 1000 ? String(Number(value.toPrecision(3))) : scientific(value));
+
+/** Above this share a part of a hundred reads better than one in so many. */
+const OFTEN = 0.3;
+
+/** A share in words: "1 in 200", "45 in 100". @param {number} share */
+export function oneIn(share) {
+  if (share > OFTEN) return `${Math.min(100, Math.round(100 * share))} in 100`;
+  const many = 1 / share;
+  // Two digits: it is an estimate.
+  const step = 10 ** Math.max(0, Math.floor(Math.log10(many)) - 1);
+  return `1 in ${Math.round(many / step) * step}`;
+}
+
+/**
+ * What may not have been found yet, by Good and Turing.
+ * @param {{starts: number, unseen: number, unseen_bound: number}} estimate @param {string} thing that a start leads to: "branch"
+ */
+export function unseenSentence({ starts, unseen, unseen_bound }, thing) {
+  if (starts === 0) return '';
+  if (!(unseen_bound < 1)) return `Too few starts have been made to say how many would find another ${thing}.`;
+  if (unseen > 0) return `About ${oneIn(unseen)} further starts would find another ${thing} (95 %: at most ${oneIn(unseen_bound)}).`;
+  return `Every ${thing} was found more than once: at most ${oneIn(unseen_bound)} further starts would find another one (95 %).`;
+}
+
+/** How close the best motion is to what no motion can be better than. @param {Best} best */
+export function boundSentence({ best, lower_bound: bound }) {
+  const above = best.mean - bound;
+  const least = `No motion over the branches known is closer on average than ${distance(bound)}`;
+  return above > 1e-12 + 1e-6 * bound ? `${least}; this one is ${distance(above)} above it, the price of switching.` : `${least}, and this one is as close.`;
+}
+
+/** The result of the search in a sentence. @param {Best} best */
+export function verdict({ followed, best, branches, switches, progress }) {
+  if (progress < 1 && !isCloser(best.mean, followed.mean)) return '';
+  if (!isCloser(best.mean, followed.mean)) {
+    return branches.length > 1
+      ? `The motion that the planner follows is the best one over the ${branches.length} branches found.`
+      : 'No other branch was found: the motion that the planner follows is the best one known.';
+  }
+  const by = followed.mean > 0 ? Math.round(100 * (1 - best.mean / followed.mean)) : 0;
+  const changes = switches.length ? `${plural(switches.length, 'switch', 'switches')} to another branch` : 'no switch';
+  return `A motion with ${changes} is closer on average by ${by < 1 ? 'less than 1' : by} %.`;
+}
+
+/** How joints move is measured in rad, or in sizes of the mechanism. @param {Motion | null} motion */
+const isByAngles = (motion) => motion?.report.chains.every(({ variables }) => variables.every(({ unit }) => unit === 'rad')) ?? false;
+
+/** A joint motion: degrees where all joints turn. @param {number} value rad or sizes @param {Motion | null} motion */
+export const jointMotion = (value, motion) => (isByAngles(motion) ? angle(value) : short(value, 3));
+
+/** What such a number means. @param {Motion | null} motion */
+export const jointUnit = (motion) => (isByAngles(motion) ? '' : 'rad or sizes');
+
+/** What a branch is called. @param {number} branch */
+export const branchName = (branch) => (branch === 0 ? 'followed' : `branch ${branch + 1}`);
+
+/**
+ * A switch in words.
+ * @param {import('../../core/best-types.js').Switch} one @param {Motion | null} motion
+ */
+export function switchSentence({ frame, from, to, length, largest }, motion) {
+  const when = frame === 0 ? 'At the start' : `Before frame ${frame + 1}`;
+  return `${when}: from ${from === 0 ? 'the followed branch' : `branch ${from + 1}`} to ${to === 0 ? 'the followed one' : `branch ${to + 1}`}, joint motion ${jointMotion(length, motion)}, at most ${distance(largest)} from the goal on the way.`;
+}
+
+/** A point of the curve from closer to calmer. @param {{mean: number, largest_step: number}} point @param {Motion | null} motion */
+export const calmWords = ({ mean, largest_step }, motion) => `mean distance ${distance(mean)}, largest joint step ${jointMotion(largest_step, motion)}`;

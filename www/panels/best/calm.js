@@ -1,0 +1,67 @@
+/**
+ * From closer to calmer: a slider over the points of a curve, the curve of mean distance against joint motion, and what the
+ * chosen point costs. Leftmost is the best motion itself, whose joints move at its switches while the goal stands.
+ *
+ * @typedef {import('../../core/best-types.js').Best} Best
+ * @typedef {import('../../core/best-types.js').MotionCost} MotionCost
+ * @typedef {import('../../core/types.js').Motion} Motion
+ */
+import { html, live, nothing, svg } from '../../ui/render.js';
+import { calmWords, distance, jointMotion } from './best-words.js';
+
+/** Of the picture, in pixels, with the room for its scales. */
+const WIDTH = 260;
+const HEIGHT = 112;
+const ROOM = { left: 62, right: 12, top: 8, bottom: 28 };
+
+/** The points of the slider: the best motion itself, then the curve. @param {Best} best @returns {MotionCost[]} */
+export const pointsOf = ({ best, curve }) => [best, ...curve];
+
+/**
+ * Where the points are in the picture: joint motion to the right, distance upwards, both from 0.
+ * @param {Pick<MotionCost, 'mean' | 'largest_step'>[]} points @param {Pick<MotionCost, 'mean' | 'largest_step'>} followed
+ */
+export function placesOf(points, followed) {
+  const all = [...points, followed];
+  const [wide, high] = [Math.max(...all.map(({ largest_step }) => largest_step)) || 1, Math.max(...all.map(({ mean }) => mean)) || 1];
+  const place = (/** @type {Pick<MotionCost, 'mean' | 'largest_step'>} */ { mean, largest_step }) => ({
+    x: ROOM.left + ((WIDTH - ROOM.left - ROOM.right) * largest_step) / wide,
+    y: HEIGHT - ROOM.bottom - ((HEIGHT - ROOM.bottom - ROOM.top) * mean) / high,
+  });
+  return { points: points.map(place), followed: place(followed), wide, high };
+}
+
+/** @param {MotionCost[]} points @param {MotionCost} followed @param {number} chosen @param {Motion | null} motion @param {(index: number) => void} choose */
+function picture(points, followed, chosen, motion, choose) {
+  const { points: at, followed: other, wide, high } = placesOf(points, followed);
+  const [right, bottom] = [WIDTH - ROOM.right, HEIGHT - ROOM.bottom];
+  return html`<svg class="calm-curve" viewBox=${`0 0 ${WIDTH} ${HEIGHT}`} width=${WIDTH} height=${HEIGHT} role="img" aria-label="Mean distance against the largest joint step, from closer to calmer; in numbers in the table">
+    <path class="axis" d=${`M${ROOM.left} ${ROOM.top}V${bottom}H${right}`} />
+    <path class="curve" d=${`M${at.map(({ x, y }) => `${x.toFixed(1)} ${y.toFixed(1)}`).join('L')}`} />
+    ${at.map(({ x, y }, index) => svg`<circle class=${index === chosen ? 'chosen' : ''} cx=${x} cy=${y} r=${index === chosen ? 5.5 : 3} @click=${() => choose(index)} />`)}
+    <path class="followed" d=${`M${other.x - 4} ${other.y - 4}l8 8m0 -8l-8 8`}><title>the followed motion</title></path>
+    <text x=${ROOM.left - 5} y=${ROOM.top + 8} text-anchor="end">${distance(high)}</text>
+    <text x=${ROOM.left - 5} y=${bottom + 3} text-anchor="end">0</text>
+    <text x=${right} y=${bottom + 12} text-anchor="end">${jointMotion(wide, motion)}</text>
+    <text x=${(ROOM.left + right) / 2} y=${HEIGHT - 4} text-anchor="middle">largest joint step</text>
+    <text transform=${`translate(10 ${(ROOM.top + bottom) / 2}) rotate(-90)`} text-anchor="middle">mean distance</text>
+  </svg>`;
+}
+
+/**
+ * @param {import('./search-state.js').State} state @param {(choice: number) => void} choose
+ */
+export function calmSlider({ best, motion, choice, waiting }, choose) {
+  if (!best) return nothing;
+  if (best.curve.length === 0) return best.progress < 1 ? html`<section class="calm"><h2>Closer – calmer</h2><p class="muted">When the search is complete.</p></section>` : nothing;
+  const points = pointsOf(best);
+  const words = calmWords(points[choice], motion);
+  const slide = (/** @type {Event} */ { target }) => choose(Number(/** @type {HTMLInputElement} */ (target).value));
+  return html`<section class="calm" aria-label="Closer – calmer">
+    <h2>Closer – calmer</h2>
+    <label><span aria-hidden="true">closer</span><input type="range" min="0" max=${points.length - 1} step="1" .value=${live(String(choice))} aria-label="From closer to calmer" aria-valuetext=${words} @input=${slide} /><span aria-hidden="true">calmer</span></label>
+    <output aria-busy=${String(waiting)} class=${waiting ? 'waiting' : ''}>${choice === 0 ? 'The best motion itself: it switches while the goal stands; ' : ''}${words}.</output>
+    ${picture(points, best.followed, choice, motion, choose)}
+    <p class="muted key">✕ the followed motion</p>
+  </section>`;
+}

@@ -1,0 +1,54 @@
+/**
+ * In the strip of the animation bar: the distances of the motion that is not shown there, the followed or the best one, as a dashed
+ * line in the scale of the shown one, and the switches as verticals.
+ */
+import { stripGaps } from '../../bar/strip.js';
+
+const SVG = 'http://www.w3.org/2000/svg';
+/** As in bar/strip.js: its height, and the foot of its curve. */
+const HEIGHT = 24;
+const TOP = 18;
+/** More pieces along the strip than a screen has columns. */
+const PIECES = 4_000;
+
+/** @param {Pick<import('../../element/workbench.js').App, 'find' | 'store'>} app @param {import('./search-state.js').SearchState} search */
+export function createStripOverlay({ find, store }, search) {
+  const strip = find('strip');
+  const root = document.createElementNS(SVG, 'svg');
+  root.id = 'strip-best';
+  root.setAttribute('preserveAspectRatio', 'none');
+  root.setAttribute('aria-hidden', 'true');
+  strip.after(root);
+  /** @type {unknown[]} */
+  let drawn = [];
+
+  function draw() {
+    const { motion: best, followed, doc, best: found } = search.now;
+    const { motion } = store.result;
+    const other = motion === best ? followed : best;
+    const now = doc === store.result.doc && motion && other && other !== motion ? [motion, other, found] : [];
+    if (now.length === drawn.length && now.every((part, i) => part === drawn[i])) return;
+    drawn = now;
+    root.replaceChildren();
+    if (!now.length || !motion || !other) return;
+    root.setAttribute('viewBox', `0 0 ${Math.max(1, motion.goal_frames - 1)} ${HEIGHT}`);
+    const highest = stripGaps(motion).reduce((most, gap) => Math.max(most, gap), 0);
+    const gaps = stripGaps(other);
+    const step = Math.ceil(other.frames / PIECES);
+    let path = '';
+    for (let frame = 0; frame < other.frames; frame += step) path += `${path ? 'L' : 'M'}${frame} ${(TOP - (highest > 0 ? Math.min(1, gaps[frame] / highest) : 0) * (TOP - 1)).toFixed(2)}`;
+    add('other', path);
+    for (const { frame } of found?.switches ?? []) add('switch', `M${Math.max(0, frame - 0.5)} 0V${HEIGHT}`);
+  }
+
+  /** @param {string} name @param {string} d */
+  function add(name, d) {
+    const path = document.createElementNS(SVG, 'path');
+    path.setAttribute('class', name);
+    path.setAttribute('d', d);
+    root.append(path);
+  }
+  search.subscribe(draw);
+  store.subscribe('result', draw);
+  draw();
+}
