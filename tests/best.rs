@@ -331,8 +331,12 @@ fn a_goal_beyond_a_local_minimum_is_reached() {
     let case = local();
     let (followed, found) = checked("RRCP", &case);
     let last = case.goals.len() - 1;
-    assert_eq!(found.motion.status[last], Status::Reached);
-    assert_ne!(followed.status[last], Status::Reached);
+    assert!(
+        found.motion.metric[last] < 1e-4,
+        "{:?}",
+        found.motion.metric
+    );
+    assert!(followed.metric[last] > 0.06, "{:?}", followed.metric);
     assert!(
         found.cost.mean < 0.1 * found.followed.mean,
         "{:?}",
@@ -340,9 +344,11 @@ fn a_goal_beyond_a_local_minimum_is_reached() {
     );
 }
 
-/// The joint that moves most on the way of the change of branch is stopped halfway.
+/// The joint that moves most on the way of the change of branch is stopped halfway, and cannot go the other way round.
 #[test]
 fn limits_are_kept_on_every_point() {
+    /// Less than a turn, rad.
+    const ROUND: f64 = 6.0;
     let free = local();
     let (_, found) = free.solve();
     let units = units(&free.mechanism);
@@ -358,9 +364,11 @@ fn limits_are_kept_on_every_point() {
         if variable - 1 != most {
             own
         } else if behind[most] > before[most] {
-            Limits { max: middle, ..own }
+            let min = middle - ROUND;
+            Limits { min, max: middle }
         } else {
-            Limits { min: middle, ..own }
+            let max = middle + ROUND;
+            Limits { min: middle, max }
         }
     });
     let held = Case {
