@@ -663,10 +663,12 @@ fn the_end_of_a_pipe_is_the_end_quietly() {
     }
 }
 
-const COMMANDS: [&str; 7] = [
+const COMMANDS: [&str; 9] = [
     "new",
     "plan",
     "check",
+    "best",
+    "modes",
     "export",
     "enumerate",
     "schema",
@@ -779,4 +781,251 @@ fn driven_joints_are_planned() {
     assert!(
         verdict["translation_gap"].is_null() && verdict["metrics"][0]["rotation_gap"].is_null()
     );
+}
+
+/// A linkage whose followed motion stays in a local minimum.
+const LOCAL: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/field/local-RRCP.json");
+
+fn json(text: &str) -> Value {
+    serde_json::from_str(text).unwrap_or_else(|error| panic!("{error}: {text}"))
+}
+
+#[test]
+fn the_best_motion_is_told() {
+    let text = printed(&["best", "scara.json"]);
+    assert!(
+        text.starts_with("scara.json: SCARA\n  followed  mean f "),
+        "{text}"
+    );
+    for line in [
+        "  result    the followed motion is the best: no motion over the branches known is closer\n",
+        "  switches  none\n",
+        " % of further starts would lead to others, at most ",
+    ] {
+        assert!(text.contains(line), "{line:?} is not in {text}");
+    }
+    let text = printed(&["best", LOCAL]);
+    for line in [
+        "  result    f falls to ",
+        "  switches  before frame ",
+        " points, loops closed to ",
+    ] {
+        assert!(text.contains(line), "{line:?} is not in {text}");
+    }
+
+    let out = printed(&["best", "--json", "scara.json", LOCAL]);
+    let [scara, local] = &out.lines().map(json).collect::<Vec<_>>()[..] else {
+        panic!("{out}")
+    };
+    assert_eq!(
+        (&scara["ok"], &scara["file"]),
+        (&true.into(), &"scara.json".into())
+    );
+    assert_eq!(scara["best"]["mean"], scara["followed"]["mean"]);
+    let [mean, followed, bound] = [
+        &local["best"]["mean"],
+        &local["followed"]["mean"],
+        &local["lower_bound"],
+    ]
+    .map(|number| number.as_f64().expect("a number"));
+    assert!(bound <= mean && mean < 0.1 * followed, "{local}");
+    assert_eq!(local["switches"].as_array().map(Vec::len), Some(1));
+    assert_eq!(local["lane"].as_array().map(Vec::len), Some(33));
+    assert_eq!(local["progress"], 1.0);
+}
+
+/// Every row of the table closes the loops, and with the angles in radians it is the library's path.
+#[test]
+fn the_best_motion_is_written_with_all_points() {
+    let session =
+        Session::open(&fs::read_to_string(LOCAL).expect("a document")).expect("a document");
+    let problem = session.problem();
+    let mut search = problem.best(session.plan()).expect("goals");
+    let found = search.finish().expect("closed loops");
+
+    let csv = printed(&["best", "--format", "csv", LOCAL]);
+    let mut lines = csv.lines();
+    let head: Vec<&str> = lines.next().expect("headings").split(',').collect();
+    assert_eq!(head[..5], ["frame", "branch", "switch", "time", "status"]);
+    let column = |name: &str| {
+        let own = head.iter().position(|head| head.starts_with(name));
+        own.unwrap_or_else(|| panic!("{name} is not in {head:?}"))
+    };
+    let joints: Vec<usize> = (0..head.len())
+        .filter(|&i| head[i].starts_with("chain"))
+        .collect();
+    let (closure, mut rows, mut ways) = (column("closure"), 0, 0);
+    for (line, point) in lines.zip(&found.path) {
+        let fields: Vec<&str> = line.split(',').collect();
+        assert_eq!(fields.len(), head.len(), "{line}");
+        let frame = point.frame.map(|frame| frame.to_string());
+        assert_eq!(fields[0], frame.unwrap_or_default(), "{line}");
+        let number = |i: usize| -> f64 { fields[i].parse().expect("a number") };
+        assert!(number(closure) <= 1e-10, "{line}");
+        let values = joints.iter().map(|&i| {
+            if head[i].ends_with("[deg]") {
+                number(i).to_radians()
+            } else {
+                number(i)
+            }
+        });
+        let values: Vec<f64> = values.collect();
+        for (own, given) in values.iter().zip(&point.joints) {
+            assert!((own - given).abs() <= 1e-12 * (1.0 + given.abs()), "{line}");
+        }
+        let ends: Vec<_> = (problem.mechanism.split(&values))
+            .map(|(chain, values)| chain.pose(values).to_homogeneous())
+            .collect();
+        assert!(
+            ends.iter().all(|end| (end - ends[0]).norm() <= 1e-9),
+            "{line}"
+        );
+        assert_eq!(
+            fields[1].is_empty(),
+            fields[2] == "1" && fields[0].is_empty(),
+            "{line}"
+        );
+        assert_eq!(fields[4] == "passing", fields[0].is_empty(), "{line}");
+        (rows, ways) = (rows + 1, ways + usize::from(fields[2] == "1"));
+    }
+    assert_eq!(
+        (rows, csv.lines().count()),
+        (found.path.len(), found.path.len() + 1)
+    );
+    assert_eq!(ways, found.switches[0].points);
+
+    let path = json(&printed(&["best", "-f", "json", LOCAL]));
+    assert_eq!(path["format"], "synthetica path");
+    assert_eq!(
+        (&path["frames"], &path["points"]),
+        (&33.into(), &rows.into())
+    );
+    for name in ["followed", "best", "lower_bound", "switches", "unseen"] {
+        assert!(!path["best"][name].is_null(), "{name}");
+    }
+    assert_eq!(
+        path["best"]["switches"][0]["frame"],
+        found.switches[0].frame
+    );
+    assert!(path["report"]["bounds"]["closure"].is_number());
+    assert_eq!(path["document"]["name"], session.document().name);
+    let columns = path["columns"].as_array().expect("a list");
+    let names: Vec<&str> = columns
+        .iter()
+        .filter_map(|column| column["name"].as_str())
+        .collect();
+    let plain = head
+        .iter()
+        .map(|head| head.split('[').next().expect("a name"));
+    assert_eq!(names, plain.collect::<Vec<_>>());
+    assert_eq!(columns[0]["values"][0], Value::Null);
+    let frames = columns[0]["values"].as_array().expect("a list").iter();
+    let frames: Vec<u64> = frames
+        .filter_map(|frame| frame.as_f64().map(|f| f as u64))
+        .collect();
+    assert_eq!(frames, (0..33).collect::<Vec<u64>>());
+}
+
+/// A row a frame; the larger the price, the slower the fastest joint.
+#[test]
+fn a_calm_form_has_its_price() {
+    let step = |price: &str| {
+        let motion = json(&printed(&["best", "-f", "json", "--calm", price, LOCAL]));
+        assert_eq!(motion["format"], "synthetica motion");
+        assert_eq!(motion["frames"], 33);
+        let columns = motion["columns"].as_array().expect("a list");
+        let joint = |column: &&Value| column["name"].as_str().is_some_and(|n| n.contains("theta"));
+        let steps = columns.iter().filter(joint).flat_map(|column| {
+            let values = column["values"].as_array().expect("a list");
+            let values: Vec<f64> = values.iter().filter_map(Value::as_f64).collect();
+            values
+                .windows(2)
+                .map(|w| (w[1] - w[0]).abs())
+                .collect::<Vec<_>>()
+        });
+        steps.fold(0.0, f64::max)
+    };
+    let [little, much] = ["1e-7", "1e-4"].map(step);
+    assert!(much < 0.5 * little, "{much}°, {little}°");
+    let (out, err, code) = run(&["best", "--calm", "-1", "--format", "csv", LOCAL]);
+    assert_eq!((out.as_str(), code), ("", 2), "{err}");
+    let (_, err, code) = run(&["best", "--calm", "0", "--format", "csv", LOCAL]);
+    assert!(
+        code == 2 && err.contains("Accepted: a number above 0"),
+        "{err}"
+    );
+    let (_, err, code) = run(&["best", "--calm", "1e-6", LOCAL]);
+    assert!(code == 2 && err.contains("--format"), "{err}");
+    let (_, err, code) = run(&["best", "--format", "csv", LOCAL, "scara.json"]);
+    assert!(code == 2 && err.contains("one document"), "{err}");
+}
+
+#[test]
+fn driven_joints_have_neither_best_motion_nor_modes() {
+    let expected = "slider-crank.json: Motion: its joints are driven, and there is no goal that another motion could be closer to. Accepted: a motion with key frames.\n";
+    for command in [&["best"][..], &["best", "-f", "csv"], &["modes"]] {
+        let (out, err, code) = run(&[command, &["slider-crank.json"]].concat());
+        assert_eq!(
+            (out.as_str(), err.as_str(), code),
+            ("", expected, 1),
+            "{command:?}"
+        );
+    }
+    for command in ["best", "modes"] {
+        let (out, err, code) = run(&[command, "--json", "slider-crank.json", "scara.json"]);
+        assert_eq!(
+            (out.lines().count(), err.as_str(), code),
+            (2, "", 1),
+            "{command}"
+        );
+        let verdict = json(out.lines().next().expect("a line"));
+        assert_eq!(
+            (&verdict["ok"], &verdict["fault"]["code"]),
+            (&false.into(), &"no-goals".into())
+        );
+        assert_eq!(verdict["fault"]["where"], "motion");
+    }
+}
+
+#[test]
+fn modes_are_told_and_start_a_document() {
+    let text = printed(&["modes", "delta.json"]);
+    assert!(text.starts_with("delta.json: "), "{text}");
+    assert_eq!(text.matches(", the start's\n").count(), 1, "{text}");
+    let verdict = json(&printed(&["modes", "--json", "--key", "1", "delta.json"]));
+    assert_eq!((&verdict["ok"], &verdict["key"]), (&true.into(), &1.into()));
+    let found = verdict["found"].as_array().expect("a list");
+    assert!(
+        text.lines()
+            .filter(|line| line.starts_with("  mode "))
+            .count()
+            > 1,
+        "{text}"
+    );
+    assert_eq!(
+        found.iter().filter(|mode| mode["is_start"] == true).count(),
+        1
+    );
+
+    let other = found.iter().position(|mode| mode["is_start"] == false);
+    let other = other.expect("another way").to_string();
+    let document = printed(&["modes", "--key", "1", "--start", &other, "delta.json"]);
+    let started = Session::open(&document).expect("a document");
+    let index: usize = other.parse().expect("an index");
+    let values = &found[index]["joints"];
+    for (own, given) in started
+        .start()
+        .iter()
+        .zip(values.as_array().expect("a list"))
+    {
+        assert!(
+            (own - given.as_f64().expect("a number")).abs() < 1e-9,
+            "{own}, {given}"
+        );
+    }
+    let (out, err, code) = run(&["modes", "--start", "99", "delta.json"]);
+    assert_eq!((out.as_str(), code), ("", 1));
+    assert!(err.contains("mode 99 is none. Accepted: 0 to "), "{err}");
+    let (_, err, code) = run(&["modes", "--key", "99", "delta.json"]);
+    assert!(code == 1 && err.contains("99 is out of range"), "{err}");
 }

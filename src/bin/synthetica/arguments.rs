@@ -180,7 +180,7 @@ it says what was found, with it it prints the motion, every point of its closed 
 frames, branch on the way of a change of branch, and switch is 1 there.
 
 Exit codes:
-  0  every frame of the best motion is certified: reached, closest or at_limit; with --format: the motion is printed
+  0  every frame of the best motion is certified: reached, closest or at_limit; with --format the motion is printed
   1  a document is at fault, its joints are driven, its loops are open, or a frame is not certified
   2  the command line is wrong, or a file cannot be read or written
 

@@ -114,7 +114,10 @@ fn words(verdict: &Verdict, frames: usize) -> String {
     let mut lines = vec![
         format!("{}: {}", verdict.file, verdict.name),
         format!("  at        key frame {key}, frame {frame}"),
-        format!("  found     {count} ways to assemble, {reached} of them meet the goal there"),
+        format!(
+            "  found     {}, of which {reached} meet the goal there",
+            counted(count, "way to assemble", "ways to assemble")
+        ),
         format!(
             "  starts    {}; an estimated {} % of further starts would lead to others, at most {} % with 95 % confidence",
             report.starts,
@@ -137,9 +140,14 @@ fn words_of(mode: &ModeReport, frames: usize) -> String {
     };
     let own = if mode.is_start { ", the start's" } else { "" };
     format!(
-        "  mode {:<4} f {} there; {planned}; {} starts{own}",
+        "  mode {:<4} f {} there; {planned}; {}{own}",
         mode.index,
         readable(mode.metric),
-        mode.starts
+        counted(mode.starts, "start", "starts")
     )
+}
+
+fn counted(count: usize, one: &str, many: &str) -> String {
+    let what = if count == 1 { one } else { many };
+    format!("{count} {what}")
 }
