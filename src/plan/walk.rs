@@ -93,7 +93,8 @@ fn step(solver: &mut Solver, theta: &mut [f64], heading: &mut [f64], length: f64
     holding.clear();
     let (mut correction, mut coefficients, mut gram) = (Vec::new(), Vec::new(), Vec::new());
     let mut closing = vec![0.0; theta.len()];
-    let dependence = closer.dependence_anywhere();
+    // As it is known: where the loops are not quite closed, surplus constraints look independent.
+    let dependence = closer.dependence();
     closer.tangent().evaluate(scaled.chains(), theta);
     loop {
         let mut factored = closer.tangent().factor(holding.stops(), dependence);
@@ -175,7 +176,13 @@ pub fn walk(solver: &mut Solver, from: &[f64], to: &[f64]) -> Option<Walk> {
             return None;
         }
         let mut heading: Vec<f64> = at.iter().zip(to).map(|(a, b)| b - a).collect();
-        let far = dot(&heading, &heading).sqrt();
+        let mut far = dot(&heading, &heading).sqrt();
+        if far <= STEP && step_number > 0 {
+            // Near the end what is left open counts: most of the distance may be across the free directions.
+            at = closed(solver, at)?;
+            heading = at.iter().zip(to).map(|(a, b)| b - a).collect();
+            far = dot(&heading, &heading).sqrt();
+        }
         if far <= ARRIVED {
             points.pop();
             points.push(to.to_vec());
@@ -185,8 +192,7 @@ pub fn walk(solver: &mut Solver, from: &[f64], to: &[f64]) -> Option<Walk> {
             return None;
         }
         last = far;
-        let wanted = dot(&heading, &heading).sqrt();
-        if !step(solver, &mut at, &mut heading, STEP.min(wanted)) {
+        if !step(solver, &mut at, &mut heading, STEP.min(far)) {
             return None;
         }
         if !(dot(&heading, &heading).sqrt() >= ALONG * far) {
