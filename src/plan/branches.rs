@@ -23,7 +23,9 @@ use std::collections::BTreeMap;
 /// Frames from which starts are made: as many spread over the motion, first and last included.
 const FRAMES: usize = 9;
 /// Branches that are followed; beyond, poses that are found only count.
-pub(super) const MOST: usize = 96;
+const MOST: usize = 96;
+/// Nodes of all branches together: memory, and the time of the search for a way.
+const NODES: usize = 40_000;
 /// A joint motion from one frame to the next, rad or sizes, that is followed no further: another branch may begin there.
 const LEAP: f64 = 0.5;
 /// Share of the twists' length below which a free direction leaves the workpiece where it is.
@@ -136,6 +138,12 @@ pub struct Branches {
     pub starts: usize,
     /// Those that led to a certified pose.
     pub arrived: usize,
+    /// Of these the ones whose pose was new and is not followed.
+    pub lost: usize,
+    /// How far rounded dimensions may contradict each other.
+    pub(super) tolerance: f64,
+    /// The first slot of each branch of the followed motion, as it was planned.
+    pub(super) origins: Vec<usize>,
 }
 
 impl Branches {
@@ -153,7 +161,7 @@ impl Branches {
         let mut solver = settings.solver(mechanism, extent(goals));
         let mut start = followed.start.clone();
         let closed = solver.close_start(&mut start, settings.dimension_tolerance);
-        if !closed.is_closed() || followed.frames() != goals.len() {
+        if goals.is_empty() || !closed.is_closed() || followed.frames() != goals.len() {
             return None;
         }
         let theta = solver.scaled().entered(&start);
@@ -174,13 +182,12 @@ impl Branches {
             random: Random::new(14),
             starts: 0,
             arrived: 0,
+            lost: 0,
+            tolerance: settings.dimension_tolerance,
+            origins: Vec::new(),
         };
         let value = branches.solver.value(branches.goal(0), &start);
-        let at_start = Solved {
-            value,
-            end: End::Stalled,
-            ..Solved::OPEN
-        };
+        let at_start = resting(value);
         branches.add(0, theta, at_start, None);
         for frame in 0..followed.frames() {
             // A frame whose loops are open repeats the last closed joint values.
@@ -203,6 +210,7 @@ impl Branches {
             branches.add(frame + 1, theta, solved, Some(branch));
         }
         branches.followed = branches.list.len();
+        branches.origins = branches.list.iter().map(|branch| branch.first).collect();
         branches.explore();
         // Behind a leap the branch comes from frames before it.
         for branch in 1..branches.followed {
@@ -248,12 +256,17 @@ impl Branches {
         let mut branch = None;
         for slot in slot + 1..self.slots() {
             let value = self.solver.value(self.goal(slot), &joints);
-            let solved = Solved {
-                end: End::Stalled,
-                value,
-                ..Solved::OPEN
+            branch = Some(self.add(slot, theta.clone(), resting(value), branch));
+        }
+        if let Some(branch) = branch {
+            let own = self.list[branch].nodes[0];
+            let walk = Walk {
+                points: vec![theta.clone()],
+                length: 0.0,
             };
-            branch = Some(self.add(slot, theta.clone(), solved, branch));
+            let form = Form::same(theta.len());
+            self.bridges
+                .insert((slot + 1, node, own), Edge { walk, form });
         }
         branch
     }
@@ -266,6 +279,11 @@ impl Branches {
     /// The goal of a slot.
     pub fn goal(&self, slot: usize) -> &Pose {
         &self.goals[slot.saturating_sub(1)]
+    }
+
+    /// Whether no more branches are followed.
+    pub(super) fn is_full(&self) -> bool {
+        self.list.len() >= MOST.min(NODES / self.slots()).max(self.followed + 2)
     }
 
     /// The slots from which starts are made.
@@ -389,11 +407,20 @@ impl Branches {
     }
 
     /// Whether a fall has led to a certified closest pose, measured with the nearer of the two quaternions.
-    pub(super) fn is_answer(&self, end: &[f64], solved: &Solved, goal: &Pose) -> bool {
+    pub(super) fn is_answer(&mut self, end: &[f64], solved: &Solved, goal: &Pose) -> bool {
         /// What f is known to.
         const EQUAL: f64 = 1e-9;
         let joints = self.solver.scaled().left(end);
-        solved.end.is_minimum() && solved.value - self.solver.value(goal, &joints) <= EQUAL
+        let measured = solved.value - self.solver.value(goal, &joints) <= EQUAL;
+        solved.end.is_minimum() && measured && self.is_closed(end)
+    }
+
+    /// Whether a position is closed as frames are, of rounded dimensions up to the tolerance, and within the limits.
+    pub fn is_closed(&mut self, theta: &[f64]) -> bool {
+        let (scaled, closer, holding) = self.solver.parts();
+        let within = holding.contains(theta);
+        let (closure, misfit) = closer.closure(scaled, theta);
+        within && closure <= CLOSED && misfit <= self.tolerance
     }
 
     /// A new branch through a closest pose of a slot, followed backwards and forwards; its number.
@@ -414,7 +441,6 @@ impl Branches {
             branch = Some(added);
             if at == slot {
                 own = added;
-                self.list[own].starts += 1;
             }
         }
         own
@@ -465,7 +491,7 @@ impl Branches {
         let mut walk = walk::retrace(&mut self.solver, &from, passed, &end)?;
         let axes = self.places.axes(&end);
         let found = self.find(slot + 1, &end, &axes);
-        if found.is_none() && self.list.len() >= MOST {
+        if found.is_none() && self.is_full() {
             return None;
         }
         let to = found.unwrap_or_else(|| {
@@ -491,6 +517,17 @@ impl Branches {
         let form = self.places.form_near(from, to);
         let walk = walk::walk(&mut self.solver, from, &form.apply(to))?;
         Some(Edge { walk, form })
+    }
+}
+
+/// What is known of a position where the linkage rests, closest pose or not.
+fn resting(value: f64) -> Solved {
+    Solved {
+        end: End::Stalled,
+        reached: false,
+        value,
+        projected_gradient: f64::NAN,
+        iterations: 0,
     }
 }
 

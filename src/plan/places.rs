@@ -27,6 +27,8 @@ pub struct Places {
     spherical: Vec<(usize, f64)>,
     /// What is compared of each row's axis.
     axes: Vec<Axis>,
+    /// Angles with a limit: there a whole turn more is another position.
+    limited: Vec<usize>,
 }
 
 /// What is compared of an axis.
@@ -52,13 +54,6 @@ impl Form {
     /// As they are.
     pub fn same(variables: usize) -> Self {
         Self(vec![(1.0, 0.0); variables])
-    }
-
-    /// Whether nothing is written in another way.
-    pub fn is_same(&self) -> bool {
-        self.0
-            .iter()
-            .all(|&(sign, offset)| sign > 0.0 && offset.abs() < PI)
     }
 
     /// Writes joint values in this form.
@@ -103,16 +98,19 @@ impl Places {
                 (JointKind::R | JointKind::C | JointKind::E, _) => Axis::Line,
             }));
         }
+        let is_limited =
+            |joint: &usize| scaled.turns()[*joint] && scaled.limits()[*joint] != Limits::NONE;
         Self {
             mechanism: mechanism.clone(),
             scaled: scaled.clone(),
             spherical,
             axes,
+            limited: (0..scaled.variables()).filter(is_limited).collect(),
         }
     }
 
-    /// The workpiece of a position, seven numbers (shares of the size, a quaternion), and a point and the direction of the
-    /// axis of each row.
+    /// The workpiece of a position, seven numbers (shares of the size, a quaternion), a point and the direction of the axis of
+    /// each row, and the angles that have limits.
     pub fn axes(&self, theta: &[f64]) -> Vec<f64> {
         let joints = self.scaled.left(theta);
         let mut frames = Vec::new();
@@ -130,6 +128,7 @@ impl Places {
             let (o, z) = (seat.translation.vector, seat.rotation * Vector3::z());
             numbers.extend([o.x, o.y, o.z, z.x, z.y, z.z]);
         }
+        numbers.extend(self.limited.iter().map(|&joint| theta[joint]));
         numbers
     }
 
@@ -140,22 +139,25 @@ impl Places {
 
     /// Whether the axes of two positions are.
     pub fn are_axes_same(&self, a: &[f64], b: &[f64]) -> bool {
-        let pairs = a[7..].chunks_exact(6).zip(b[7..].chunks_exact(6));
-        pairs.zip(&self.axes).all(|((a, b), axis)| {
-            let part = |numbers: &[f64], at: usize| {
-                Vector3::new(numbers[at], numbers[at + 1], numbers[at + 2])
-            };
-            let off = part(a, 0) - part(b, 0);
-            let (za, zb) = (part(a, 3), part(b, 3));
-            let parallel = norm(&za.cross(&zb)) <= SAME;
-            match axis {
-                Axis::Nothing => true,
-                Axis::Point => norm(&off) <= SAME,
-                Axis::Direction => parallel,
-                Axis::Undirected => parallel && norm(&off.cross(&za)) <= SAME,
-                Axis::Line => parallel && za.dot(&zb) > 0.0 && norm(&off.cross(&za)) <= SAME,
-            }
-        })
+        let end = 7 + 6 * self.axes.len();
+        let mut angles = a[end..].iter().zip(&b[end..]);
+        let pairs = a[7..end].chunks_exact(6).zip(b[7..end].chunks_exact(6));
+        angles.all(|(a, b)| (a - b).abs() <= SAME)
+            && pairs.zip(&self.axes).all(|((a, b), axis)| {
+                let part = |numbers: &[f64], at: usize| {
+                    Vector3::new(numbers[at], numbers[at + 1], numbers[at + 2])
+                };
+                let off = part(a, 0) - part(b, 0);
+                let (za, zb) = (part(a, 3), part(b, 3));
+                let parallel = norm(&za.cross(&zb)) <= SAME;
+                match axis {
+                    Axis::Nothing => true,
+                    Axis::Point => norm(&off) <= SAME,
+                    Axis::Direction => parallel,
+                    Axis::Undirected => parallel && norm(&off.cross(&za)) <= SAME,
+                    Axis::Line => parallel && za.dot(&zb) > 0.0 && norm(&off.cross(&za)) <= SAME,
+                }
+            })
     }
 
     /// Whether the workpiece is at the same place.
@@ -166,26 +168,26 @@ impl Places {
         square <= SAME * SAME && 1.0 - dot.abs() <= SAME * SAME / 8.0
     }
 
-    /// How to write the joint values `theta` so that they are nearest to `reference`, within the limits.
+    /// How to write the joint values `theta` so that they are nearest to `reference`. Angles with limits stay as they are.
     pub fn form_near(&self, reference: &[f64], theta: &[f64]) -> Form {
-        let limits = self.scaled.limits();
         let mut form = Form::same(theta.len());
-        for (joint, turns) in self.scaled.turns().iter().enumerate() {
-            if *turns {
-                form.0[joint] = turned(reference[joint], theta[joint], (1.0, 0.0), &limits[joint]);
-            }
+        let is_free = |joint: usize| self.scaled.turns()[joint] && !self.limited.contains(&joint);
+        for joint in (0..theta.len()).filter(|joint| is_free(*joint)) {
+            form.0[joint] = turned(reference[joint], theta[joint], (1.0, 0.0));
         }
         for &(first, offset) in &self.spherical {
+            if !(first..first + 3).all(is_free) {
+                continue;
+            }
             let twin = [(1.0, PI), (-1.0, -2.0 * offset), (1.0, PI)];
             let mut other = [(1.0, 0.0); 3];
             let (mut plain_far, mut twin_far) = (0.0, 0.0);
             for (k, other) in other.iter_mut().enumerate() {
                 let joint = first + k;
-                *other = turned(reference[joint], theta[joint], twin[k], &limits[joint]);
+                *other = turned(reference[joint], theta[joint], twin[k]);
                 let off = |(sign, shift): (f64, f64)| {
-                    let value = sign * theta[joint] + shift;
-                    let within = limits[joint].nearest(value) - value;
-                    (value - reference[joint]).powi(2) + if within.abs() > SAME { 1e3 } else { 0.0 }
+                    let off = sign * theta[joint] + shift - reference[joint];
+                    off * off
                 };
                 plain_far += off(form.0[joint]);
                 twin_far += off(*other);
@@ -198,15 +200,8 @@ impl Places {
     }
 }
 
-/// A form with the whole turns that bring the value nearest to `reference`, as far as the limits allow them.
-fn turned(reference: f64, theta: f64, (sign, offset): (f64, f64), limits: &Limits) -> (f64, f64) {
-    let value = sign * theta + offset;
-    let turns = libm::round((reference - value) / TAU) * TAU;
-    let turned = value + turns;
-    let allowed = |x: f64| x >= limits.min && x <= limits.max;
-    if allowed(turned) || !allowed(value) {
-        (sign, offset + turns)
-    } else {
-        (sign, offset)
-    }
+/// A form with the whole turns that bring the value nearest to `reference`.
+fn turned(reference: f64, theta: f64, (sign, offset): (f64, f64)) -> (f64, f64) {
+    let turns = libm::round((reference - sign * theta - offset) / TAU) * TAU;
+    (sign, offset + turns)
 }

@@ -12,6 +12,8 @@ use std::collections::BTreeMap;
 
 /// Price of a rad or size of joint motion, root of squares, in the unit of mean f.
 pub const PRICE: f64 = 2e-7;
+/// Price of a frame that is no certified closest pose, in the unit of f: such a frame is no answer.
+const UNCERTIFIED: f64 = 0.05;
 /// Straight walks between two branches that may fail before only known ways are taken.
 const TRIES: usize = 6;
 
@@ -90,7 +92,10 @@ impl Route {
     /// Looks for the cheapest way, and for the walks on it; true when all of them are there.
     pub fn advance(&mut self, branches: &mut Branches) -> bool {
         for (key, edge) in &branches.bridges {
-            self.walks.entry(*key).or_insert_with(|| Some(edge.clone()));
+            let known = self.walks.entry(*key).or_default();
+            if known.is_none() {
+                *known = Some(edge.clone());
+            }
         }
         let Some((nodes, by)) = self.cheapest(branches) else {
             // Nothing leads through all slots.
@@ -173,7 +178,12 @@ impl Route {
                         least = take(cost, l, By::Joint { number, back });
                     }
                 }
-                costs.push(best.0 + share * node.solved.value);
+                let uncertified = if node.solved.end.is_minimum() {
+                    0.0
+                } else {
+                    UNCERTIFIED
+                };
+                costs.push(best.0 + share * (node.solved.value + uncertified));
                 own.push(best.1);
             }
             before = costs;
@@ -221,6 +231,15 @@ impl Route {
                 edges
             }
         }
+    }
+
+    /// Which branches closed walks join to the start.
+    pub fn joined(&self, branches: &Branches) -> Vec<bool> {
+        let mut joined = branches.joined();
+        for (slot, &node) in self.nodes.iter().enumerate() {
+            joined[branches.nodes[slot][node].branch] = true;
+        }
+        joined
     }
 
     /// Whether the way changes its branch before a slot.

@@ -1,6 +1,6 @@
 //! Starts of the search for branches: from a closest pose that is known, and from anywhere.
 
-use crate::plan::branches::{Apart, Branches, Edge, MOST, Way};
+use crate::plan::branches::{Apart, Branches, Edge, Way};
 use crate::plan::places::Form;
 use crate::plan::reach::TRIES;
 use crate::plan::walk::{self, Walk};
@@ -18,8 +18,7 @@ const BACK: usize = 2;
 impl Branches {
     /// One start from a slot: wanders from one of its nodes, falls to a closest pose, and follows it where it is new.
     pub fn start_from(&mut self, slot: usize) {
-        let certified: Vec<usize> = (0..self.nodes[slot].len()).collect();
-        let pick = certified[index(self.random.unit(), certified.len())];
+        let pick = index(self.random.unit(), self.nodes[slot].len());
         let length = LENGTHS[index(self.random.unit(), LENGTHS.len())];
         let from = self.nodes[slot][pick].clone();
         let way = walk::wander(&mut self.solver, &from.theta, length, &mut self.random);
@@ -46,10 +45,12 @@ impl Branches {
             if branch == from.branch || self.are_joined(slot, [from.branch, branch]) {
                 return;
             }
-        } else if self.list.len() >= MOST {
+        } else if self.is_full() {
+            self.lost += 1;
             return;
         }
         let Some(way) = self.way_by(&from.theta, way, passed, &end) else {
+            self.lost += usize::from(found.is_none());
             return;
         };
         let (branch, form) = if let Some(node) = found {
@@ -57,6 +58,7 @@ impl Branches {
             (node.branch, self.places.form_near(&end, &node.theta))
         } else {
             let branch = self.follow_from(slot, end.clone(), solved);
+            self.list[branch].starts += 1;
             (branch, Form::same(end.len()))
         };
         let edge = Edge { walk: way, form };
@@ -102,7 +104,7 @@ impl Branches {
             return;
         }
         let met = |apart: &Apart| apart.slot == slot && self.places.are_same(&apart.axes, &axes);
-        if self.list.len() >= MOST || self.apart.iter().any(met) {
+        if self.is_full() || self.apart.iter().any(met) {
             return;
         }
         let least = self.nodes[slot].iter().map(|node| node.solved.value);
@@ -111,8 +113,9 @@ impl Branches {
         } else {
             FEW_TRIES
         };
-        if self.take_in(slot, &end, solved, tries, 0) {
+        if let Some(branch) = self.take_in(slot, &end, solved, tries, 0) {
             self.arrived += 1;
+            self.list[branch].starts += 1;
         } else {
             self.apart.push(Apart {
                 slot,
@@ -123,7 +126,8 @@ impl Branches {
         }
     }
 
-    /// Looks for a closed walk to a closest pose, and follows that from there; false where there is none.
+    /// Looks for a closed walk to a closest pose, and follows that from there: its branch, none where there is
+    /// no walk.
     fn take_in(
         &mut self,
         slot: usize,
@@ -131,16 +135,14 @@ impl Branches {
         solved: Solved,
         tries: usize,
         back: usize,
-    ) -> bool {
-        let Some((from, walk)) = self.reach(slot, theta, tries, back, |_| true) else {
-            return false;
-        };
+    ) -> Option<usize> {
+        let (from, walk) = self.reach(slot, theta, tries, back, |_| true)?;
         let end = walk.points[walk.points.len() - 1].clone();
         let branch = self.follow_from(slot, end, solved);
         let from = self.nodes[slot][from].branch;
         let form = Form::same(theta.len());
         self.join(slot, [from, branch], Edge { walk, form });
-        true
+        Some(branch)
     }
 
     /// Tries the closest poses again that no walk was found to, with more effort: those that are closer than `known`, f of
@@ -156,8 +158,10 @@ impl Branches {
         for apart in first {
             let found = self.find(apart.slot, &apart.theta, &apart.axes);
             if found.is_some()
-                || self.list.len() < MOST
-                    && self.take_in(apart.slot, &apart.theta, apart.solved, 2 * TRIES, BACK)
+                || !self.is_full()
+                    && self
+                        .take_in(apart.slot, &apart.theta, apart.solved, 2 * TRIES, BACK)
+                        .is_some()
             {
                 self.apart
                     .retain(|other| other.slot != apart.slot || other.axes != apart.axes);
@@ -182,7 +186,10 @@ impl Branches {
             })
             .collect();
         let mut joints = scaled.left(&theta);
-        let closed = self.anywhere.close_start(&mut joints, 0.0).is_closed();
+        let closed = self
+            .anywhere
+            .close_start(&mut joints, self.tolerance)
+            .is_closed();
         closed.then(|| self.anywhere.scaled().entered(&joints))
     }
 }
