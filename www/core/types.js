@@ -17,6 +17,15 @@
  * @typedef {import('../pkg/synthetica.js').Matrix} Matrix
  * @typedef {import('../pkg/synthetica.js').MetricGaps} MetricGaps
  * @typedef {import('../pkg/synthetica.js').Enumeration} Enumeration
+ * @typedef {import('../pkg/synthetica.js').Best} Best
+ * @typedef {import('../pkg/synthetica.js').BestPath} BestPath
+ * @typedef {import('../pkg/synthetica.js').CalmMotion} CalmMotion
+ * @typedef {import('../pkg/synthetica.js').CalmPoint} CalmPoint
+ * @typedef {import('../pkg/synthetica.js').MotionCost} MotionCost
+ * @typedef {import('../pkg/synthetica.js').Branch} Branch
+ * @typedef {import('../pkg/synthetica.js').Switch} Switch
+ * @typedef {import('../pkg/synthetica.js').Modes} Modes
+ * @typedef {import('../pkg/synthetica.js').Mode} Mode
  *
  * A number as typed: text that is no number stays text, so that Rust can refuse it by name and
  * the person can mend it.

@@ -10,10 +10,10 @@
  * @typedef {import('../core/types.js').Matrix} Matrix
  * @typedef {import('../core/types.js').MetricGaps} MetricGaps
  * @typedef {import('../core/types.js').Enumeration} Enumeration
- * @typedef {import('../core/best-types.js').Best} Best
- * @typedef {import('../core/best-types.js').BestPath} BestPath
- * @typedef {import('../core/best-types.js').CalmMotion} CalmMotion
- * @typedef {import('../core/best-types.js').Modes} Modes
+ * @typedef {import('../core/types.js').Best} Best
+ * @typedef {import('../core/types.js').BestPath} BestPath
+ * @typedef {import('../core/types.js').CalmMotion} CalmMotion
+ * @typedef {import('../core/types.js').Modes} Modes
  *
  * @typedef {import('../core/types.js').Progress} Progress
  *

@@ -4,8 +4,8 @@
  *
  * @typedef {import('../core/types.js').Fault} Fault
  * @typedef {import('../core/types.js').Progress} Progress
- * @typedef {import('../core/best-types.js').Best} Best
- * @typedef {import('../core/best-types.js').Modes} Modes
+ * @typedef {import('../core/types.js').Best} Best
+ * @typedef {import('../core/types.js').Modes} Modes
  *
  * A question of a document names it by a number of the asker's choice; its text comes with the first question. `stop`
  * asks for what there is so far of a plan, `cancel` for nothing more; `close` frees a document. `wasm`, before all others,

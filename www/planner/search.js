@@ -3,9 +3,9 @@
  * their own, so that no plan waits for one. What is found so far is told while they go on; asked again, a search goes on
  * where it was.
  *
- * @typedef {import('../core/best-types.js').Best} Best
- * @typedef {import('../core/best-types.js').CalmMotion} CalmMotion
- * @typedef {import('../core/best-types.js').Modes} Modes
+ * @typedef {import('../core/types.js').Best} Best
+ * @typedef {import('../core/types.js').CalmMotion} CalmMotion
+ * @typedef {import('../core/types.js').Modes} Modes
  * @typedef {import('../core/types.js').Motion} Motion
  * @typedef {import('./calls.js').Call} Call
  */

@@ -1,7 +1,7 @@
 /**
  * What was found by the searches for the best motion and for ways to assemble, in words.
  *
- * @typedef {import('../../core/best-types.js').Best} Best
+ * @typedef {import('../../core/types.js').Best} Best
  * @typedef {import('../../core/types.js').Motion} Motion
  */
 import { angle, plural, scientific, short } from '../../core/format.js';
@@ -75,7 +75,7 @@ export const branchName = (branch) => (branch === 0 ? 'followed' : `branch ${bra
 
 /**
  * A switch in words.
- * @param {import('../../core/best-types.js').Switch} one @param {Motion | null} motion
+ * @param {import('../../core/types.js').Switch} one @param {Motion | null} motion
  */
 export function switchSentence({ frame, from, to, length, largest }, motion) {
   const when = frame === 0 ? 'At the start' : `Before frame ${frame + 1}`;

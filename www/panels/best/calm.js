@@ -2,8 +2,8 @@
  * From closer to calmer: a slider over the points of a curve, the curve of mean distance against joint motion, and what the
  * chosen point costs. Leftmost is the best motion itself, whose joints move at its switches while the goal stands.
  *
- * @typedef {import('../../core/best-types.js').Best} Best
- * @typedef {import('../../core/best-types.js').MotionCost} MotionCost
+ * @typedef {import('../../core/types.js').Best} Best
+ * @typedef {import('../../core/types.js').MotionCost} MotionCost
  * @typedef {import('../../core/types.js').Motion} Motion
  */
 import { html, live, nothing, svg } from '../../ui/render.js';

@@ -2,7 +2,7 @@
  * The branches as lanes under the animation bar, frame above frame: the distance along each as a height, the followed one with a
  * dashed line, the best motion as a thick one that goes from lane to lane at its switches.
  *
- * @typedef {import('../../core/best-types.js').Best} Best
+ * @typedef {import('../../core/types.js').Best} Best
  * @typedef {import('./lanes.js').Lane} Lane
  */
 import { plural } from '../../core/format.js';

@@ -2,7 +2,7 @@
  * The branches of a linkage as lanes over the frames: which are drawn, in which order, where the best motion goes among them.
  * Knows no DOM.
  *
- * @typedef {import('../../core/best-types.js').Best} Best
+ * @typedef {import('../../core/types.js').Best} Best
  *
  * A branch with its frames, all counted from 0; `used` where the best motion is on it; `mean` of its distance.
  * @typedef {{branch: number, first: number, last: number, mean: number, used: boolean, metric: Float64Array}} Lane

@@ -1,8 +1,8 @@
 /**
  * Ways to assemble in an order: by how close they are at the key frame, or by what the motion that is planned from each costs.
  *
- * @typedef {import('../../core/best-types.js').Mode} Mode
- * @typedef {import('../../core/best-types.js').Modes} Modes
+ * @typedef {import('../../core/types.js').Mode} Mode
+ * @typedef {import('../../core/types.js').Modes} Modes
  */
 
 /** @param {Mode} one @param {Mode} other */

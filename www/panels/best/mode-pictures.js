@@ -2,7 +2,7 @@
  * Small pictures of the linkage in each of its ways to assemble, as the view would show it from where it is looked from now. One
  * after the other, so that the page answers in between.
  *
- * @typedef {import('../../core/best-types.js').Mode} Mode
+ * @typedef {import('../../core/types.js').Mode} Mode
  * @typedef {typeof import('../../export/picture.js').drawPicture} DrawPicture
  */
 import { groupAt } from '../../core/shown.js';

@@ -2,8 +2,8 @@
  * All ways to assemble the linkage at a key frame: each with its picture, how close it is there, how many starts found it, and what
  * the motion that is planned from it costs. Each can become the document's start.
  *
- * @typedef {import('../../core/best-types.js').Mode} Mode
- * @typedef {import('../../core/best-types.js').Modes} Modes
+ * @typedef {import('../../core/types.js').Mode} Mode
+ * @typedef {import('../../core/types.js').Modes} Modes
  */
 import { ask } from '../../core/ask.js';
 import { textOf } from '../../core/document-text.js';

@@ -80,7 +80,7 @@ export function createBestPanel({ root, find, store, player, signal, keys, inter
     lanes.update(best, store.result.motion);
     if (!best) return render(nothing, body);
     const now = motion ?? store.result.motion;
-    /** @type {[string, (cost: import('../../core/best-types.js').MotionCost) => string][]} */
+    /** @type {[string, (cost: import('../../core/types.js').MotionCost) => string][]} */
     const rows = [
       ['mean distance', ({ mean }) => distance(mean)],
       ['largest distance', ({ largest }) => distance(largest)],
@@ -104,7 +104,7 @@ export function createBestPanel({ root, find, store, player, signal, keys, inter
     );
   }
 
-  /** All that is drawn, in numbers. @param {import('../../core/best-types.js').Best} best @param {import('../../core/types.js').Motion | null} motion */
+  /** All that is drawn, in numbers. @param {import('../../core/types.js').Best} best @param {import('../../core/types.js').Motion | null} motion */
   function tables(best, motion) {
     const used = new Set(best.lane);
     const jump = (/** @type {number} */ frame) => html`<button class="link" aria-label=${`To frame ${frame + 1}`} @click=${() => goTo(frame)}>${frame + 1}</button>`;

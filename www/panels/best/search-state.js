@@ -2,14 +2,14 @@
  * The search for the best motion of the present document: what is found so far, and which motion is shown, the followed one,
  * the best one, or both. An edit ends it, and what it found goes with the document.
  *
- * @typedef {import('../../core/best-types.js').Best} Best
+ * @typedef {import('../../core/types.js').Best} Best
  * @typedef {import('../../core/types.js').Motion} Motion
  * @typedef {'followed' | 'both' | 'best'} Which
  *
  * `best` is null before anything is found; `motion` the best motion, or its calm form where one is chosen: `choice` 0 is the best
  * motion itself, n the n-th point of the curve. `cost` is what that motion costs.
  * @typedef {{doc: unknown, running: boolean, message: string, best: Best | null, followed: Motion | null, motion: Motion | null,
- *   cost: import('../../core/best-types.js').MotionCost | null, choice: number, waiting: boolean, which: Which}} State
+ *   cost: import('../../core/types.js').MotionCost | null, choice: number, waiting: boolean, which: Which}} State
  */
 import { ask } from '../../core/ask.js';
 import { bestMotions } from '../../core/best-motions.js';
