@@ -167,8 +167,8 @@ fn varies(kind: JointKind, row: usize) -> (bool, bool) {
 
 /// Rotation about x and translation along it, then about and along z, as the paper prints them.
 fn row_matrix(row: &DhRow, theta: f64, d: f64) -> Matrix4<f64> {
-    let (sa, ca) = row.alpha.sin_cos();
-    let (st, ct) = theta.sin_cos();
+    let (sa, ca) = libm::sincos(row.alpha);
+    let (st, ct) = libm::sincos(theta);
     let x = Matrix4::new(
         1.0, 0.0, 0.0, row.a, //
         0.0, ca, -sa, 0.0, //
@@ -299,7 +299,8 @@ fn a_path_is_a_motion_with_more_points() {
         assert_eq!(place.frame, point.frame);
         if let Some(frame) = point.frame {
             assert_eq!(place.lane, Some(found.lane[frame]));
-            assert_eq!(path.time[i], found.motion.time[frame]);
+            let apart = path.time[i] - found.motion.time[frame];
+            assert!(apart.abs() <= 0.0, "the same bits");
         } else {
             assert_eq!(place.lane.is_none(), place.switch);
         }
@@ -311,9 +312,7 @@ fn a_path_is_a_motion_with_more_points() {
 
 #[test]
 fn no_motion_is_farther_than_the_followed_one() {
-    // The 3RPS takes ten times the others' time.
-    let quick = |name: &&str| !cfg!(debug_assertions) || *name != "3RPS";
-    for name in ["2TPR", "3RPS", "2TS", "CC"].into_iter().filter(quick) {
+    for name in ["2TPR", "3RPS", "2TS", "CC"] {
         let case = Case::golden(name);
         let (_, found) = checked(name, &case);
         is_near(&found.path[0].joints, &case.start, 1e-12, name);
@@ -476,7 +475,7 @@ fn random_linkages_are_never_farther_where_the_followed_motion_is_closed() {
     let mut random = Random(14);
     let all = assemblies(&mut random);
     let mut compared = 0;
-    for (i, kinds) in all.iter().enumerate().step_by(41) {
+    for (i, kinds) in all.iter().enumerate().step_by(23) {
         let linkage = linkage(kinds, &mut random);
         let case = Case {
             goals: goals(&linkage, 9, &mut random),

@@ -920,10 +920,8 @@ fn the_best_motion_is_written_with_all_points() {
     assert_eq!(names, plain.collect::<Vec<_>>());
     assert_eq!(columns[0]["values"][0], Value::Null);
     let frames = columns[0]["values"].as_array().expect("a list").iter();
-    let frames: Vec<u64> = frames
-        .filter_map(|frame| frame.as_f64().map(|f| f as u64))
-        .collect();
-    assert_eq!(frames, (0..33).collect::<Vec<u64>>());
+    let frames: Vec<f64> = frames.filter_map(Value::as_f64).collect();
+    assert_eq!(frames, (0..33).map(f64::from).collect::<Vec<f64>>());
 }
 
 /// A row a frame; the larger the price, the slower the fastest joint.

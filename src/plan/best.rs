@@ -507,7 +507,8 @@ impl Search {
             let values = nodes
                 .filter(|node| joined[node.branch])
                 .map(|node| node.solved.value);
-            values.fold(f64::INFINITY, f64::min)
+            // Where the way passes a pose that no walk joins to the start, it is known all the same.
+            values.fold(t.metric[slot - 1], f64::min)
         };
         let scaled = branches.solver.scaled();
         Some(Found {
