@@ -9,6 +9,7 @@ use crate::document::modes_report::ModesReport;
 use crate::motion::columns::placed;
 use crate::motion::trajectory::Trajectory;
 use crate::plan::best::Search;
+use crate::plan::calm_form::MOST_PRICE;
 use crate::plan::path::path_motion;
 use crate::source::session::index;
 use js_sys::{Array, Float64Array, Int32Array, Object, Reflect};
@@ -119,11 +120,11 @@ impl Session {
     /// The calm form of the best motion at a price of joint motion. The search is completed first.
     ///
     /// # Errors
-    /// A `Fault` where joints are driven, or the price is no number from 0 on.
+    /// A `Fault` where joints are driven, or the price is no number from 0 to 1.
     pub fn calm_motion(&mut self, price: f64) -> Result<JsCalmMotion, JsValue> {
-        if !(price >= 0.0 && price.is_finite()) {
+        if !(0.0..=MOST_PRICE).contains(&price) {
             const PRICE: Place<'static> = Place::WHOLE.field("price");
-            let fault = out_of_range(&PRICE, price, "a number from 0 on");
+            let fault = out_of_range(&PRICE, price, "a number from 0 to 1");
             return Err(refusal(&fault));
         }
         self.ensure_best()?;

@@ -1,11 +1,18 @@
 //! What the search for the best motion found so far, as a page and the command read it: plain numbers under the names of its
 //! JSON. Frames count from 0.
 
-use crate::document::fault::{Fault, FaultCode, Place};
+use crate::document::fault::{Fault, FaultCode, Place, told};
 use crate::document::problem::Problem;
 use crate::motion::trajectory::Trajectory;
-use crate::plan::best::{Cost, Found, Lane, Search, Switch};
+use crate::plan::best::Search;
+use crate::plan::found::Cost;
+use crate::plan::found::Found;
+use crate::plan::found::Lane;
+use crate::plan::found::Switch;
 use serde::Serialize;
+
+/// Frames of a motion whose branches are looked for: memory and time grow with them and with the branches.
+const MOST_FRAMES: usize = 3000;
 
 /// The search so far.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -16,7 +23,8 @@ pub struct BestReport {
     pub starts: usize,
     /// How close the motion that the planner follows comes.
     pub followed: CostReport,
-    /// How close the best motion so far comes: the followed one until a better one is found.
+    /// How close the best motion so far comes: the followed one until branches are known. It may be farther where the followed
+    /// one leaps as no linkage can.
     pub best: CostReport,
     /// Mean over the frames of the least f seen there: no motion over the branches known is closer. 0 until branches are
     /// known.
@@ -184,9 +192,23 @@ impl Problem {
     /// The search for the best motion, beside the motion that was planned.
     ///
     /// # Errors
-    /// Where joints are driven: there is no goal that a motion could be closer to.
+    /// Where joints are driven: there is no goal that a motion could be closer to; or there are too many frames.
     pub fn best(&self, followed: Trajectory) -> Result<Search, Fault> {
         self.check_goals()?;
+        if self.goals.len() > MOST_FRAMES {
+            let place = Place::WHOLE.field("motion");
+            let what = told!(
+                "{} frames are more than the search for the best motion takes",
+                self.goals.len()
+            );
+            let accepted = told!("up to {MOST_FRAMES} frames");
+            return Err(Fault::new(
+                FaultCode::OutOfRange,
+                &place.field("frames"),
+                &what,
+                &accepted,
+            ));
+        }
         Ok(Search::new(
             &self.mechanism,
             &self.goals,

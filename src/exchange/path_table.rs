@@ -9,7 +9,7 @@ use crate::exchange::table::{
     Column, Headings, Values, columns, columns_in_csv, columns_in_json, object,
 };
 use crate::motion::trajectory::Trajectory;
-use crate::plan::best::Found;
+use crate::plan::found::Found;
 use crate::plan::path::{Place, path_motion, places};
 
 /// Version of the JSON of a path.

@@ -1,34 +1,29 @@
 //! All ways to assemble a linkage at a key frame: its assembly modes there.
 //!
-//! With the workpiece at a pose the chains do not know of each other: each has its own configurations, which starts at random
+//! With the workpiece at a pose the chains do not depend on each other: each has its own configurations, which starts at random
 //! find, and every combination is a way. Where the goal cannot be met, the ways at the closest pose known go on to their own
 //! closest poses, and positions drawn anew are closed and moved there too. Ways differ where a link is at another place and
 //! no chain can go from the one to the other while the workpiece stands still.
 
-use crate::math::metric::{Metric, MetricKind};
+use crate::math::metric::MetricKind;
 use crate::math::pose::Pose;
 use crate::math::random::Random;
 use crate::model::mechanism::Mechanism;
 use crate::model::scaled::Scaled;
 use crate::motion::goal::Goal;
 use crate::motion::trajectory::Trajectory;
-use crate::plan::best::Cost;
 use crate::plan::follow::Planning;
+use crate::plan::found::Cost;
 use crate::plan::one_chain::{Part, joined_still};
 use crate::plan::places::Places;
-use crate::plan::seeds::{Shape, Variable};
+use crate::plan::seeds::Variable;
 use crate::plan::settings::{Method, Settings, extent};
 use crate::plan::unseen::Unseen;
 use crate::solve::solver::Solver;
 
-/// Starts of each chain: at least, at most, and the bound on the share of configurations not seen with which they end.
-const STARTS: usize = 24;
-const MOST_STARTS: usize = 96;
-const SURE: f64 = 0.1;
-/// How near a chain comes to a pose that it can have, as ½‖q − g‖² with the size as length.
-const THERE: f64 = 1e-9;
 /// Combinations that are tried at one pose.
 const MOST: usize = 512;
+const AT_A_TIME: usize = 16;
 /// Poses whose combinations are tried where the goal cannot be met, and positions drawn anew.
 const POSES: usize = 6;
 const DRAWN: usize = 48;
@@ -52,13 +47,16 @@ pub struct Mode {
     pub planned: Option<(Cost, usize)>,
     theta: Vec<f64>,
     axes: Vec<f64>,
+    /// Positions that came to it, and whether its pose's configurations were looked for.
+    met: usize,
+    used: bool,
 }
 
 /// One configuration of a chain at a pose.
 #[derive(Clone, Debug)]
-struct Configuration {
-    own: Vec<f64>,
-    starts: usize,
+pub(super) struct Configuration {
+    pub own: Vec<f64>,
+    pub starts: usize,
 }
 
 /// What is done next.
@@ -66,8 +64,8 @@ struct Configuration {
 enum Stage {
     /// One chain's configurations at the pose.
     Chain(usize),
-    /// Their combinations.
-    Combine,
+    /// Their combinations, from this one on.
+    Combine(usize),
     /// Positions drawn anew.
     Draw(usize),
     /// A motion from each way.
@@ -81,22 +79,25 @@ pub struct Assemblies {
     goals: Vec<Goal>,
     frame: usize,
     settings: Settings,
-    solver: Solver,
+    pub(super) solver: Solver,
     anywhere: Solver,
-    places: Places,
-    parts: Vec<Part>,
-    variables: Vec<Vec<Variable>>,
+    pub(super) places: Places,
+    pub(super) parts: Vec<Part>,
+    pub(super) variables: Vec<Vec<Variable>>,
     /// Of the motion from the document's start, at the frame.
-    start: Option<Vec<f64>>,
-    random: Random,
-    pose: Pose,
+    pub(super) start: Option<Vec<f64>>,
+    pub(super) random: Random,
+    pub(super) pose: Pose,
     /// Poses whose combinations were tried.
-    poses: usize,
-    configurations: Vec<Vec<Configuration>>,
-    arrived: Vec<usize>,
+    pub(super) poses: usize,
+    pub(super) configurations: Vec<Vec<Configuration>>,
+    pub(super) arrived: Vec<usize>,
     /// Of the first pose's chains.
-    unseen: Vec<Unseen>,
-    starts: usize,
+    pub(super) unseen: Vec<Unseen>,
+    pub(super) starts: usize,
+    /// Positions that came to a closest pose, and combinations at the first pose.
+    taken: usize,
+    combinations: usize,
     modes: Vec<Mode>,
     stage: Stage,
     planning: Option<Box<Planning>>,
@@ -166,6 +167,8 @@ impl Assemblies {
             poses: 0,
             unseen: Vec::new(),
             starts: 0,
+            taken: 0,
+            combinations: 1,
             modes: Vec::new(),
             stage: Stage::Chain(0),
             planning: None,
@@ -180,13 +183,16 @@ impl Assemblies {
                 self.stage = if chain + 1 < self.parts.len() {
                     Stage::Chain(chain + 1)
                 } else {
-                    Stage::Combine
+                    Stage::Combine(0)
                 };
             }
-            Stage::Combine => {
-                self.combine();
-                self.poses += 1;
-                self.stage = self.next_pose();
+            Stage::Combine(first) => {
+                self.stage = if self.combine(first) {
+                    Stage::Combine(first + AT_A_TIME)
+                } else {
+                    self.poses += 1;
+                    self.next_pose()
+                };
             }
             Stage::Draw(count) => {
                 self.draw();
@@ -225,16 +231,22 @@ impl Assemblies {
         self.starts
     }
 
-    /// What starts say of configurations that are not known: a way is not seen where one of its chains' is not.
+    /// An estimate of the starts that would lead to configurations that are not known: a way is not known where one of its
+    /// chains' is not. Where the goal cannot be met it is that of the positions drawn anew.
     pub fn unseen(&self) -> Unseen {
+        if self.poses > 0 && !self.modes.iter().any(|mode| mode.reached) {
+            return Unseen::of(self.modes.iter().map(|mode| mode.met), self.taken);
+        }
         let seen =
             |part: fn(&Unseen) -> f64| self.unseen.iter().map(|u| 1.0 - part(u)).product::<f64>();
         if self.unseen.is_empty() {
             return Unseen::of(std::iter::empty(), 0);
         }
+        // Of combinations that were left out nothing is known.
+        let tried = (MOST as f64 / self.combinations as f64).min(1.0);
         Unseen {
-            share: 1.0 - seen(|u| u.share),
-            bound: 1.0 - seen(|u| u.bound),
+            share: 1.0 - tried * seen(|u| u.share),
+            bound: 1.0 - tried * seen(|u| u.bound),
         }
     }
 
@@ -243,103 +255,38 @@ impl Assemblies {
         let all = self.parts.len() + 1;
         match self.stage {
             Stage::Chain(chain) if self.poses == 0 => 0.5 * chain as f64 / all as f64,
-            Stage::Combine if self.poses == 0 => 0.5 * (all - 1) as f64 / all as f64,
-            Stage::Chain(_) | Stage::Combine | Stage::Draw(_) => 0.45,
+            Stage::Combine(_) if self.poses == 0 => 0.5 * (all - 1) as f64 / all as f64,
+            Stage::Chain(_) | Stage::Combine(_) | Stage::Draw(_) => 0.5,
             Stage::Plan(number) => 0.5 + 0.5 * number as f64 / self.modes.len().max(1) as f64,
             Stage::Done => 1.0,
         }
     }
 
-    /// Finds a chain's configurations at the pose.
-    fn configure(&mut self, chain: usize) {
-        let known = std::mem::take(&mut self.configurations[chain]);
-        self.arrived[chain] = 0;
-        let range = self.parts[chain].range.clone();
-        // The start's own configuration, and those at the pose before, are the first starts.
-        let own = self
-            .start
-            .as_ref()
-            .map(|start| start[range.clone()].to_vec());
-        let mut first: Vec<Vec<f64>> = known.into_iter().map(|c| c.own).chain(own).collect();
-        for count in 0..MOST_STARTS {
-            let from = first.pop().unwrap_or_else(|| {
-                let variables = self.variables[chain].iter();
-                let positive = count % 2 == 1;
-                variables
-                    .map(|v| v.draw(positive, &mut self.random))
-                    .collect()
-            });
-            self.starts += 1;
-            self.start_chain(chain, from);
-            if count + 1 >= STARTS {
-                let met = self.configurations[chain].iter().map(|c| c.starts);
-                let unseen = Unseen::of(met, self.arrived[chain]);
-                let nothing = self.arrived[chain] == 0;
-                if nothing || (unseen.share == 0.0 && unseen.bound <= SURE) {
-                    break;
-                }
-            }
-        }
-        if self.poses == 0 {
-            let met = self.configurations[chain].iter().map(|c| c.starts);
-            self.unseen.push(Unseen::of(met, self.arrived[chain]));
-        }
-    }
-
-    /// One start of a chain at the pose.
-    fn start_chain(&mut self, chain: usize, mut own: Vec<f64>) {
-        let part = &mut self.parts[chain];
-        part.go(&self.pose, &mut own);
-        let there = part.chain.pose(&own);
-        let size = Metric::default();
-        if !(size.value(&there, &self.pose) <= THERE) {
-            return;
-        }
-        let range = self.parts[chain].range.clone();
-        let part = &self.parts[chain];
-        self.arrived[chain] += 1;
-        let here = self.whole(chain, &own);
-        let axes = self.places.axes(&here);
-        let same = |other: &Configuration| {
-            let there = self.whole(chain, &other.own);
-            let written = self.places.form_near(&here, &there).apply(&there);
-            self.places.are_axes_same(&self.places.axes(&there), &axes)
-                || joined_still(&part.chain, &own, &written[range.clone()])
-        };
-        let known = self.configurations[chain].iter().position(same);
-        let Some(known) = known.map(|known| &mut self.configurations[chain][known]) else {
-            self.configurations[chain].push(Configuration { own, starts: 1 });
-            return;
-        };
-        known.starts += 1;
-        // Written with sliders of positive length, and small angles.
-        let variables = &self.variables[chain];
-        if Shape::new(variables, &own).before(&Shape::new(variables, &known.own)) {
-            known.own = own;
-        }
-    }
-
-    /// A position with one chain as it is given and all others at the joint values 0.
-    fn whole(&self, chain: usize, own: &[f64]) -> Vec<f64> {
-        let mut whole = vec![0.0; self.solver.scaled().variables()];
-        whole[self.parts[chain].range.clone()].copy_from_slice(own);
-        whole
-    }
-
-    /// Tries all combinations of the chains' configurations.
-    fn combine(&mut self) {
+    /// Tries some combinations of the chains' configurations, from this one on; true while there are more.
+    fn combine(&mut self, first: usize) -> bool {
         let counts: Vec<usize> = self.configurations.iter().map(Vec::len).collect();
         let all = counts.iter().fold(1_usize, |all, n| all.saturating_mul(*n));
-        for number in 0..all.min(MOST) {
-            let (mut rest, mut theta, mut starts) = (number, Vec::new(), usize::MAX);
+        let tried = all.min(MOST);
+        if self.poses == 0 {
+            self.combinations = all;
+        }
+        for number in first..tried.min(first + AT_A_TIME) {
+            // Of more combinations than are tried some from all over.
+            let mut rest = if all > MOST {
+                number * (all / MOST)
+            } else {
+                number
+            };
+            let (mut theta, mut starts) = (Vec::new(), usize::MAX);
             for (configurations, count) in self.configurations.iter().zip(&counts) {
                 let one = &configurations[rest % count];
                 rest /= count;
                 theta.extend_from_slice(&one.own);
                 starts = starts.min(one.starts);
             }
-            self.take(theta, starts);
+            self.take(&theta, starts);
         }
+        first + AT_A_TIME < tried
     }
 
     /// A position drawn anew.
@@ -350,12 +297,12 @@ impl Assemblies {
             let drawn = variables.iter().map(|v| v.draw(true, &mut self.random));
             theta.extend(drawn);
         }
-        self.take(theta, 1);
+        self.take(&theta, 1);
     }
 
     /// Closes a position, moves it to the closest pose, and keeps it where it is a way that is not known.
-    fn take(&mut self, theta: Vec<f64>, starts: usize) {
-        let mut joints = self.solver.scaled().left(&theta);
+    fn take(&mut self, theta: &[f64], starts: usize) {
+        let mut joints = self.solver.scaled().left(theta);
         let tolerance = self.settings.dimension_tolerance;
         if !self
             .anywhere
@@ -371,6 +318,7 @@ impl Assemblies {
         if !solved.end.is_minimum() {
             return;
         }
+        self.taken += 1;
         let scaled = self.solver.scaled();
         let theta = self.written_short(&scaled.entered(&joints));
         let axes = self.places.axes(&theta);
@@ -380,6 +328,7 @@ impl Assemblies {
             .position(|mode| self.places.are_same(&mode.axes, &axes))
         {
             self.modes[known].starts += 1;
+            self.modes[known].met += 1;
             return;
         }
         if self.modes.iter().any(|mode| {
@@ -403,6 +352,8 @@ impl Assemblies {
             starts,
             is_start,
             planned: None,
+            met: 1,
+            used: false,
             theta,
             axes,
         });
@@ -434,15 +385,18 @@ impl Assemblies {
             self.modes.retain(|mode| mode.reached);
             return Stage::Plan(0);
         }
-        match (self.poses, self.stage) {
-            // Where no chain comes to the goal, other positions.
-            (1, Stage::Combine) => Stage::Draw(0),
-            (poses, _) if poses <= POSES && poses <= self.modes.len() => {
-                let scaled = self.solver.scaled();
-                self.pose = scaled.chains()[0].pose(&self.modes[poses - 1].theta);
+        // Where no chain comes to the goal, other positions.
+        if self.poses == 1 && matches!(self.stage, Stage::Combine(_)) {
+            return Stage::Draw(0);
+        }
+        let next = self.modes.iter_mut().find(|mode| !mode.used);
+        match next.filter(|_| self.poses <= POSES) {
+            Some(mode) => {
+                mode.used = true;
+                self.pose = self.solver.scaled().chains()[0].pose(&mode.theta);
                 Stage::Chain(0)
             }
-            _ => Stage::Plan(0),
+            None => Stage::Plan(0),
         }
     }
 

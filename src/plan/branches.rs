@@ -12,7 +12,6 @@ use crate::model::mechanism::Mechanism;
 use crate::model::scaled::CLOSED;
 use crate::motion::goal::Goal;
 use crate::motion::trajectory::{Status, Trajectory};
-use crate::plan::follow::predict;
 use crate::plan::one_chain::joined_still;
 use crate::plan::places::{Form, Places};
 use crate::plan::settings::{Method, Settings, extent};
@@ -26,8 +25,6 @@ const FRAMES: usize = 9;
 const MOST: usize = 96;
 /// Nodes of all branches together: memory, and the time of the search for a way.
 const NODES: usize = 40_000;
-/// A joint motion from one frame to the next, rad or sizes, that is followed no further: another branch may begin there.
-const LEAP: f64 = 0.5;
 /// Share of the twists' length below which a free direction leaves the workpiece where it is.
 const STILL: f64 = 1e-6;
 
@@ -40,7 +37,7 @@ pub struct Node {
     pub solved: Solved,
     /// The branch that it is on.
     pub branch: usize,
-    axes: Vec<f64>,
+    pub(super) axes: Vec<f64>,
 }
 
 /// A run of closest poses that follow each other from slot to slot by closed walks.
@@ -220,57 +217,6 @@ impl Branches {
         Some(branches)
     }
 
-    /// Follows a branch backwards from its first slot.
-    fn follow_back(&mut self, branch: usize) {
-        let slot = self.list[branch].first;
-        let mut node = self.list[branch].nodes[0];
-        let theta = self.nodes[slot][node].theta.clone();
-        let back = self.track(slot, &theta, -1);
-        for (at, (theta, solved)) in (1..slot).rev().zip(back) {
-            let index = self.nodes[at].len();
-            let axes = self.places.axes(&theta);
-            self.nodes[at].push(Node {
-                theta,
-                solved,
-                branch,
-                axes,
-            });
-            let to = self.nodes[at + 1][node].theta.clone();
-            let Some(way) = self.step(at + 1, index, node, &to) else {
-                self.nodes[at].pop();
-                return;
-            };
-            let list = &mut self.list[branch];
-            list.first = at;
-            list.nodes.insert(0, index);
-            list.along.iter_mut().for_each(|along| *along += way);
-            list.along.insert(0, 0.0);
-            node = index;
-        }
-    }
-
-    /// Stays where a node is for all slots behind its own: what a linkage can always do.
-    pub fn stay_at(&mut self, slot: usize, node: usize) -> Option<usize> {
-        let theta = self.nodes[slot][node].theta.clone();
-        let joints = self.solver.scaled().left(&theta);
-        let mut branch = None;
-        for slot in slot + 1..self.slots() {
-            let value = self.solver.value(self.goal(slot), &joints);
-            branch = Some(self.add(slot, theta.clone(), resting(value), branch));
-        }
-        if let Some(branch) = branch {
-            let own = self.list[branch].nodes[0];
-            let walk = Walk {
-                points: vec![theta.clone()],
-                length: 0.0,
-            };
-            let form = Form::same(theta.len());
-            self.bridges
-                .insert((slot + 1, node, own), Edge { walk, form });
-        }
-        branch
-    }
-
     /// Slots: frames, and the start.
     pub fn slots(&self) -> usize {
         self.nodes.len()
@@ -296,7 +242,7 @@ impl Branches {
 
     /// Appends a node to a branch that reaches up to the slot before; or begins another where there is no such branch, or
     /// no closed walk from its end. Returns the node's branch.
-    fn add(
+    pub(super) fn add(
         &mut self,
         slot: usize,
         theta: Vec<f64>,
@@ -336,7 +282,13 @@ impl Branches {
     }
 
     /// The length of the closed walk from a node of the slot before to one that will be number `index` of this slot.
-    fn step(&mut self, slot: usize, before: usize, index: usize, theta: &[f64]) -> Option<f64> {
+    pub(super) fn step(
+        &mut self,
+        slot: usize,
+        before: usize,
+        index: usize,
+        theta: &[f64],
+    ) -> Option<f64> {
         let from = self.nodes[slot - 1][before].theta.clone();
         if walk::largest(&from, theta) <= LONGEST {
             return Some(walk::distance(&from, theta));
@@ -423,90 +375,6 @@ impl Branches {
         within && closure <= CLOSED && misfit <= self.tolerance
     }
 
-    /// A new branch through a closest pose of a slot, followed backwards and forwards; its number.
-    pub(super) fn follow_from(&mut self, slot: usize, theta: Vec<f64>, solved: Solved) -> usize {
-        let back = self.track(slot, &theta, -1);
-        let forth = self.track(slot, &theta, 1);
-        let (mut branch, mut own) = (None, 0);
-        let before = back.into_iter().enumerate().rev();
-        let before = before.map(|(i, (theta, solved))| (slot - 1 - i, theta, solved));
-        let after = forth.into_iter().enumerate();
-        let after = after.map(|(i, (theta, solved))| (slot + 1 + i, theta, solved));
-        let all: Vec<_> = before.chain([(slot, theta, solved)]).chain(after).collect();
-        for (at, theta, solved) in all {
-            let added = self.add(at, theta, solved, branch);
-            if branch.is_some_and(|before| before != added) {
-                self.bridge(added);
-            }
-            branch = Some(added);
-            if at == slot {
-                own = added;
-            }
-        }
-        own
-    }
-
-    /// The closest poses of the slots before or behind one, from its pose on, up to a pose that is known, a leap or the end.
-    fn track(&mut self, slot: usize, theta: &[f64], direction: isize) -> Vec<(Vec<f64>, Solved)> {
-        let mut track = Vec::new();
-        let mut joints = self.solver.scaled().left(theta);
-        let mut history = joints.clone();
-        let mut predicted = joints.clone();
-        let mut before = theta.to_vec();
-        let mut at = slot;
-        self.solver.clear_holding();
-        loop {
-            at = match at.checked_add_signed(direction) {
-                Some(next) if next > 0 && next < self.slots() => next,
-                _ => break,
-            };
-            predict(&history, track.len() + 1, &joints, &mut predicted);
-            let goal = *self.goal(at);
-            let solved = self.solver.solve(&goal, &mut joints, &predicted);
-            let theta = self.solver.scaled().entered(&joints);
-            if !self.is_answer(&theta, &solved, &goal) || walk::largest(&before, &theta) > LEAP {
-                break;
-            }
-            let axes = self.places.axes(&theta);
-            if self.find(at, &theta, &axes).is_some() {
-                break;
-            }
-            history.extend_from_slice(&joints);
-            before.clone_from(&theta);
-            track.push((theta, solved));
-        }
-        self.solver.clear_holding();
-        track
-    }
-
-    /// The closest pose to which the linkage falls from a node when the goal goes on to the next slot, where it is not on the
-    /// node's branch any more: the node there, and the way.
-    pub fn fall_on(&mut self, slot: usize, node: usize) -> Option<(usize, Edge)> {
-        let from = self.nodes[slot][node].theta.clone();
-        let goal = *self.goal(slot + 1);
-        let (end, solved, passed) = walk::fall(&mut self.solver, &from, &goal);
-        if !self.is_answer(&end, &solved, &goal) {
-            return None;
-        }
-        let mut walk = walk::retrace(&mut self.solver, &from, passed, &end)?;
-        let axes = self.places.axes(&end);
-        let found = self.find(slot + 1, &end, &axes);
-        if found.is_none() && self.is_full() {
-            return None;
-        }
-        let to = found.unwrap_or_else(|| {
-            let branch = self.follow_from(slot + 1, end.clone(), solved);
-            self.list[branch].node(slot + 1).expect("its own slot")
-        });
-        let theta = self.nodes[slot + 1][to].theta.clone();
-        let form = self.places.form_near(&end, &theta);
-        let written = form.apply(&theta);
-        if walk::largest(&end, &written) > 1e-12 {
-            walk.append(walk::walk(&mut self.solver, &end, &written)?);
-        }
-        Some((to, Edge { walk, form }))
-    }
-
     /// The straight distance from one position to another, root of the joints' squared motions, less whole turns.
     pub fn straight(&self, from: &[f64], to: &[f64]) -> f64 {
         walk::distance(from, &self.places.form_near(from, to).apply(to))
@@ -521,7 +389,7 @@ impl Branches {
 }
 
 /// What is known of a position where the linkage rests, closest pose or not.
-fn resting(value: f64) -> Solved {
+pub(super) fn resting(value: f64) -> Solved {
     Solved {
         end: End::Stalled,
         reached: false,

@@ -5,16 +5,22 @@ pub mod assemblies;
 #[cfg(feature = "study")]
 pub mod best;
 #[cfg(feature = "study")]
-pub mod branches;
+mod branches;
 #[cfg(feature = "study")]
-pub mod calm;
+mod calm;
+#[cfg(feature = "study")]
+pub mod calm_form;
 pub mod configuration;
+#[cfg(feature = "study")]
+mod configurations;
 #[cfg(feature = "study")]
 pub mod driven;
 #[cfg(feature = "study")]
 pub mod driven_start;
 pub mod elsewhere;
 pub mod follow;
+#[cfg(feature = "study")]
+pub mod found;
 pub mod given;
 pub mod leaps;
 pub mod modes;
@@ -25,14 +31,16 @@ pub mod path;
 pub mod places;
 pub mod planning;
 #[cfg(feature = "study")]
-pub mod reach;
+mod reach;
 pub mod record;
 #[cfg(feature = "study")]
-pub mod route;
+mod route;
 mod seeds;
 pub mod settings;
 #[cfg(feature = "study")]
-pub mod starts;
+mod starts;
+#[cfg(feature = "study")]
+mod tracks;
 #[cfg(feature = "study")]
 pub mod unseen;
 pub mod walk;

@@ -3,7 +3,7 @@
 use crate::model::mechanism::Mechanism;
 use crate::motion::goal::Goal;
 use crate::motion::trajectory::{Status, Trajectory};
-use crate::plan::best::Found;
+use crate::plan::found::Found;
 use crate::plan::record::{Singularity, begin, record};
 use crate::plan::settings::{Settings, extent};
 use crate::solve::solver::{End, Solved};

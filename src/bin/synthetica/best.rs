@@ -17,7 +17,8 @@ use synthetica::exchange::export::{Format, Options, write};
 use synthetica::exchange::path_table;
 use synthetica::exchange::table::Headings;
 use synthetica::motion::trajectory::Status;
-use synthetica::plan::best::{Found, Search};
+use synthetica::plan::best::Search;
+use synthetica::plan::found::Found;
 
 /// Share by which the mean must fall for a motion to be called closer.
 const CLOSER: f64 = 1e-3;
