@@ -98,7 +98,7 @@ function fields(names, inline, escape) {
 function declarations(names, inline, escape) {
   const source = read('src/bind/wasm.d.ts');
   const one = (name) => {
-    const found = source.match(new RegExp(`(?:/\\*\\*(?:[^*]|\\*(?!/))*\\*/\\n)?export (?:interface ${name} \\{[^]*?\\n\\}|type ${name} = [^;]*;)`));
+    const found = source.match(new RegExp(`(?:/\\*\\*(?:[^*]|\\*(?!/))*\\*/\\n)?export (?:interface ${name}(?: extends \\w+)? \\{[^]*?\\n\\}|type ${name} = [^;]*;)`));
     if (!found) throw new Error(`src/bind/wasm.d.ts has no ${name}`);
     return found[0].replaceAll(/^export /gm, '');
   };

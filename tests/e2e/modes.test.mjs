@@ -1,7 +1,7 @@
 // The ways to assemble at a key frame: pictures, numbers, an order, and a start that undo takes back.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { cell, doTo, notice, openBrowser, scrubTo } from './browser.mjs';
+import { cell, doTo, notice, openBrowser, openSample, scrubTo } from './browser.mjs';
 
 let browser;
 before(async () => {
@@ -14,8 +14,10 @@ const ways = (page) => dialog(page).getByRole('list', { name: 'Ways to assemble'
 const isComplete = (page) => dialog(page).locator('.best-mode').waitFor({ timeout: 180_000 });
 const start = (page) => page.evaluate(() => JSON.stringify(document.querySelector('synthetica-linkage').document.chains.map((chain) => chain.start)));
 
+/** The agile eye has eight ways; the linkage that the page begins with has one. */
 async function openDialog(options = { viewport: { width: 1280, height: 800 } }, key = 1) {
   const { page, problems } = await browser.openPage(options);
+  await openSample(page, 'agile-eye.json');
   await page.getByRole('tab', { name: 'Motion', exact: true }).click();
   await doTo(page, `key frame ${key}`, 'Ways to assemble…');
   await dialog(page).waitFor();
@@ -26,14 +28,14 @@ test('each way has its picture, its distance, who found it and what its motion c
   const { page, problems } = await openDialog();
   await isComplete(page);
   const count = await ways(page).count();
-  assert.ok(count >= 2, `${count} ways`);
+  assert.equal(count, 8);
   assert.match(await dialog(page).locator('.modes-note').textContent(), new RegExp(`^${count} ways found by \\d+ starts\\. .*further starts`));
   assert.equal(await ways(page).filter({ hasText: 'the document’s start' }).count(), 1);
   for (const one of await ways(page).all()) {
     const words = await one.textContent();
     assert.match(words, /reaches the key frame|distance [\d.e−]+ from the key frame/);
     assert.match(words, /found by \d+ of \d+ starts?/);
-    assert.match(words, /motion from it: mean distance [\d.e−]+, largest [\d.e−]+/);
+    assert.match(words, /motion from it: every frame reaches its goal/);
     await one.locator('canvas[data-drawn]').waitFor();
   }
   // A picture has more than its background.
@@ -43,9 +45,8 @@ test('each way has its picture, its distance, who found it and what its motion c
   });
   assert.ok(colours > 20, `${colours} colours`);
   await dialog(page).getByLabel('Order').selectOption('motion');
-  const means = (await ways(page).allTextContents()).map((words) => Number(/mean distance ([\d.e−]+)/.exec(words)[1].replace('−', '-')));
-  assert.deepEqual(means, [...means].sort((a, b) => a - b));
-  assert.match(await ways(page).first().textContent(), /best mode/);
+  // They are alike: none is better than that of the document's start.
+  assert.match(await ways(page).first().textContent(), /the document’s start ?best mode/);
   assert.deepEqual(problems, []);
 });
 

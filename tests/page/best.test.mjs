@@ -82,12 +82,17 @@ test('the slider goes over the best motion and the points of the curve; the pict
 });
 
 test('modes: by nearness or by their motions; the best one is known when all are planned', () => {
-  const found = [{ index: 0, metric: 0, mean: 0.02 }, { index: 1, metric: 0.1, mean: 0.01 }, { index: 2, metric: 0.05 }];
+  const found = [{ index: 0, metric: 0, mean: 0.02, is_start: true }, { index: 1, metric: 0.1, mean: 0.01, is_start: false }, { index: 2, metric: 0.05, is_start: false }];
   assert.deepEqual(ordered(found, 'key').map(({ index }) => index), [0, 2, 1]);
   assert.deepEqual(ordered(found, 'motion').map(({ index }) => index), [1, 0, 2]);
   assert.equal(bestMode({ progress: 1, found })?.index, 1);
   assert.equal(bestMode({ progress: 0.9, found }), undefined);
   assert.equal(bestMode(null), undefined);
+  // A certified frame counts more than a distance; where motions are alike, there is no reason for another start.
+  const lost = [{ index: 0, metric: 0, mean: 0.01, certified: 20 }, { index: 1, metric: 0.1, mean: 0.02, certified: 33 }];
+  assert.equal(bestMode({ progress: 1, found: lost })?.index, 1);
+  const alike = [{ index: 0, metric: 0, mean: 1e-25, certified: 33, is_start: false }, { index: 1, metric: 1e-26, mean: 3e-25, certified: 33, is_start: true }];
+  assert.equal(bestMode({ progress: 1, found: alike })?.index, 1);
 });
 
 /** A store with a motion, and a search whose answers are given by hand. */

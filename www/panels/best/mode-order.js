@@ -4,15 +4,27 @@
  * @typedef {import('../../core/types.js').Mode} Mode
  * @typedef {import('../../core/types.js').Modes} Modes
  */
+import { isCloser } from './best-words.js';
 
 /** @param {Mode} one @param {Mode} other */
 const byNearness = (one, other) => one.metric - other.metric;
 
-/** Those that are not planned yet come last. @param {Mode} one @param {Mode} other */
-const byMotion = (one, other) => (one.mean ?? Number.MAX_VALUE) - (other.mean ?? Number.MAX_VALUE) || byNearness(one, other);
+/** What a motion lacks: one that is not planned yet lacks most. @param {Mode} one */
+const certified = ({ mean, certified = 0 }) => (mean === undefined ? -1 : certified);
 
-/** The mode whose motion is the closest on average, once all are planned. @param {Modes | null} modes */
-export const bestMode = (modes) => (modes?.progress === 1 ? [...modes.found].sort(byMotion).find(({ mean }) => mean !== undefined) : undefined);
+/**
+ * As the planner compares them: a frame that is certified counts more than any distance. Of motions that are alike that of the
+ * document's start comes first.
+ * @param {Mode} one @param {Mode} other
+ */
+function byMotion(one, other) {
+  const means = [one.mean ?? 0, other.mean ?? 0];
+  const difference = isCloser(means[0], means[1]) || isCloser(means[1], means[0]) ? means[0] - means[1] : 0;
+  return certified(other) - certified(one) || difference || Number(other.is_start) - Number(one.is_start) || byNearness(one, other);
+}
+
+/** The mode whose motion is the best, once all are planned. @param {Modes | null} modes */
+export const bestMode = (modes) => (modes?.progress === 1 ? ordered(modes.found, 'motion').find(({ mean }) => mean !== undefined) : undefined);
 
 /** The modes in an order; those that are alike as they were found. @param {Mode[]} found @param {'key' | 'motion'} order */
 export const ordered = (found, order) => [...found].sort(order === 'motion' ? byMotion : byNearness);
