@@ -5,7 +5,6 @@
 //! which may be another one. It is then followed forwards and backwards. The way there joins the two branches. A frame is a
 //! *slot* here, counted from 1; slot 0 is the start.
 
-use crate::math::linalg::PivotedQr;
 use crate::math::pose::Pose;
 use crate::math::random::Random;
 use crate::model::mechanism::Mechanism;
@@ -25,8 +24,6 @@ const FRAMES: usize = 9;
 const MOST: usize = 96;
 /// Nodes of all branches together: memory, and the time of the search for a way.
 const NODES: usize = 40_000;
-/// Share of the twists' length below which a free direction leaves the workpiece where it is.
-const STILL: f64 = 1e-6;
 
 /// A closest pose of one frame.
 #[derive(Clone, Debug)]
@@ -122,8 +119,6 @@ pub struct Branches {
     pub bridges: BTreeMap<(usize, usize, usize), Edge>,
     /// Walks along branches, by the slot where they end and their nodes; shorter steps are none.
     pub(super) steps: BTreeMap<(usize, usize, usize), Edge>,
-    /// Can joints move while the workpiece stands still?
-    pub(super) inner: bool,
     /// Closes the loops of positions drawn anew.
     pub(super) anywhere: Solver,
     /// Closest poses that no walk was found to.
@@ -164,7 +159,6 @@ impl Branches {
         let theta = solver.scaled().entered(&start);
         let mut branches = Self {
             places: Places::new(mechanism, solver.scaled()),
-            inner: has_inner_freedoms(&mut solver, &theta),
             anywhere: solver.clone(),
             apart: Vec::new(),
             solver,
@@ -338,9 +332,6 @@ impl Branches {
         if let Some(found) = nodes.iter().position(same) {
             return Some(found);
         }
-        if !self.inner {
-            return None;
-        }
         // With inner freedoms other axes may belong to the same pose, joined while the workpiece stands still.
         nodes.iter().position(|node| {
             Places::same_workpiece(&node.axes, axes) && self.are_joined_still(theta, &node.theta)
@@ -397,22 +388,4 @@ pub(super) fn resting(value: f64) -> Solved {
         projected_gradient: f64::NAN,
         iterations: 0,
     }
-}
-
-/// Whether joints can move while the workpiece stands still.
-fn has_inner_freedoms(solver: &mut Solver, theta: &[f64]) -> bool {
-    let (scaled, closer, holding) = solver.parts();
-    let mut holding = holding.clone();
-    holding.clear();
-    let dependence = closer.dependence_anywhere();
-    let tangent = closer.tangent();
-    tangent.evaluate(scaled.chains(), theta);
-    let free = tangent.factor(holding.stops(), dependence).free();
-    let mut twists = PivotedQr::default();
-    twists.clear(6);
-    free.twists()
-        .iter()
-        .for_each(|twist| twists.push(twist.as_slice()));
-    twists.factor(STILL, 6);
-    twists.rank() < free.count()
 }
