@@ -22,8 +22,8 @@ const STARTS: usize = 8;
 const ANYWHERE: usize = 3;
 /// Rounds that are made, and those that are made where the last one found a better motion or where more than this share of
 /// the starts led to a branch that no other led to.
-const ROUNDS: usize = 3;
-const MOST_ROUNDS: usize = 6;
+const ROUNDS: usize = 4;
+const MOST_ROUNDS: usize = 8;
 const UNSEEN: f64 = 0.01;
 /// Share by which the mean must fall for a motion to be a better one.
 const BETTER: f64 = 1e-3;
