@@ -344,11 +344,16 @@ fn a_goal_beyond_a_local_minimum_is_reached() {
     );
 }
 
-/// The joint that moves most on the way of the change of branch is stopped halfway, and cannot go the other way round.
+/// The joint that moves most on the way of the change of branch is stopped halfway, on that side only, and within ranges of
+/// less and of more than a turn, where the same position a whole turn on is another one.
 #[test]
 fn limits_are_kept_on_every_point() {
-    /// Less than a turn, rad.
-    const ROUND: f64 = 6.0;
+    for range in [6.0, 9.0, f64::INFINITY] {
+        keeps_limits(range);
+    }
+}
+
+fn keeps_limits(range: f64) {
     let free = local();
     let (_, found) = free.solve();
     let units = units(&free.mechanism);
@@ -364,10 +369,10 @@ fn limits_are_kept_on_every_point() {
         if variable - 1 != most {
             own
         } else if behind[most] > before[most] {
-            let min = middle - ROUND;
+            let min = middle - range;
             Limits { min, max: middle }
         } else {
-            let max = middle + ROUND;
+            let max = middle + range;
             Limits { min: middle, max }
         }
     });
@@ -375,8 +380,9 @@ fn limits_are_kept_on_every_point() {
         mechanism,
         ..local()
     };
-    let (_, other) = checked("RRCP with a limit", &held);
-    assert!(other.cost.mean >= found.cost.mean * (1.0 - 1e-6));
+    let (_, other) = checked(&format!("RRCP within {range}"), &held);
+    // A range of less than a turn leaves no way round.
+    assert!(range > 6.0 || other.cost.mean >= found.cost.mean * (1.0 - 1e-6));
 }
 
 #[test]
