@@ -46,7 +46,7 @@ impl Unseen {
 mod tests {
     use super::Unseen;
 
-    /// Upper limits of Poisson's distribution with 95 %, from tables: 3.00, 4.74, 6.30.
+    /// Upper limits of Poisson's distribution with 95 %, from tables: 3.00, 4.74, 6.30. The formula is off by 1 % at most.
     #[test]
     fn what_was_met_once_hints_at_what_was_not_met() {
         let bound = |once: usize| {
@@ -57,7 +57,7 @@ mod tests {
             let unseen = bound(once);
             assert!((unseen.share - 0.01 * once as f64).abs() < 1e-15);
             assert!(
-                (100.0 * unseen.bound - limit).abs() < 0.02,
+                (100.0 * unseen.bound / limit - 1.0).abs() < 0.011,
                 "{once}: {}",
                 unseen.bound
             );
