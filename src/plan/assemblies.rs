@@ -14,7 +14,7 @@ use crate::motion::goal::Goal;
 use crate::motion::trajectory::Trajectory;
 use crate::plan::follow::Planning;
 use crate::plan::found::Cost;
-use crate::plan::one_chain::{Part, joined_still};
+use crate::plan::one_chain::Part;
 use crate::plan::places::Places;
 use crate::plan::seeds::Variable;
 use crate::plan::settings::{Method, Settings, extent};
@@ -22,8 +22,8 @@ use crate::plan::unseen::Unseen;
 use crate::solve::solver::Solver;
 
 /// Combinations that are tried at one pose.
-const MOST: usize = 512;
-const AT_A_TIME: usize = 16;
+pub(super) const MOST: usize = 512;
+pub(super) const AT_A_TIME: usize = 16;
 /// Poses whose combinations are tried where the goal cannot be met, and positions drawn anew.
 const POSES: usize = 6;
 const DRAWN: usize = 48;
@@ -45,11 +45,11 @@ pub struct Mode {
     pub is_start: bool,
     /// The motion planned from it: its cost, and its certified frames.
     pub planned: Option<(Cost, usize)>,
-    theta: Vec<f64>,
-    axes: Vec<f64>,
+    pub(super) theta: Vec<f64>,
+    pub(super) axes: Vec<f64>,
     /// Positions that came to it, and whether its pose's configurations were looked for.
-    met: usize,
-    used: bool,
+    pub(super) met: usize,
+    pub(super) used: bool,
 }
 
 /// One configuration of a chain at a pose.
@@ -76,11 +76,11 @@ enum Stage {
 /// The search, in portions.
 pub struct Assemblies {
     mechanism: Mechanism,
-    goals: Vec<Goal>,
-    frame: usize,
-    settings: Settings,
+    pub(super) goals: Vec<Goal>,
+    pub(super) frame: usize,
+    pub(super) settings: Settings,
     pub(super) solver: Solver,
-    anywhere: Solver,
+    pub(super) anywhere: Solver,
     pub(super) places: Places,
     pub(super) parts: Vec<Part>,
     pub(super) variables: Vec<Vec<Variable>>,
@@ -96,9 +96,9 @@ pub struct Assemblies {
     pub(super) unseen: Vec<Unseen>,
     pub(super) starts: usize,
     /// Positions that came to a closest pose, and combinations at the first pose.
-    taken: usize,
-    combinations: usize,
-    modes: Vec<Mode>,
+    pub(super) taken: usize,
+    pub(super) combinations: usize,
+    pub(super) modes: Vec<Mode>,
     stage: Stage,
     planning: Option<Box<Planning>>,
 }
@@ -260,122 +260,6 @@ impl Assemblies {
             Stage::Plan(number) => 0.5 + 0.5 * number as f64 / self.modes.len().max(1) as f64,
             Stage::Done => 1.0,
         }
-    }
-
-    /// Tries some combinations of the chains' configurations, from this one on; true while there are more.
-    fn combine(&mut self, first: usize) -> bool {
-        let counts: Vec<usize> = self.configurations.iter().map(Vec::len).collect();
-        let all = counts.iter().fold(1_usize, |all, n| all.saturating_mul(*n));
-        let tried = all.min(MOST);
-        if self.poses == 0 {
-            self.combinations = all;
-        }
-        for number in first..tried.min(first + AT_A_TIME) {
-            // Of more combinations than are tried some from all over.
-            let mut rest = if all > MOST {
-                number * (all / MOST)
-            } else {
-                number
-            };
-            let (mut theta, mut starts) = (Vec::new(), usize::MAX);
-            for (configurations, count) in self.configurations.iter().zip(&counts) {
-                let one = &configurations[rest % count];
-                rest /= count;
-                theta.extend_from_slice(&one.own);
-                starts = starts.min(one.starts);
-            }
-            self.take(&theta, starts);
-        }
-        first + AT_A_TIME < tried
-    }
-
-    /// A position drawn anew.
-    fn draw(&mut self) {
-        self.starts += 1;
-        let mut theta = Vec::new();
-        for variables in &self.variables {
-            let drawn = variables.iter().map(|v| v.draw(true, &mut self.random));
-            theta.extend(drawn);
-        }
-        self.take(&theta, 1);
-    }
-
-    /// Closes a position, moves it to the closest pose, and keeps it where it is a way that is not known.
-    fn take(&mut self, theta: &[f64], starts: usize) {
-        let mut joints = self.solver.scaled().left(theta);
-        let tolerance = self.settings.dimension_tolerance;
-        if !self
-            .anywhere
-            .close_start(&mut joints, tolerance)
-            .is_closed()
-        {
-            return;
-        }
-        let goal = self.goals[self.frame].pose;
-        let predicted = joints.clone();
-        self.solver.clear_holding();
-        let solved = self.solver.solve(&goal, &mut joints, &predicted);
-        if !solved.end.is_minimum() {
-            return;
-        }
-        self.taken += 1;
-        let scaled = self.solver.scaled();
-        let theta = self.written_short(&scaled.entered(&joints));
-        let axes = self.places.axes(&theta);
-        if let Some(known) = self
-            .modes
-            .iter_mut()
-            .position(|mode| self.places.are_same(&mode.axes, &axes))
-        {
-            self.modes[known].starts += 1;
-            self.modes[known].met += 1;
-            return;
-        }
-        if self.modes.iter().any(|mode| {
-            Places::same_workpiece(&mode.axes, &axes) && self.are_joined_still(&theta, &mode.theta)
-        }) {
-            return;
-        }
-        let is_start = self.start.as_ref().is_some_and(|start| {
-            let own = self.places.axes(start);
-            self.places.are_same(&own, &axes)
-                || Places::same_workpiece(&own, &axes) && self.are_joined_still(&theta, start)
-        });
-        let scaled = self.solver.scaled();
-        let pose = scaled.leave_pose(&scaled.chains()[0].pose(&theta));
-        let joints = scaled.left(&theta);
-        self.modes.push(Mode {
-            value: self.solver.value(&goal, &joints),
-            reached: solved.reached,
-            joints,
-            pose,
-            starts,
-            is_start,
-            planned: None,
-            met: 1,
-            used: false,
-            theta,
-            axes,
-        });
-        let nearer = |a: &Mode, b: &Mode| a.value.total_cmp(&b.value);
-        self.modes.sort_by(nearer);
-    }
-
-    fn are_joined_still(&self, from: &[f64], to: &[f64]) -> bool {
-        let to = self.places.form_near(from, to).apply(to);
-        self.parts.iter().all(|part| {
-            joined_still(
-                &part.chain,
-                &from[part.range.clone()],
-                &to[part.range.clone()],
-            )
-        })
-    }
-
-    /// Angles within ±π where the limits allow it.
-    fn written_short(&self, theta: &[f64]) -> Vec<f64> {
-        let variables = self.variables.iter().flatten();
-        variables.zip(theta).map(|(v, &x)| v.wrapped(x)).collect()
     }
 
     /// What follows the combinations at a pose, or the positions drawn anew.

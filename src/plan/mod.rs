@@ -44,3 +44,5 @@ mod tracks;
 #[cfg(feature = "study")]
 pub mod unseen;
 pub mod walk;
+#[cfg(feature = "study")]
+mod ways;
