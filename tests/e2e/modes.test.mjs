@@ -14,11 +14,15 @@ const ways = (page) => dialog(page).getByRole('list', { name: 'Ways to assemble'
 const isComplete = (page) => dialog(page).locator('.best-mode').waitFor({ timeout: 180_000 });
 const start = (page) => page.evaluate(() => JSON.stringify(document.querySelector('synthetica-linkage').document.chains.map((chain) => chain.start)));
 
-/** The agile eye has eight ways; the linkage that the page begins with has one. */
-async function openDialog(options = { viewport: { width: 1280, height: 800 } }, key = 1) {
+/** The agile eye has eight ways; the linkage that the page begins with has one. With many frames the motions from all take long. */
+async function openDialog(options = { viewport: { width: 1280, height: 800 } }, key = 1, frames = 0) {
   const { page, problems } = await browser.openPage(options);
   await openSample(page, 'agile-eye.json');
   await page.getByRole('tab', { name: 'Motion', exact: true }).click();
+  if (frames) {
+    await cell(page, 'motion.frames').fill(String(frames));
+    await page.locator('#frame-number').filter({ hasText: `/ ${frames}` }).waitFor();
+  }
   await doTo(page, `key frame ${key}`, 'Ways to assemble…');
   await dialog(page).waitFor();
   return { page, problems };
@@ -65,7 +69,7 @@ test('a way becomes the start, an edit that undo takes back', async () => {
 });
 
 test('by keyboard: another key frame, stop, go on, close; the focus comes back', async () => {
-  const { page, problems } = await openDialog();
+  const { page, problems } = await openDialog(undefined, 1, 10_001);
   const stop = dialog(page).getByRole('button', { name: 'Stop', exact: true });
   await stop.waitFor();
   await stop.focus();
