@@ -256,6 +256,37 @@ fn three_prs() -> &'static (Case, Trajectory, Found) {
     })
 }
 
+/// As calm as the followed motion, and a tenth closer: the change of branch is spread over frames.
+#[test]
+fn the_calm_form_is_closer_at_the_followed_motions_own_step() {
+    /// Frames in place of one: 129.
+    const FINER: usize = 4;
+    let Case {
+        mechanism,
+        start,
+        goals,
+        settings,
+    } = Case::golden("3PRS");
+    let mut finer: Vec<Goal> = Vec::new();
+    for pair in goals.windows(2) {
+        for part in 0..FINER {
+            let part = part as f64 / FINER as f64;
+            let pose = pair[0].pose.lerp_slerp(&pair[1].pose, part);
+            let time = pair[0].time + part;
+            finer.push(Goal { time, pose });
+        }
+    }
+    finer.push(goals[goals.len() - 1]);
+    let followed = plan(&mechanism, &start, &finer, &settings);
+    let mut search = Search::new(&mechanism, &finer, &settings, followed);
+    let of_followed = search.finish().expect("closed loops").followed;
+    let calm = search.calm_at_step(of_followed.largest_step);
+    let calm = calm.expect("a price that makes it so calm");
+    assert!(calm.cost.largest_step <= of_followed.largest_step);
+    assert!(calm.cost.mean <= 0.9 * of_followed.mean, "{:?}", calm.cost);
+    assert!(calm.motion.closure.iter().all(|closure| *closure <= CLOSED));
+}
+
 fn local() -> Case {
     Case::document(include_str!("field/local-RRCP.json"))
 }

@@ -408,7 +408,8 @@ export interface Best {
   starts: number;
   /** The motion that the planner follows. */
   followed: MotionCost;
-  /** The best motion found so far: the followed one until a better one is found. */
+  /** The best motion found so far: the followed one until branches are known. It may be farther where the followed one leaps
+   * as no linkage can. */
   best: MotionCost;
   /** Mean over the frames of the least distance seen at each: no motion over the branches known is closer. */
   lower_bound: number;

@@ -72,7 +72,7 @@ impl Session {
         Ok(object.unchecked_into())
     }
 
-    /// The best motion found so far, one frame a goal: the followed one until a better one is found.
+    /// The best motion found so far, one frame a goal: the followed one until branches are known.
     ///
     /// # Errors
     /// A `Fault` where joints are driven.

@@ -11,7 +11,6 @@ use crate::model::mechanism::Mechanism;
 use crate::model::scaled::CLOSED;
 use crate::motion::goal::Goal;
 use crate::motion::trajectory::{Status, Trajectory};
-use crate::plan::one_chain::joined_still;
 use crate::plan::places::{Form, Places};
 use crate::plan::settings::{Method, Settings, extent};
 use crate::plan::walk::{self, LONGEST, Walk};
@@ -73,7 +72,7 @@ pub struct Edge {
 
 /// A closed walk between two branches while the goal stands at a slot.
 #[derive(Clone, Debug)]
-pub struct Joint {
+pub struct Crossing {
     /// Where.
     pub slot: usize,
     /// The branches.
@@ -114,7 +113,7 @@ pub struct Branches {
     /// How many of them the followed motion has: more than one where it leaps.
     pub followed: usize,
     /// Walks between branches.
-    pub joints: Vec<Joint>,
+    pub crossings: Vec<Crossing>,
     /// Walks from one branch to another between a slot and the next, by the slot where they end and their nodes.
     pub bridges: BTreeMap<(usize, usize, usize), Edge>,
     /// Walks along branches, by the slot where they end and their nodes; shorter steps are none.
@@ -166,7 +165,7 @@ impl Branches {
             nodes: vec![Vec::new(); goals.len() + 1],
             list: Vec::new(),
             followed: 0,
-            joints: Vec::new(),
+            crossings: Vec::new(),
             bridges: BTreeMap::new(),
             steps: BTreeMap::new(),
             ways: Vec::new(),
@@ -325,27 +324,16 @@ impl Branches {
         })
     }
 
-    /// The node of a slot that is this position, if there is one.
+    /// The node of a slot that is this position, if there is one: the same, before one that inner freedoms join to it.
     pub(super) fn find(&self, slot: usize, theta: &[f64], axes: &[f64]) -> Option<usize> {
-        let nodes = &self.nodes[slot];
-        let same = |node: &Node| self.places.are_same(&node.axes, axes);
-        if let Some(found) = nodes.iter().position(same) {
-            return Some(found);
-        }
-        // With inner freedoms other axes may belong to the same pose, joined while the workpiece stands still.
-        nodes.iter().position(|node| {
-            Places::same_workpiece(&node.axes, axes) && self.are_joined_still(theta, &node.theta)
-        })
-    }
-
-    /// Whether every chain can go from one position to another while the workpiece stands still.
-    fn are_joined_still(&self, from: &[f64], to: &[f64]) -> bool {
-        let to = self.places.form_near(from, to).apply(to);
-        let mut first = 0;
-        self.solver.scaled().chains().iter().all(|chain| {
-            let own = first..first + chain.freedoms();
-            first = own.end;
-            joined_still(chain, &from[own.clone()], &to[own])
+        let (nodes, places) = (&self.nodes[slot], &self.places);
+        let same = nodes
+            .iter()
+            .position(|node| places.are_same(&node.axes, axes));
+        same.or_else(|| {
+            let joined =
+                |node: &Node| places.are_joined_still(theta, axes, &node.theta, &node.axes);
+            nodes.iter().position(joined)
         })
     }
 

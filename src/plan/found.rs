@@ -12,6 +12,9 @@ use crate::plan::route::Route;
 use crate::plan::settings::{Settings, extent};
 use crate::plan::walk;
 
+/// Largest joint motion from one point of a path to the next, rad or sizes, that is published.
+const LONGEST_STEP: f64 = 0.1;
+
 /// A point of a closed motion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Point {
@@ -105,7 +108,8 @@ pub struct Found {
 }
 
 impl Found {
-    /// The way of a route as a motion; none where there is no way, or a point of it is not closed within the limits.
+    /// The way of a route as a motion; none where there is no way, or a point of it is not closed within
+    /// the limits, or too far from the one before.
     pub(super) fn new(
         mechanism: &Mechanism,
         goals: &[Goal],
@@ -181,11 +185,14 @@ impl Found {
             }
             before = joints;
         }
+        let mut last = start;
         for point in &mut path {
             let theta = branches.solver.scaled().entered(&point.joints);
-            if !branches.is_closed(&theta) {
+            // Written so that NaN is none.
+            if !(branches.is_closed(&theta) && walk::largest(&last, &theta) <= LONGEST_STEP) {
                 return None;
             }
+            last.clone_from(&theta);
             let (scaled, closer, _) = branches.solver.parts();
             (point.closure, point.misfit) = closer.closure(scaled, &theta);
         }

@@ -11,6 +11,7 @@ use crate::model::chain::Chain;
 use crate::model::joint::{JointKind, Limits};
 use crate::model::mechanism::Mechanism;
 use crate::model::scaled::Scaled;
+use crate::plan::one_chain::joined_still;
 use nalgebra::Vector3;
 use std::f64::consts::{PI, TAU};
 
@@ -160,8 +161,26 @@ impl Places {
             })
     }
 
+    /// Whether two positions are the same, or every chain can go from the one to the other while the workpiece stands still:
+    /// inner freedoms give one pose many axes.
+    pub fn are_joined_still(&self, from: &[f64], a: &[f64], to: &[f64], b: &[f64]) -> bool {
+        if !Self::same_workpiece(a, b) {
+            return false;
+        }
+        if self.are_axes_same(a, b) {
+            return true;
+        }
+        let to = self.form_near(from, to).apply(to);
+        let mut first = 0;
+        self.scaled.chains().iter().all(|chain| {
+            let own = first..first + chain.freedoms();
+            first = own.end;
+            joined_still(chain, &from[own.clone()], &to[own])
+        })
+    }
+
     /// Whether the workpiece is at the same place.
-    pub fn same_workpiece(a: &[f64], b: &[f64]) -> bool {
+    fn same_workpiece(a: &[f64], b: &[f64]) -> bool {
         let square: f64 = (0..3).map(|i| (a[i] - b[i]) * (a[i] - b[i])).sum();
         let dot: f64 = (3..7).map(|i| a[i] * b[i]).sum();
         // 1 − |cos(φ/2)| = φ²/8.

@@ -1,6 +1,6 @@
 //! Closed walks from the branches that are known to other positions, and which branches they join.
 
-use crate::plan::branches::{Branches, Edge, Joint, Way};
+use crate::plan::branches::{Branches, Crossing, Edge, Way};
 use crate::plan::walk::{self, Walk};
 
 /// Walks that are tried to a position, from the nearest positions known.
@@ -180,7 +180,7 @@ impl Branches {
         joined[0] = true;
         loop {
             let before = joined.iter().filter(|j| **j).count();
-            let walks = self.joints.iter().map(|joint| joint.branches);
+            let walks = self.crossings.iter().map(|crossing| crossing.branches);
             let bridges = self.bridges.keys().map(|&(slot, from, to)| {
                 [
                     self.nodes[slot - 1][from].branch,
@@ -220,11 +220,12 @@ impl Branches {
     }
 
     pub(super) fn are_joined(&self, slot: usize, branches: [usize; 2]) -> bool {
-        let same = |joint: &Joint| {
-            joint.slot == slot
-                && (joint.branches == branches || joint.branches == [branches[1], branches[0]])
+        let same = |crossing: &Crossing| {
+            crossing.slot == slot
+                && (crossing.branches == branches
+                    || crossing.branches == [branches[1], branches[0]])
         };
-        self.joints.iter().any(same)
+        self.crossings.iter().any(same)
     }
 
     /// Notes a walk between two branches; the last point is that of the end's node.
@@ -251,7 +252,7 @@ impl Branches {
         {
             edge.walk = straight;
         }
-        self.joints.push(Joint {
+        self.crossings.push(Crossing {
             slot,
             branches,
             edge,

@@ -26,7 +26,7 @@ enum By {
     Walk,
     /// Along the branch to a known walk between the two branches and along the other to the slot; `back`: that walk the
     /// other way round.
-    Joint { number: usize, back: bool },
+    Crossing { number: usize, back: bool },
 }
 
 /// A way through all slots: a node each.
@@ -127,8 +127,8 @@ impl Route {
         let slots = branches.slots();
         let share = 1.0 / (slots - 1) as f64;
         let mut between: BTreeMap<[usize; 2], Vec<(usize, bool)>> = BTreeMap::new();
-        for (number, joint) in branches.joints.iter().enumerate() {
-            let [a, b] = joint.branches;
+        for (number, crossing) in branches.crossings.iter().enumerate() {
+            let [a, b] = crossing.branches;
             between.entry([a, b]).or_default().push((number, false));
             between.entry([b, a]).or_default().push((number, true));
         }
@@ -166,16 +166,17 @@ impl Route {
                     };
                     least = take(before[l] + PRICE * length, l, By::Walk);
                     for &(number, back) in between.get(&pair).into_iter().flatten() {
-                        let joint = &branches.joints[number];
+                        let crossing = &branches.crossings[number];
                         let other = &branches.list[other.branch];
-                        if other.node(joint.slot).is_none() || list.node(joint.slot).is_none() {
+                        if other.node(crossing.slot).is_none() || list.node(crossing.slot).is_none()
+                        {
                             continue;
                         }
-                        let length = other.way(slot - 1, joint.slot)
-                            + joint.edge.walk.length
-                            + list.way(joint.slot, slot);
+                        let length = other.way(slot - 1, crossing.slot)
+                            + crossing.edge.walk.length
+                            + list.way(crossing.slot, slot);
                         let cost = before[l] + PRICE * length;
-                        least = take(cost, l, By::Joint { number, back });
+                        least = take(cost, l, By::Crossing { number, back });
                     }
                 }
                 let uncertified = if node.solved.end.is_minimum() {
@@ -210,24 +211,24 @@ impl Route {
                 let walk = self.walks.get(&(slot, from, to)).cloned().flatten();
                 vec![walk.expect("the walks of a way that was found")]
             }
-            By::Joint { number, back } => {
-                let joint = &branches.joints[number];
+            By::Crossing { number, back } => {
+                let crossing = &branches.crossings[number];
                 let branch = |slot: usize, node: usize| branches.nodes[slot][node].branch;
                 let along = |branch: usize, from: usize, to: usize| Edge {
                     walk: branches.walk_along(branch, from, to),
                     form: Form::same(branches.nodes[0][0].theta.len()),
                 };
-                let mut edges = vec![along(branch(slot - 1, from), slot - 1, joint.slot)];
+                let mut edges = vec![along(branch(slot - 1, from), slot - 1, crossing.slot)];
                 edges.push(if back {
-                    reversed(&joint.edge, {
-                        let list = &branches.list[joint.branches[0]];
-                        let node = list.node(joint.slot).expect("joined there");
-                        &branches.nodes[joint.slot][node].theta
+                    reversed(&crossing.edge, {
+                        let list = &branches.list[crossing.branches[0]];
+                        let node = list.node(crossing.slot).expect("joined there");
+                        &branches.nodes[crossing.slot][node].theta
                     })
                 } else {
-                    joint.edge.clone()
+                    crossing.edge.clone()
                 });
-                edges.push(along(branch(slot, to), joint.slot, slot));
+                edges.push(along(branch(slot, to), crossing.slot, slot));
                 edges
             }
         }

@@ -1,8 +1,6 @@
 //! Positions that become ways to assemble: combinations of the chains' configurations, and positions drawn anew.
 
 use crate::plan::assemblies::{AT_A_TIME, Assemblies, MOST, Mode};
-use crate::plan::one_chain::joined_still;
-use crate::plan::places::Places;
 
 impl Assemblies {
     /// Tries some combinations of the chains' configurations, from this one on; true while there are more.
@@ -65,24 +63,16 @@ impl Assemblies {
         let scaled = self.solver.scaled();
         let theta = self.written_short(&scaled.entered(&joints));
         let axes = self.places.axes(&theta);
-        if let Some(known) = self
-            .modes
-            .iter_mut()
-            .position(|mode| self.places.are_same(&mode.axes, &axes))
-        {
+        let places = &self.places;
+        let same = |mode: &Mode| places.are_joined_still(&theta, &axes, &mode.theta, &mode.axes);
+        if let Some(known) = self.modes.iter().position(same) {
             self.modes[known].starts += 1;
             self.modes[known].met += 1;
             return;
         }
-        if self.modes.iter().any(|mode| {
-            Places::same_workpiece(&mode.axes, &axes) && self.are_joined_still(&theta, &mode.theta)
-        }) {
-            return;
-        }
-        let is_start = self.start.as_ref().is_some_and(|start| {
-            let own = self.places.axes(start);
-            self.places.are_same(&own, &axes)
-                || Places::same_workpiece(&own, &axes) && self.are_joined_still(&theta, start)
+        let start = self.start.as_ref();
+        let is_start = start.is_some_and(|start| {
+            places.are_joined_still(&theta, &axes, start, &places.axes(start))
         });
         let scaled = self.solver.scaled();
         let pose = scaled.leave_pose(&scaled.chains()[0].pose(&theta));
@@ -102,17 +92,6 @@ impl Assemblies {
         });
         let nearer = |a: &Mode, b: &Mode| a.value.total_cmp(&b.value);
         self.modes.sort_by(nearer);
-    }
-
-    fn are_joined_still(&self, from: &[f64], to: &[f64]) -> bool {
-        let to = self.places.form_near(from, to).apply(to);
-        self.parts.iter().all(|part| {
-            joined_still(
-                &part.chain,
-                &from[part.range.clone()],
-                &to[part.range.clone()],
-            )
-        })
     }
 
     /// Angles within ±π where the limits allow it.

@@ -9,6 +9,7 @@ use std::path::PathBuf;
 use synthetica::exchange::export::Format;
 use synthetica::exchange::table::Headings;
 use synthetica::model::joint::JointKind;
+use synthetica::plan::calm_form::MOST_PRICE;
 use synthetica::types::enumerate::{MAX_CHAIN_CONSTRAINTS, MAX_CONSTRAINTS};
 
 /// Closest reachable motions of spatial linkages, from documents in JSON
@@ -305,8 +306,10 @@ pub type Chain = Vec<JointKind>;
 fn price(text: &str) -> Result<f64, String> {
     let price = text.parse().ok();
     price
-        .filter(|price: &f64| *price > 0.0 && price.is_finite())
-        .ok_or_else(|| "no price. Accepted: a number above 0, such as 1e-6".to_owned())
+        .filter(|price: &f64| *price > 0.0 && *price <= MOST_PRICE)
+        .ok_or_else(|| {
+            format!("no price. Accepted: a number above 0, up to {MOST_PRICE}, such as 1e-6")
+        })
 }
 
 fn chain(letters: &str) -> Result<Chain, String> {
