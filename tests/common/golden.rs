@@ -101,6 +101,27 @@ fn task(golden: &GoldenTask) -> Result<Task, String> {
     })
 }
 
+/// The same joints with three revolute ones about one point taken as the spherical joint that the file means by them, so that
+/// its two sets of angles are one position. A chain of nothing else is that of a spherical linkage, whose links are apart.
+fn with_spherical(mut joints: Vec<Joint>) -> Vec<Joint> {
+    let mut first = 0;
+    while first + 3 <= joints.len() && joints.len() > 3 {
+        let three = &joints[first..first + 3];
+        let rows: Vec<DhRow> = three.iter().map(|joint| joint.rows()[0]).collect();
+        let turn = three.iter().all(|joint| joint.kind() == JointKind::R);
+        // Behind the first row and the second there is no length.
+        let meet = rows[1].d.abs().max(rows[0].d.abs()) < 1e-12;
+        if let Ok(spherical) = Joint::new(JointKind::S, rows, vec![])
+            && turn
+            && meet
+        {
+            joints.splice(first..first + 3, [spherical]);
+        }
+        first += 1;
+    }
+    joints
+}
+
 fn chain(index: usize, golden: &GoldenChain) -> Result<Chain, String> {
     let joints = golden.rows.iter().map(|&(alpha, a, theta, d)| {
         let kind = match (theta, d) {
@@ -120,7 +141,7 @@ fn chain(index: usize, golden: &GoldenChain) -> Result<Chain, String> {
         };
         Joint::new(kind, vec![row], vec![]).map_err(|e| format!("chain {}: {e:?}", index + 1))
     });
-    let joints = joints.collect::<Result<_, _>>()?;
+    let joints = with_spherical(joints.collect::<Result<_, String>>()?);
     Chain::new(
         format!("chain {}", index + 1),
         frame(&golden.base),
