@@ -27,6 +27,8 @@ use std::ops::RangeInclusive;
 #[derive(Clone, Debug)]
 pub struct Tangent {
     pub(super) chains: Vec<ChainTangent>,
+    /// The joint values of the last evaluation.
+    at: Vec<f64>,
     /// The largest of the last evaluation.
     pub(super) closure_error: f64,
     /// QR of the stacked constraints' transpose, (6 + explicit joints) × (constraints).
@@ -56,6 +58,7 @@ impl Tangent {
             .collect();
         Self {
             chains,
+            at: Vec::with_capacity(variables),
             closure_error: f64::INFINITY,
             stacked: PivotedQr::default(),
             combination: None,
@@ -69,9 +72,14 @@ impl Tangent {
     }
 
     /// Evaluates the chains at `theta`, and returns the largest [`closure_error`]. The workpiece
-    /// is where the first chain puts it.
+    /// is where the first chain puts it. At the joint values of the last evaluation nothing is left to do.
     #[inline]
     pub fn evaluate(&mut self, chains: &[Chain], theta: &[f64]) -> f64 {
+        if self.at == theta {
+            return self.closure_error;
+        }
+        self.at.clear();
+        self.at.extend_from_slice(theta);
         let mut worst = 0.0_f64;
         for i in 0..self.chains.len() {
             let (done, rest) = self.chains.split_at_mut(i);
@@ -92,6 +100,15 @@ impl Tangent {
         &self.chains[0].state.pose
     }
 
+    /// The workpiece at `theta`, without an evaluation where that was the last one.
+    pub fn pose_at(&self, chains: &[Chain], theta: &[f64]) -> Pose {
+        if self.at == theta {
+            *self.pose()
+        } else {
+            chains[0].pose(theta)
+        }
+    }
+
     /// The Jacobian's columns of each chain at the last evaluation.
     pub fn jacobians(&self) -> impl Iterator<Item = &[Vector6<f64>]> {
         self.chains
@@ -109,6 +126,12 @@ impl Tangent {
             most = self.combine(surplus..=surplus + held, within);
         }
         self.stacked.factor(dependence.threshold(), most);
+        Factored(self)
+    }
+
+    /// The factors of an evaluation before, for steps from the last one.
+    #[inline]
+    pub(super) fn stale(&mut self) -> Factored<'_> {
         Factored(self)
     }
 
