@@ -138,8 +138,10 @@ impl PivotedQr {
         }
         for k in (0..self.rank).rev() {
             // The first rows are not reached by the last reflections.
+            let mut v = [0.0; 6];
+            v.copy_from_slice(&self.v[k * 6..(k + 1) * 6]);
             for row in &mut rows[k..] {
-                self.reflect_by(k, row);
+                reflect(&v, self.beta[k], row);
             }
         }
         for i in (0..self.rank).rev() {

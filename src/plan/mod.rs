@@ -12,6 +12,7 @@ pub mod leaps;
 pub mod modes;
 mod one_chain;
 pub mod planning;
+pub mod predict;
 pub mod record;
 mod seeds;
 pub mod settings;

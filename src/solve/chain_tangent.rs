@@ -157,7 +157,7 @@ impl ChainTangent {
 
     /// The second derivative of the workpiece's pose along the wrench (F, M), per pair of joints:
     /// K[j, l] = F·(S_j × (S_l × (d − C_l))) + ½ M·(S_j × S_l), j ≤ l, with S_l in place of
-    /// S_l × (d − C_l) where l slides, and 0 where j slides. Into the upper triangle.
+    /// S_l × (d − C_l) where l slides, and 0 where j slides; symmetric.
     #[inline]
     pub fn bend(&mut self) {
         let force = self.wrench.fixed_rows::<3>(0).into_owned();
@@ -167,8 +167,9 @@ impl ChainTangent {
             let axis = column.fixed_rows::<3>(3).into_owned();
             let (f, m) = (force.cross(&axis), half_moment.cross(&axis));
             for (l, other) in columns.iter().enumerate().skip(j) {
-                self.curvature[j][l] =
-                    f.dot(&other.fixed_rows::<3>(0)) + m.dot(&other.fixed_rows::<3>(3));
+                let k = f.dot(&other.fixed_rows::<3>(0)) + m.dot(&other.fixed_rows::<3>(3));
+                self.curvature[j][l] = k;
+                self.curvature[l][j] = k;
             }
         }
     }
@@ -176,16 +177,11 @@ impl ChainTangent {
     /// K Δθ for the chain's part of joint motions `step`.
     #[inline]
     pub fn bent(&self, step: &[f64]) -> [f64; MAX_FREEDOMS] {
-        let (k, rates) = (
-            &self.curvature,
-            &step[self.first..self.first + self.freedoms],
-        );
         let mut bent = [0.0; MAX_FREEDOMS];
-        for j in 0..rates.len() {
-            bent[j] += k[j][j] * rates[j];
-            for l in j + 1..rates.len() {
-                bent[j] += k[j][l] * rates[l];
-                bent[l] += k[j][l] * rates[j];
+        let own = &step[self.first..self.first + self.freedoms];
+        for (row, x) in self.curvature.iter().zip(own) {
+            for j in 0..MAX_FREEDOMS {
+                bent[j] += row[j] * x;
             }
         }
         bent

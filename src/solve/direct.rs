@@ -1,5 +1,9 @@
-//! The direct way to a frame's minimum: full Newton steps that close the loops and descend at once. Near the last
-//! frame's answer two or three suffice; where anything is out of the ordinary the guarded way follows.
+//! The direct way to a frame's minimum: full Newton steps that close the loops and descend at once, the first with the
+//! factors of its own iterate, the next ones with the same; see [`newton_step`](super::newton_step). Near the last frame's
+//! answer two or three suffice; where anything is out of the ordinary the guarded way follows.
+//!
+//! An iterate with older factors is certified where its residuals bound the projected gradient, and where the curvature
+//! has not fallen to nothing, by the estimate [`CURVATURE_CHANGE`], on the way from where the factors were made.
 
 use crate::math::linalg;
 use crate::math::metric::Target;
@@ -8,7 +12,7 @@ use crate::solve::close::longest;
 use crate::solve::objective::objective;
 use crate::solve::solver::{Iterate, Observer, Solved, Solver, minimum};
 
-/// Steps of the direct way; from an extrapolation of the frames before, two or three suffice.
+/// Looks at an iterate on the direct way; from an extrapolation of the frames before, two or three steps suffice.
 const DIRECT_STEPS: usize = 12;
 /// Largest joint motion of a first direct step, rad or sizes: further off, the prediction is not trusted.
 const DIRECT_STEP: f64 = 0.15;
@@ -16,11 +20,13 @@ const DIRECT_STEP: f64 = 0.15;
 const CONTRACTION: f64 = 0.5;
 /// A step of this size may be followed by another as long: f's curvature times it is at rounding level.
 const ROUNDING_STEP: f64 = 1e-7;
-/// A step with older factors that is not below this fraction of the last one is made anew, with new ones.
+/// A step with older factors that is not below this fraction of the last one is made anew, with new ones: slower than that
+/// nothing says where the steps lead.
 const STALE_CONTRACTION: f64 = 0.3;
 /// After a step that is not below this fraction of the last one new factors need less time than more such steps.
 const STALE_FAST: f64 = 0.05;
-/// How much the curvature may change per unit of joint motion, rad or sizes.
+/// How much the least curvature may fall per unit of joint motion, rad or sizes. An estimate: f's third derivatives are sums
+/// of products of the pull, of lengths in sizes, and of joint rates, all of them about 1.
 const CURVATURE_CHANGE: f64 = 10.0;
 
 impl Solver {
@@ -43,7 +49,7 @@ impl Solver {
         // Joint motion since the factors were made, and the least curvature there.
         let (mut moved, mut least) = (0.0, 0.0);
         let (mut fresh, mut seen) = (true, false);
-        while *iterations <= DIRECT_STEPS {
+        for _ in 0..DIRECT_STEPS {
             let tangent = self.closer.tangent();
             tangent.evaluate(self.scaled.chains(), theta);
             let mut factored = if fresh {

@@ -55,15 +55,14 @@ impl Balanced<'_> {
             chain.torques(torques);
         }
         let (rho, free) = (self.unheld(gradient), self.free());
-        let mut longest = 0.0;
         slope.clear();
-        for i in 0..free.count() {
-            let rates = free.rates(i);
-            slope.push(free.twist(i).dot(&rho) + linalg::dot(rates, torques));
-            longest += linalg::dot(rates, rates);
-        }
-        let tau = linalg::dot(torques, torques);
-        norm(&rho) + LONGER * (longest * tau).sqrt()
+        slope.extend(
+            (0..free.count())
+                .map(|i| free.twist(i).dot(&rho) + linalg::dot(free.rates(i), torques)),
+        );
+        let rates = &self.tangent().rates;
+        let longest = linalg::dot(rates, rates) * linalg::dot(torques, torques);
+        norm(&rho) + LONGER * longest.sqrt()
     }
 
     /// See [`Factored::close`].

@@ -39,8 +39,8 @@ pub struct Solved {
     pub reached: bool,
     /// f; of a runaway at the last position before it was given up, not at the joint values that are left.
     pub value: f64,
-    /// Norm of the objective's gradient along orthonormal free directions: lengths as shares of the size, or of the
-    /// metric's length with the gradient planner.
+    /// A bound of the norm of the objective's gradient along orthonormal free directions, which is met where they were found
+    /// at the answer itself: lengths as shares of the size, or of the metric's length with the gradient planner.
     pub projected_gradient: f64,
     /// Linear systems solved.
     pub iterations: usize,
