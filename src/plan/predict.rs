@@ -75,11 +75,12 @@ mod tests {
         let problem = Problem::new(&text::parse(text).expect("a document")).expect("a problem");
         let scaled = Scaled::new(&problem.mechanism, 1.0);
         let n = scaled.variables();
-        let predicted = |degree: i32, bend: usize, frame: usize| {
+        let predicted = |degree: usize, bend: usize, frame: usize| {
             let at = |k: usize| {
                 let x = k as f64 / 10.0;
                 let rest = if k > bend { 1.0 } else { 0.0 };
-                x.powi(degree) + rest * (k - bend.min(k)) as f64 / 5.0
+                std::iter::repeat_n(x, degree).product::<f64>()
+                    + rest * (k - bend.min(k)) as f64 / 5.0
             };
             let history: Vec<f64> = (0..frame * n).map(|i| at(i / n)).collect();
             let mut found = vec![0.0; n];
@@ -96,7 +97,7 @@ mod tests {
                 .fold(0.0, f64::max)
         };
         for degree in 0..=5 {
-            let frames = (degree as usize + 2).max(2);
+            let frames = degree + 2;
             for frame in frames..12 {
                 assert!(
                     predicted(degree, 99, frame) < 1e-12,

@@ -96,20 +96,17 @@ impl ChainTangent {
     }
 
     /// Appends −N_iᵀ e_i.
-    #[inline]
     pub fn residuals(&self, out: &mut Vec<f64>) {
         let e = self.open.into();
         out.extend(self.rows[self.qr.rank()..].iter().map(|n| -dot6(n, &e)));
     }
 
     /// N_i times the multipliers of its constraints.
-    #[inline]
     pub fn combine(&self, multipliers: &[f64]) -> Vector6<f64> {
         sum6(&self.rows[self.qr.rank()..], multipliers)
     }
 
     /// Joint rates that realise ξ + e with explicit joints as in `y`; those of held joints stay 0.
-    #[inline]
     pub fn rates(&self, y: &[f64], open: Option<&Vector6<f64>>, out: &mut [f64]) {
         let mut x = [y[0], y[1], y[2], y[3], y[4], y[5]];
         if let Some(e) = open {
@@ -130,7 +127,6 @@ impl ChainTangent {
     }
 
     /// τ = Jᵀ λ of the joints that are not held: what keeps them from being in balance.
-    #[inline]
     pub fn torques(&self, out: &mut [f64]) {
         for &j in &self.active {
             out[self.first + j] = self.wrench.dot(&self.state.jacobian[j]);
@@ -139,7 +135,6 @@ impl ChainTangent {
 
     /// The wrench w along the joints with Jᵀ w = −`torques`, as far as the joints are not explicit; their rest is taken from
     /// the explicit unknowns in `rest`, and w from its first six. N_i μ may be added to w.
-    #[inline]
     pub fn react(&self, torques: &[f64], rest: &mut [f64]) -> Vector6<f64> {
         let rank = self.qr.rank();
         let mut own = [0.0; MAX_FREEDOMS];
@@ -158,7 +153,6 @@ impl ChainTangent {
     /// The second derivative of the workpiece's pose along the wrench (F, M), per pair of joints:
     /// K[j, l] = F·(S_j × (S_l × (d − C_l))) + ½ M·(S_j × S_l), j ≤ l, with S_l in place of
     /// S_l × (d − C_l) where l slides, and 0 where j slides; symmetric.
-    #[inline]
     pub fn bend(&mut self) {
         let force = self.wrench.fixed_rows::<3>(0).into_owned();
         let half_moment = self.wrench.fixed_rows::<3>(3) * 0.5;
@@ -175,7 +169,6 @@ impl ChainTangent {
     }
 
     /// K Δθ for the chain's part of joint motions `step`.
-    #[inline]
     pub fn bent(&self, step: &[f64]) -> [f64; MAX_FREEDOMS] {
         let mut bent = [0.0; MAX_FREEDOMS];
         let own = &step[self.first..self.first + self.freedoms];

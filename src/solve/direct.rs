@@ -92,7 +92,6 @@ impl Solver {
                 least = pivots.fold(f64::INFINITY, |least, l| l.min(least));
                 least *= least;
                 moved = 0.0;
-            } else {
             }
             if open <= SOLVED && gradient <= stationary {
                 if least - CURVATURE_CHANGE * moved < flat {

@@ -85,7 +85,6 @@ impl<'a> Free<'a> {
 
     /// Distributes a pull over the chains: wrenches λ_i with Σ λ_i = `gradient` as far as the constraints can hold it.
     /// Where there are surplus constraints, one of the many splits is taken.
-    #[inline]
     pub fn balance(self, gradient: &Vector6<f64>) -> Balanced<'a> {
         let tangent = self.0;
         for chain in &mut tangent.chains {
@@ -101,7 +100,6 @@ impl<'a> Free<'a> {
 
 impl Tangent {
     /// Adds to the chains' wrenches N_i μ_i that take up the pull in the scratch, as far as the constraints can.
-    #[inline]
     pub(super) fn distribute(&mut self) {
         let rank = self.stacked.rank();
         self.stacked.apply_qt(&mut self.scratch);
@@ -172,7 +170,6 @@ impl<'a> Balanced<'a> {
 
     /// Second derivative of the objective along the free directions, given its Hessian in the twist: lower triangle,
     /// `count` × `count`.
-    #[inline]
     pub fn reduced_hessian(&mut self, hessian: &Matrix6<f64>, reduced: &mut Vec<f64>) {
         let n = self.0.count();
         reduced.clear();
@@ -197,7 +194,6 @@ impl<'a> Balanced<'a> {
     }
 
     /// The curvature of the chains with their present wrenches.
-    #[inline]
     pub(super) fn bend(&mut self) {
         self.0.0.chains.iter_mut().for_each(ChainTangent::bend);
     }

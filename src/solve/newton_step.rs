@@ -33,7 +33,6 @@ impl Balanced<'_> {
     }
 
     /// ρ: the part of a pull that the wrenches do not hold.
-    #[inline]
     fn unheld(&self, gradient: &Vector6<f64>) -> Vector6<f64> {
         self.tangent()
             .chains
@@ -43,7 +42,6 @@ impl Balanced<'_> {
 
     /// τ goes to `torques`, the gradient along the free directions to `slope`: for each g·ξ = Σ τ_i·Δθ_i + ρ·ξ. Returns a
     /// bound of its norm at the last evaluation, which holds with older factors: |ρ| + |τ| times the longest joint rates.
-    #[inline]
     pub(super) fn residuals(
         &self,
         gradient: &Vector6<f64>,
@@ -66,14 +64,12 @@ impl Balanced<'_> {
     }
 
     /// See [`Factored::close`].
-    #[inline]
     pub(super) fn close(&mut self, correction: &mut Vec<f64>, step: &mut [f64]) {
         Factored(self.0.0).close(correction, step);
     }
 
     /// Completes the closing step (`correction`, `step`) by the free motion that descends, and changes the wrenches with it.
     /// `factor` is the Cholesky factor of the reduced Hessian; `slope` and `torques` are used up.
-    #[inline]
     pub(super) fn step(
         &mut self,
         model: &Objective,

@@ -73,7 +73,6 @@ impl Tangent {
 
     /// Evaluates the chains at `theta`, and returns the largest [`closure_error`]. The workpiece
     /// is where the first chain puts it. At the joint values of the last evaluation nothing is left to do.
-    #[inline]
     pub fn evaluate(&mut self, chains: &[Chain], theta: &[f64]) -> f64 {
         if self.at == theta {
             return self.closure_error;
