@@ -115,7 +115,6 @@ impl PivotedQr {
     }
 
     /// x ← Qᵀ x.
-    #[inline]
     pub fn apply_qt(&self, x: &mut [f64]) {
         for k in 0..self.rank {
             self.reflect_by(k, x);
@@ -123,7 +122,6 @@ impl PivotedQr {
     }
 
     /// x ← Q x.
-    #[inline]
     pub fn apply_q(&self, x: &mut [f64]) {
         for k in (0..self.rank).rev() {
             self.reflect_by(k, x);
@@ -160,7 +158,6 @@ impl PivotedQr {
         }
     }
 
-    #[inline]
     fn reflect_by(&self, k: usize, x: &mut [f64]) {
         reflect(&self.v[k * self.rows..(k + 1) * self.rows], self.beta[k], x);
     }
@@ -172,7 +169,6 @@ impl PivotedQr {
     }
 
     /// x ← R11⁻¹ x, on the first `rank` entries.
-    #[inline]
     pub fn solve_r(&self, x: &mut [f64]) {
         for i in (0..self.rank).rev() {
             let column = &self.a[i * self.rows..];
@@ -185,7 +181,6 @@ impl PivotedQr {
     }
 
     /// x ← R11⁻ᵀ x, on the first `rank` entries.
-    #[inline]
     pub fn solve_rt(&self, x: &mut [f64]) {
         for i in 0..self.rank {
             let column = &self.a[i * self.rows..];

@@ -29,9 +29,8 @@ pub fn predict(
             differences[back] = history[last + joint - back * n];
         }
         let scale = if turns { 1.0 } else { 1.0 / scaled.unit() };
-        // With constant bounds the loops unroll; what is beyond `most` is not looked at.
-        for order in 1..POINTS {
-            for back in (order..POINTS).rev() {
+        for order in 1..=most {
+            for back in (order..=most).rev() {
                 differences[back] = differences[back - 1] - differences[back];
             }
             let miss = scale * differences[order].abs();

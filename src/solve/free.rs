@@ -8,7 +8,6 @@ use nalgebra::{Matrix6, Vector6};
 
 impl<'a> Factored<'a> {
     /// The free directions and their joint rates.
-    #[inline]
     pub fn free(self) -> Free<'a> {
         let tangent = self.0;
         let freedoms = tangent.unknowns - tangent.stacked.rank();

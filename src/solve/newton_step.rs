@@ -102,11 +102,11 @@ impl Balanced<'_> {
         linalg::solve_lower(factor, n, n, slope);
         linalg::solve_lower_transposed(factor, n, n, slope);
         for (i, a) in slope.iter().enumerate() {
-            let add = |sum: &mut [f64], part: &[f64]| {
-                sum.iter_mut().zip(part).for_each(|(s, r)| *s += a * r);
-            };
-            add(step, free.rates(i));
-            add(correction, free.direction(i));
+            let rates = step.iter_mut().zip(free.rates(i));
+            let directions = correction.iter_mut().zip(free.direction(i));
+            rates
+                .chain(directions)
+                .for_each(|(sum, part)| *sum += a * part);
         }
         let twist = Vector6::from_column_slice(&correction[..6]);
         let rest = self.unheld(&model.gradient) + model.hessian * twist - swirl;

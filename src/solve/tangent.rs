@@ -116,7 +116,6 @@ impl Tangent {
     }
 
     /// Factors the constraints at the last evaluation; joints with a stop do not move.
-    #[inline]
     pub fn factor(&mut self, stops: &[Stop], dependence: Dependence) -> Factored<'_> {
         self.stack(stops);
         let mut most = self.constraints.saturating_sub(dependence.known());
@@ -146,7 +145,6 @@ impl Tangent {
     }
 
     /// Stacks the chains' constraints.
-    #[inline]
     fn stack(&mut self, stops: &[Stop]) {
         let mut unknowns = 6;
         self.constraints = 0;
@@ -186,7 +184,6 @@ impl Tangent {
     }
 
     /// −N_iᵀ e_i of all chains, or the kept combinations of them, into the scratch.
-    #[inline]
     fn residuals(&mut self) {
         self.scratch.clear();
         for chain in &self.chains {
@@ -242,7 +239,6 @@ impl Factored<'_> {
     }
 
     /// The shortest y that closes the loops to first order goes to `correction`, its joint rates to `step`.
-    #[inline]
     pub fn close(&mut self, correction: &mut Vec<f64>, step: &mut [f64]) {
         let tangent = &mut *self.0;
         tangent.residuals();
