@@ -129,7 +129,10 @@ fn between(goals: &[Goal], s: f64) -> Goal {
 /// The cubic polynomial through the two frames on either side.
 fn smooth(goals: &[Goal], s: f64) -> Goal {
     let place = s * (goals.len() - 1) as f64;
-    let first = (place.max(1.0) as usize).min(goals.len() - 3) - 1;
+    let first = (0..goals.len() - 3)
+        .rev()
+        .find(|&i| (i + 1) as f64 <= place)
+        .unwrap_or(0);
     let mut sum = DualQuaternion::zeros();
     let mut near = pose::dual_quaternion(&goals[first].pose, 1.0);
     for i in first..first + 4 {
