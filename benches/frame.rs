@@ -15,10 +15,11 @@ mod common;
 use nalgebra::DMatrix;
 use std::hint::black_box;
 use std::time::Instant;
-use synthetica::math::pose;
+use synthetica::math::pose::{self, DualQuaternion};
 use synthetica::model::mechanism::Mechanism;
 use synthetica::motion::goal::Goal;
-use synthetica::plan::follow::{plan, predict};
+use synthetica::plan::follow::plan;
+use synthetica::plan::predict::predict;
 use synthetica::plan::settings::{Settings, extent};
 use synthetica::solve::paper_matrix::linearise;
 
@@ -57,6 +58,11 @@ fn main() {
             .collect();
         row(&format!("{frames}"), &task.mechanism, &task.start, &goals);
     }
+    // Those have a bend at each of the 33; this goes through them as the spline of a document does, without any.
+    let goals: Vec<Goal> = (0..129)
+        .map(|i| smooth(&task.goals, i as f64 / 128.0))
+        .collect();
+    row("129 smooth", &task.mechanism, &task.start, &goals);
 }
 
 fn row(name: &str, mechanism: &Mechanism, start: &[f64], goals: &[Goal]) {
@@ -103,7 +109,7 @@ fn frames_alone(mechanism: &Mechanism, start: &[f64], goals: &[Goal]) {
     let mut history: Vec<f64> = Vec::with_capacity(start.len() * goals.len());
     solver.close_start(&mut joints, Settings::PAPER.dimension_tolerance);
     for (frame, goal) in goals.iter().enumerate() {
-        predict(&history, frame, &joints, &mut predicted);
+        predict(solver.scaled(), &history, frame, &joints, &mut predicted);
         black_box(solver.solve(&goal.pose, &mut joints, &predicted));
         history.extend_from_slice(&joints);
     }
@@ -117,5 +123,27 @@ fn between(goals: &[Goal], s: f64) -> Goal {
         .unwrap_or(0);
     let (a, b) = (&goals[i], &goals[i + 1]);
     let pose = a.pose.lerp_slerp(&b.pose, place - i as f64);
+    Goal { time: s, pose }
+}
+
+/// The cubic polynomial through the two frames on either side.
+fn smooth(goals: &[Goal], s: f64) -> Goal {
+    let place = s * (goals.len() - 1) as f64;
+    let first = (0..goals.len() - 3)
+        .rev()
+        .find(|&i| (i + 1) as f64 <= place)
+        .unwrap_or(0);
+    let mut sum = DualQuaternion::zeros();
+    let mut near = pose::dual_quaternion(&goals[first].pose, 1.0);
+    for i in first..first + 4 {
+        let others = (first..first + 4).filter(|&j| j != i);
+        let weight: f64 = others
+            .map(|j| (place - j as f64) / (i as f64 - j as f64))
+            .product();
+        let q = pose::dual_quaternion(&goals[i].pose, 1.0);
+        near = if q.dot(&near) < 0.0 { -q } else { q };
+        sum += near * weight;
+    }
+    let pose = pose::from_dual_quaternion(&sum, 1.0);
     Goal { time: s, pose }
 }

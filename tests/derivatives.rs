@@ -292,10 +292,10 @@ fn second_order_agrees(
         .factor(&vec![Stop::None; theta.len()], Dependence::FOUND)
         .free();
     let pull = gradient(&free);
-    let held = free.balance(&pull);
+    let mut held = free.balance(&pull);
     let n = held.free().count();
-    let (mut reduced, mut mixed) = (Vec::new(), Vec::new());
-    held.reduced_hessian(hessian, None, &mut reduced, &mut mixed);
+    let mut reduced = Vec::new();
+    held.reduced_hessian(hessian, &mut reduced);
     let rates: Vec<Vec<f64>> = (0..n).map(|i| held.free().rates(i).to_vec()).collect();
     let entry = |i: usize, j: usize| reduced[i.min(j) * n + i.max(j)];
     let (mut compared, mut singular) = (0, 0);

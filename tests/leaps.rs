@@ -8,7 +8,7 @@ use synthetica::math::pose::Pose;
 use synthetica::model::scaled::Scaled;
 use synthetica::motion::goal::Goal;
 use synthetica::motion::trajectory::Warning;
-use synthetica::plan::follow::predict;
+use synthetica::plan::predict::predict;
 use synthetica::solve::solver::Solver;
 
 /// Steps in which an interval is passed, each of them again in as many where it takes a closer look. Near a singular
@@ -58,7 +58,7 @@ struct Passed {
     end: Vec<f64>,
 }
 
-/// Follows the linkage from `joints` through goals, each predicted from up to four steps before, of which `history` holds
+/// Follows the linkage from `joints` through goals, each predicted from the steps before, of which `history` holds
 /// those before `joints`; none where a step is not certified.
 fn follow(
     solver: &mut Solver,
@@ -71,7 +71,8 @@ fn follow(
     let mut predicted = vec![0.0; joints.len()];
     for goal in &goals[1..] {
         let mut at = all[all.len() - 1].clone();
-        predict(&history, history.len() / joints.len(), &at, &mut predicted);
+        let steps = history.len() / joints.len();
+        predict(solver.scaled(), &history, steps, &at, &mut predicted);
         solver.clear_holding();
         if !solver
             .solve(&goal.pose, &mut at, &predicted)

@@ -1,5 +1,7 @@
 //! The largest eigenvalue of a symmetric operator by Lanczos's method.
 
+use crate::math::dot::dot;
+
 /// The residual that a result is left with, as a share of the eigenvalue: some eigenvalue is within
 /// that distance of the result. It is small because of nearly equal ones: from a first vector with
 /// little of the largest one's in it the second is found for it as long as their distance, times that
@@ -157,17 +159,4 @@ pub fn scatter(out: &mut [f64]) {
 /// x ← x − along · q.
 fn take(x: &mut [f64], q: &[f64], along: f64) {
     x.iter_mut().zip(q).for_each(|(x, q)| *x -= along * q);
-}
-
-/// Summed in four parts: the additions do not wait for each other.
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    let (mut a4, mut b4) = (a.chunks_exact(4), b.chunks_exact(4));
-    let mut sum = [0.0; 4];
-    for (a, b) in (&mut a4).zip(&mut b4) {
-        for i in 0..4 {
-            sum[i] += a[i] * b[i];
-        }
-    }
-    let rest = a4.remainder().iter().zip(b4.remainder());
-    (sum[0] + sum[1]) + (sum[2] + sum[3]) + rest.map(|(a, b)| a * b).sum::<f64>()
 }

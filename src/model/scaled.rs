@@ -133,6 +133,15 @@ impl Scaled {
         }
     }
 
+    /// Rounds joint values in this unit to such as [`Scaled::leave`] and [`Scaled::enter`] bring back to the last digit.
+    pub fn round(&self, theta: &mut [f64]) {
+        for (t, &turns) in theta.iter_mut().zip(&self.turns) {
+            if !turns {
+                *t = *t * self.unit / self.unit;
+            }
+        }
+    }
+
     /// [`Scaled::enter`] into a new vector.
     pub fn entered(&self, joints: &[f64]) -> Vec<f64> {
         let mut theta = vec![0.0; joints.len()];

@@ -311,8 +311,8 @@ pub struct Trajectory {
     /// Smallest singular value of \[A\] that is not 0 because of surplus constraints, lengths as shares of the size,
     /// measured about the workpiece's origin.
     pub sigma_min: Vec<f64>,
-    /// Norm of the projected gradient, the measure of convergence: lengths as shares of the size, or of the metric's
-    /// length with the gradient planner.
+    /// The measure of convergence, a bound of the projected gradient's norm, which is met where the frame's last linear
+    /// system was made at its answer: lengths as shares of the size, or of the metric's length with the gradient planner.
     pub projected_gradient: Vec<f64>,
     /// Linear systems solved.
     pub iterations: Vec<u32>,

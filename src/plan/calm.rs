@@ -133,17 +133,17 @@ impl Calming {
         tangent.evaluate(scaled.chains(), theta);
         let target = metric.target(&goal, &tangent.pose().rotation);
         let holding = &mut self.holding[frame];
-        let (mut reduced, mut mixed) = (Vec::new(), Vec::new());
+        let mut reduced = Vec::new();
         loop {
             let free = tangent.factor(holding.stops(), dependence).free();
             let model = objective(free.pose(), &target);
-            let held = free.balance(&model.gradient);
+            let mut held = free.balance(&model.gradient);
             let pull = |joint: usize| held.torque(joint) + mu * travel[joint];
             if let Some(joint) = holding.releasable(INWARD, pull) {
                 holding.set(joint, Stop::None);
                 continue;
             }
-            held.reduced_hessian(&model.hessian, None, &mut reduced, &mut mixed);
+            held.reduced_hessian(&model.hessian, &mut reduced);
             let free = held.free();
             let count = free.count();
             let rates: Vec<Vec<f64>> = (0..count).map(|i| free.rates(i).to_vec()).collect();

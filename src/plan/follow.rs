@@ -9,6 +9,7 @@ use crate::motion::trajectory::{Trajectory, Warning};
 use crate::plan::elsewhere::{self, Runaway};
 use crate::plan::given;
 use crate::plan::leaps::{self, Leap};
+use crate::plan::predict::predict;
 use crate::plan::record::{Singularity, begin, record, warn_of_rounded};
 use crate::plan::settings::{Settings, extent};
 use crate::solve::gradient;
@@ -151,7 +152,14 @@ impl Planning {
             if self.settings.is_gradient() && self.closed && self.descend(frame) {
                 return true;
             }
-            predict(&self.t.joints, frame, &self.joints, &mut self.predicted);
+            let scaled = self.solver.scaled();
+            predict(
+                scaled,
+                &self.t.joints,
+                frame,
+                &self.joints,
+                &mut self.predicted,
+            );
             let before = self.joints.clone();
             let solved = self.solve(frame);
             self.keep(frame, &before, &solved);
@@ -339,29 +347,6 @@ impl Planning {
         let runaways = self.runaways.iter().map(Runaway::warning);
         self.t.warnings.extend(runaways);
         self.t
-    }
-}
-
-/// Where the joints of frame `frame` are expected, extrapolated from the joint values `history` of up
-/// to four frames before it: cubically where there are four.
-pub fn predict(history: &[f64], frame: usize, joints: &[f64], predicted: &mut [f64]) {
-    let n = joints.len();
-    let coefficients: &[f64] = match frame {
-        0 | 1 => &[1.0],
-        2 => &[2.0, -1.0],
-        3 => &[3.0, -3.0, 1.0],
-        _ => &[4.0, -6.0, 4.0, -1.0],
-    };
-    predicted.copy_from_slice(joints);
-    if frame == 0 {
-        return;
-    }
-    predicted.fill(0.0);
-    for (back, c) in coefficients.iter().enumerate() {
-        let past = &history[(frame - 1 - back) * n..(frame - back) * n];
-        for (p, x) in predicted.iter_mut().zip(past) {
-            *p += c * x;
-        }
     }
 }
 

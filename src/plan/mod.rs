@@ -30,6 +30,7 @@ pub mod path;
 #[cfg(feature = "study")]
 pub mod places;
 pub mod planning;
+pub mod predict;
 #[cfg(feature = "study")]
 mod reach;
 pub mod record;

@@ -58,8 +58,8 @@ pub fn begin(
     t
 }
 
-/// Appends a frame. How far the loops are open is measured anew, from the joint values that are published. `before` are
-/// the joint values of the frame before.
+/// Appends a frame. How far the loops are open is measured from the joint values that are published: anew, unless the
+/// last evaluation was at the very same. `before` are the joint values of the frame before.
 pub fn record(
     t: &mut Trajectory,
     solver: &mut Solver,
@@ -68,26 +68,24 @@ pub fn record(
     joints: &[f64],
     solved: &Solved,
 ) {
-    let scaled = solver.scaled();
-    let (theta, theta_before) = (scaled.entered(joints), scaled.entered(before));
-    let chain = &scaled.chains()[0];
-    let (near, near_before) = (chain.pose(&theta), chain.pose(&theta_before));
-    let target = solver
-        .metric()
-        .target(&scaled.enter_pose(&goal.pose), &near_before.rotation);
-    let reached = scaled.leave_pose(&near);
+    let (theta, metric) = (solver.scaled().entered(joints), *solver.metric());
+    let (scaled, closer, _) = solver.parts();
+    let (closure, misfit) = closer.closure(scaled, &theta);
+    let near = closer.pose_at(scaled, &theta);
     let (translation, rotation) = gaps(scaled, &near, &goal.pose);
     t.time.push(goal.time);
     t.goals.push(goal.pose);
-    t.poses.push(reached);
+    t.poses.push(scaled.leave_pose(&near));
     t.joints.extend_from_slice(joints);
     // The solver's value, where it has one: it has followed the sides of the quaternions.
     let value = Some(solved.value).filter(|f| f.is_finite() && solved.end != End::Runaway);
-    t.metric.push(value.unwrap_or_else(|| target.value(&near)));
+    t.metric.push(value.unwrap_or_else(|| {
+        let before = scaled.chains()[0].pose(&scaled.entered(before)).rotation;
+        let target = metric.target(&scaled.enter_pose(&goal.pose), &before);
+        target.value(&near)
+    }));
     t.translation_gap.push(translation);
     t.rotation_gap.push(rotation);
-    let (scaled, closer, _) = solver.parts();
-    let (closure, misfit) = closer.closure(scaled, &theta);
     t.closure.push(closure);
     t.misfit.push(misfit);
     t.projected_gradient.push(solved.projected_gradient);

@@ -1,8 +1,8 @@
 //! Branches followed from slot to slot: from a closest pose both ways, behind a leap, and beyond their ends.
 
 use crate::plan::branches::{Branches, Edge, Node, resting};
-use crate::plan::follow::predict;
 use crate::plan::places::Form;
+use crate::plan::predict::predict;
 use crate::plan::walk::{self, Walk};
 use crate::solve::solver::Solved;
 
@@ -103,7 +103,8 @@ impl Branches {
                 Some(next) if next > 0 && next < self.slots() => next,
                 _ => break,
             };
-            predict(&history, track.len() + 1, &joints, &mut predicted);
+            let scaled = self.solver.scaled();
+            predict(scaled, &history, track.len() + 1, &joints, &mut predicted);
             let goal = *self.goal(at);
             let solved = self.solver.solve(&goal, &mut joints, &predicted);
             let theta = self.solver.scaled().entered(&joints);

@@ -19,13 +19,18 @@ pub(super) struct ChainTangent {
     pub state: ChainState,
     /// Workpiece minus end of chain: the twist e_i by which the loop is open.
     pub open: Vector6<f64>,
-    /// QR of the columns of J that may move, and their variables.
+    /// QR of the columns of J that may move; R12 is R11⁻¹ R12.
     qr: PivotedQr,
+    /// The chain's joints that may move; once factored, in pivoted order.
     active: Vec<usize>,
+    /// R11⁻¹ Q1ᵀ, and below it N_iᵀ: products with them wait less than reflections, each for the one before.
+    rows: [[f64; 6]; 6],
     /// First of the chain's explicit joints in y.
     explicit: usize,
     /// The wrench λ_i with which the chain holds the workpiece against the goal's pull.
     pub wrench: Vector6<f64>,
+    /// The second derivative of the workpiece's pose along it; see [`ChainTangent::bend`].
+    pub curvature: [[f64; MAX_FREEDOMS]; MAX_FREEDOMS],
 }
 
 impl ChainTangent {
@@ -38,8 +43,10 @@ impl ChainTangent {
             open: Vector6::zeros(),
             qr: PivotedQr::default(),
             active: Vec::with_capacity(freedoms),
+            rows: [[0.0; 6]; 6],
             explicit: 0,
             wrench: Vector6::zeros(),
+            curvature: [[0.0; MAX_FREEDOMS]; MAX_FREEDOMS],
         }
     }
 
@@ -61,17 +68,23 @@ impl ChainTangent {
             }
         }
         self.qr.factor(EXPLICIT, MAX_FREEDOMS);
+        self.qr.invert(&mut self.rows);
+        let mut active = [0; MAX_FREEDOMS];
+        for (joint, &column) in active.iter_mut().zip(self.qr.order()) {
+            *joint = self.active[column];
+        }
+        let count = self.active.len();
+        self.active.copy_from_slice(&active[..count]);
         self.explicit = unknowns;
-        unknowns + self.active.len() - self.qr.rank()
+        unknowns + count - self.qr.rank()
     }
 
     /// Writes constraint `p` (from the rank to 5) over zeros as a linear form in y: a column of N_i, and −R22 of the
     /// explicit joints.
     #[inline]
     pub fn constraint(&self, p: usize, form: &mut [f64]) {
+        form[..6].copy_from_slice(&self.rows[p]);
         let rank = self.qr.rank();
-        form[p] = 1.0;
-        self.qr.apply_q(&mut form[..6]);
         for j in rank..self.active.len() {
             form[self.explicit + j - rank] = -self.qr.entry(p, j);
         }
@@ -83,52 +96,64 @@ impl ChainTangent {
     }
 
     /// Appends −N_iᵀ e_i.
-    #[inline]
     pub fn residuals(&self, out: &mut Vec<f64>) {
-        let mut e = self.open;
-        self.qr.apply_qt(e.as_mut_slice());
-        out.extend(e.iter().skip(self.qr.rank()).map(|x| -x));
+        let e = self.open.into();
+        out.extend(self.rows[self.qr.rank()..].iter().map(|n| -dot6(n, &e)));
     }
 
     /// N_i times the multipliers of its constraints.
-    #[inline]
     pub fn combine(&self, multipliers: &[f64]) -> Vector6<f64> {
-        let mut wrench = Vector6::zeros();
-        for (part, multiplier) in wrench.iter_mut().skip(self.qr.rank()).zip(multipliers) {
-            *part = *multiplier;
-        }
-        self.qr.apply_q(wrench.as_mut_slice());
-        wrench
+        sum6(&self.rows[self.qr.rank()..], multipliers)
     }
 
     /// Joint rates that realise ξ + e with explicit joints as in `y`; those of held joints stay 0.
-    #[inline]
     pub fn rates(&self, y: &[f64], open: Option<&Vector6<f64>>, out: &mut [f64]) {
         let mut x = [y[0], y[1], y[2], y[3], y[4], y[5]];
         if let Some(e) = open {
             x.iter_mut().zip(e.iter()).for_each(|(x, e)| *x += e);
         }
         let rank = self.qr.rank();
-        self.qr.apply_qt(&mut x);
-        let order = self.qr.order();
-        for (j, &column) in order.iter().enumerate().skip(rank) {
+        let out = &mut out[self.first..];
+        for (row, &joint) in self.rows[..rank].iter().zip(&self.active) {
+            out[joint] = dot6(row, &x);
+        }
+        for (j, &joint) in self.active.iter().enumerate().skip(rank) {
             let b = y[self.explicit + j - rank];
-            for (i, x) in x[..rank].iter_mut().enumerate() {
-                *x -= self.qr.entry(i, j) * b;
+            out[joint] = b;
+            for (i, &other) in self.active[..rank].iter().enumerate() {
+                out[other] -= self.qr.entry(i, j) * b;
             }
-            out[self.first + self.active[column]] = b;
         }
-        self.qr.solve_r(&mut x);
-        for (x, &column) in x.iter().zip(&order[..rank]) {
-            out[self.first + self.active[column]] = *x;
+    }
+
+    /// τ = Jᵀ λ of the joints that are not held: what keeps them from being in balance.
+    pub fn torques(&self, out: &mut [f64]) {
+        for &j in &self.active {
+            out[self.first + j] = self.wrench.dot(&self.state.jacobian[j]);
         }
+    }
+
+    /// The wrench w along the joints with Jᵀ w = −`torques`, as far as the joints are not explicit; their rest is taken from
+    /// the explicit unknowns in `rest`, and w from its first six. N_i μ may be added to w.
+    pub fn react(&self, torques: &[f64], rest: &mut [f64]) -> Vector6<f64> {
+        let rank = self.qr.rank();
+        let mut own = [0.0; MAX_FREEDOMS];
+        for (x, &joint) in own.iter_mut().zip(&self.active) {
+            *x = -torques[self.first + joint];
+        }
+        for j in rank..self.active.len() {
+            let along: f64 = (0..rank).map(|i| self.qr.entry(i, j) * own[i]).sum();
+            rest[self.explicit + j - rank] += along - own[j];
+        }
+        let w = sum6(&self.rows[..rank], &own);
+        rest.iter_mut().zip(w.iter()).for_each(|(r, w)| *r -= w);
+        w
     }
 
     /// The second derivative of the workpiece's pose along the wrench (F, M), per pair of joints:
     /// K[j, l] = F·(S_j × (S_l × (d − C_l))) + ½ M·(S_j × S_l), j ≤ l, with S_l in place of
-    /// S_l × (d − C_l) where l slides, and 0 where j slides. Into the upper triangle; the rest of `k` stays.
-    #[inline]
-    pub fn curvature(&self, k: &mut [[f64; MAX_FREEDOMS]; MAX_FREEDOMS]) {
+    /// S_l × (d − C_l) where l slides, and 0 where j slides; symmetric.
+    pub fn bend(&mut self) {
         let force = self.wrench.fixed_rows::<3>(0).into_owned();
         let half_moment = self.wrench.fixed_rows::<3>(3) * 0.5;
         let columns = &self.state.jacobian[..self.freedoms];
@@ -136,8 +161,40 @@ impl ChainTangent {
             let axis = column.fixed_rows::<3>(3).into_owned();
             let (f, m) = (force.cross(&axis), half_moment.cross(&axis));
             for (l, other) in columns.iter().enumerate().skip(j) {
-                k[j][l] = f.dot(&other.fixed_rows::<3>(0)) + m.dot(&other.fixed_rows::<3>(3));
+                let k = f.dot(&other.fixed_rows::<3>(0)) + m.dot(&other.fixed_rows::<3>(3));
+                self.curvature[j][l] = k;
+                self.curvature[l][j] = k;
             }
         }
     }
+
+    /// K Δθ for the chain's part of joint motions `step`.
+    pub fn bent(&self, step: &[f64]) -> [f64; MAX_FREEDOMS] {
+        let mut bent = [0.0; MAX_FREEDOMS];
+        let own = &step[self.first..self.first + self.freedoms];
+        for (row, x) in self.curvature.iter().zip(own) {
+            for j in 0..MAX_FREEDOMS {
+                bent[j] += row[j] * x;
+            }
+        }
+        bent
+    }
+}
+
+/// Summed in pairs: the additions do not wait for each other.
+#[inline]
+fn dot6(a: &[f64; 6], x: &[f64; 6]) -> f64 {
+    (a[0] * x[0] + a[1] * x[1]) + (a[2] * x[2] + a[3] * x[3]) + (a[4] * x[4] + a[5] * x[5])
+}
+
+/// The sum of rows with these coefficients.
+#[inline]
+fn sum6(rows: &[[f64; 6]], coefficients: &[f64]) -> Vector6<f64> {
+    let mut sum = [0.0; 6];
+    for (row, c) in rows.iter().zip(coefficients) {
+        for i in 0..6 {
+            sum[i] += c * row[i];
+        }
+    }
+    sum.into()
 }

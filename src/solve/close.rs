@@ -4,6 +4,7 @@
 //! shortest, in the workpiece's twist or in the joints.
 
 use crate::math::linalg::{self, dot};
+use crate::math::pose::Pose;
 use crate::model::joint::Stop;
 use crate::model::scaled::{SOLVED, Scaled, larger};
 use crate::solve::dependent::Dependence;
@@ -66,6 +67,11 @@ impl Closer {
     /// The tangent at the last evaluation.
     pub fn tangent(&mut self) -> &mut Tangent {
         &mut self.tangent
+    }
+
+    /// The workpiece at `theta`.
+    pub fn pose_at(&self, scaled: &Scaled, theta: &[f64]) -> Pose {
+        self.tangent.pose_at(scaled.chains(), theta)
     }
 
     /// What is known of the surplus constraints: found at each position, implied, or rounded.

@@ -1,5 +1,9 @@
-//! The direct way to a frame's minimum: full Newton steps that close the loops and descend at once. Near the last
-//! frame's answer two or three suffice; where anything is out of the ordinary the guarded way follows.
+//! The direct way to a frame's minimum: full Newton steps that close the loops and descend at once, the first with the
+//! factors of its own iterate, the next ones with the same; see [`newton_step`](super::newton_step). Near the last frame's
+//! answer two or three suffice; where anything is out of the ordinary the guarded way follows.
+//!
+//! An iterate with older factors is certified where its residuals bound the projected gradient, and where the curvature
+//! has not fallen to nothing, by the estimate [`CURVATURE_CHANGE`], on the way from where the factors were made.
 
 use crate::math::linalg;
 use crate::math::metric::Target;
@@ -8,14 +12,22 @@ use crate::solve::close::longest;
 use crate::solve::objective::objective;
 use crate::solve::solver::{Iterate, Observer, Solved, Solver, minimum};
 
-/// Steps of the direct way; from an extrapolation of the frames before, two or three suffice.
-const DIRECT_STEPS: usize = 8;
+/// Looks at an iterate on the direct way; from an extrapolation of the frames before, two or three steps suffice.
+const DIRECT_STEPS: usize = 12;
 /// Largest joint motion of a first direct step, rad or sizes: further off, the prediction is not trusted.
 const DIRECT_STEP: f64 = 0.15;
 /// A step that is not below this fraction of the last one is not Newton's convergence.
 const CONTRACTION: f64 = 0.5;
 /// A step of this size may be followed by another as long: f's curvature times it is at rounding level.
 const ROUNDING_STEP: f64 = 1e-7;
+/// A step with older factors that is not below this fraction of the last one is made anew, with new ones: slower than that
+/// nothing says where the steps lead.
+const STALE_CONTRACTION: f64 = 0.3;
+/// After a step that is not below this fraction of the last one new factors need less time than more such steps.
+const STALE_FAST: f64 = 0.05;
+/// How much the least curvature may fall per unit of joint motion, rad or sizes. An estimate: f's third derivatives are sums
+/// of products of the pull, of lengths in sizes, and of joint rates, all of them about 1.
+const CURVATURE_CHANGE: f64 = 10.0;
 
 impl Solver {
     /// Newton steps that close and descend at once; `None` as soon as a step is out of the ordinary.
@@ -26,7 +38,7 @@ impl Solver {
         iterations: &mut usize,
         observe: &mut Observer<'_>,
     ) -> Option<Solved> {
-        let mut last = DIRECT_STEP;
+        let (mut last, mut before) = (DIRECT_STEP, 0.0);
         let dependence = self.closer.dependence();
         let Tolerances {
             stationary,
@@ -34,35 +46,58 @@ impl Solver {
             reached,
             rounding: _,
         } = self.tolerances;
+        // Joint motion since the factors were made, and the least curvature there.
+        let (mut moved, mut least) = (0.0, 0.0);
+        let (mut fresh, mut seen) = (true, false);
         for _ in 0..DIRECT_STEPS {
             let tangent = self.closer.tangent();
             tangent.evaluate(self.scaled.chains(), theta);
-            let mut factored = tangent.factor(self.holding.stops(), dependence);
+            let mut factored = if fresh {
+                tangent.factor(self.holding.stops(), dependence)
+            } else {
+                tangent.stale()
+            };
             let (open, _) = factored.closure();
-            factored.close(&mut self.correction, &mut self.step);
-            let free = factored.free();
-            let model = objective(free.pose(), target);
-            target.follow(free.pose());
-            let gradient = free.project(&model.gradient, &mut self.slope);
-            observe(&Iterate {
-                theta,
-                projected_gradient: gradient,
-                closure_error: open,
-                guarded: false,
-            });
-            let held = free.balance(&model.gradient);
-            let closing = Some((&self.correction[..], &self.step[..]));
-            held.reduced_hessian(
-                &model.hessian,
-                closing,
-                &mut self.curvature,
-                &mut self.mixed,
-            );
-            let n = self.slope.len();
-            if !linalg::cholesky(&mut self.curvature, n, n, flat) {
-                return None;
+            let (slope, torques) = (&mut self.slope, &mut self.torques);
+            let (model, mut held, gradient);
+            if fresh {
+                factored.close(&mut self.correction, &mut self.step);
+                let free = factored.free();
+                model = objective(free.pose(), target);
+                held = free.balance(&model.gradient);
+                held.residuals(&model.gradient, torques, slope);
+                gradient = held.free().project(&model.gradient, slope);
+            } else {
+                held = factored.balanced();
+                model = objective(held.free().pose(), target);
+                gradient = held.residuals(&model.gradient, torques, slope);
+            }
+            target.follow(held.free().pose());
+            if !seen {
+                observe(&Iterate {
+                    theta,
+                    projected_gradient: gradient,
+                    closure_error: open,
+                    guarded: false,
+                });
+            }
+            seen = true;
+            let n = slope.len();
+            if fresh {
+                held.reduced_hessian(&model.hessian, &mut self.curvature);
+                if !linalg::cholesky(&mut self.curvature, n, n, flat) {
+                    return None;
+                }
+                let pivots = self.curvature.iter().step_by(n + 1);
+                least = pivots.fold(f64::INFINITY, |least, l| l.min(least));
+                least *= least;
+                moved = 0.0;
             }
             if open <= SOLVED && gradient <= stationary {
+                if least - CURVATURE_CHANGE * moved < flat {
+                    fresh = true;
+                    continue;
+                }
                 let released = self
                     .holding
                     .releasable(stationary, |joint| held.torque(joint));
@@ -76,25 +111,40 @@ impl Solver {
                     iterations: *iterations,
                 });
             }
-            *iterations += 1;
-            for (m, s) in self.mixed.iter_mut().zip(&self.slope) {
-                *m = -*m - s;
+            if !fresh {
+                held.bend();
+                held.close(&mut self.correction, &mut self.step);
             }
-            linalg::solve_lower(&self.curvature, n, n, &mut self.mixed);
-            linalg::solve_lower_transposed(&self.curvature, n, n, &mut self.mixed);
-            for (i, &a) in self.mixed.iter().enumerate() {
-                for (s, r) in self.step.iter_mut().zip(held.free().rates(i)) {
-                    *s += a * r;
-                }
-            }
+            held.step(
+                &model,
+                &self.curvature,
+                slope,
+                torques,
+                &mut self.correction,
+                &mut self.step,
+            );
             let length = longest(&self.step);
+            if !fresh && !(length <= STALE_CONTRACTION * before) {
+                fresh = true;
+                continue;
+            }
+            *iterations += 1;
             if !(length <= last) || self.holding.share(theta, &self.step, 0.0, None).0 < 1.0 {
                 return None;
             }
-            last = (CONTRACTION * length).max(ROUNDING_STEP);
+            let slow = length > STALE_FAST * before;
+            if fresh {
+                last = (CONTRACTION * length).max(ROUNDING_STEP);
+            }
+            before = length;
+            moved += length;
             for (t, s) in theta.iter_mut().zip(&self.step) {
                 *t += s;
             }
+            // What is certified is then what is published.
+            self.scaled.round(theta);
+            fresh = dependence.is_rounded() || (slow && !fresh);
+            seen = false;
         }
         None
     }

@@ -2,13 +2,12 @@
 //! directions.
 
 use crate::math::pose::Pose;
-use crate::model::chain::MAX_FREEDOMS;
+use crate::solve::chain_tangent::ChainTangent;
 use crate::solve::tangent::{Factored, Tangent};
-use nalgebra::{Matrix6, Vector3, Vector6};
+use nalgebra::{Matrix6, Vector6};
 
 impl<'a> Factored<'a> {
     /// The free directions and their joint rates.
-    #[inline]
     pub fn free(self) -> Free<'a> {
         let tangent = self.0;
         let freedoms = tangent.unknowns - tangent.stacked.rank();
@@ -32,7 +31,7 @@ impl<'a> Factored<'a> {
 
 /// The free directions of the linkage: orthonormal in y, with their joint rates.
 #[derive(Debug)]
-pub struct Free<'a>(&'a mut Tangent);
+pub struct Free<'a>(pub(super) &'a mut Tangent);
 
 impl<'a> Free<'a> {
     /// How many.
@@ -85,54 +84,61 @@ impl<'a> Free<'a> {
 
     /// Distributes a pull over the chains: wrenches λ_i with Σ λ_i = `gradient` as far as the constraints can hold it.
     /// Where there are surplus constraints, one of the many splits is taken.
-    #[inline]
     pub fn balance(self, gradient: &Vector6<f64>) -> Balanced<'a> {
         let tangent = self.0;
-        let rank = tangent.stacked.rank();
+        for chain in &mut tangent.chains {
+            chain.wrench.fill(0.0);
+        }
         tangent.scratch.clear();
         tangent.scratch.extend_from_slice(gradient.as_slice());
-        tangent
-            .scratch
-            .resize(tangent.unknowns.max(tangent.constraints), 0.0);
-        tangent
-            .stacked
-            .apply_qt(&mut tangent.scratch[..tangent.unknowns]);
-        tangent.stacked.solve_r(&mut tangent.scratch[..rank]);
-        let order = &tangent.stacked.order()[..rank];
+        tangent.scratch.resize(tangent.unknowns, 0.0);
+        tangent.distribute();
+        Balanced(Free(tangent))
+    }
+}
+
+impl Tangent {
+    /// Adds to the chains' wrenches N_i μ_i that take up the pull in the scratch, as far as the constraints can.
+    pub(super) fn distribute(&mut self) {
+        let rank = self.stacked.rank();
+        self.stacked.apply_qt(&mut self.scratch);
+        self.scratch
+            .resize(self.unknowns.max(self.constraints), 0.0);
+        self.stacked.solve_r(&mut self.scratch[..rank]);
+        let order = &self.stacked.order()[..rank];
         let place = |column: usize| order.iter().position(|&c| c == column);
-        if let Some(combination) = &tangent.combination {
-            let count = tangent.stacked.order().len();
+        if let Some(combination) = &self.combination {
+            let count = self.stacked.order().len();
             let multipliers: Vec<f64> = (0..count)
-                .map(|c| place(c).map_or(0.0, |p| tangent.scratch[p]))
+                .map(|c| place(c).map_or(0.0, |p| self.scratch[p]))
                 .collect();
             let all = combination.spread(&multipliers);
             let mut rest = &all[..];
-            for chain in &mut tangent.chains {
+            for chain in &mut self.chains {
                 let (own, others) = rest.split_at(chain.constraints());
                 rest = others;
-                chain.wrench = chain.combine(own);
+                chain.wrench += chain.combine(own);
             }
         } else {
             let mut column = 0;
-            for chain in &mut tangent.chains {
+            for chain in &mut self.chains {
                 let mut own = [0.0; 6];
                 let constraints = chain.constraints();
                 for multiplier in &mut own[..constraints] {
                     if let Some(p) = place(column) {
-                        *multiplier = tangent.scratch[p];
+                        *multiplier = self.scratch[p];
                     }
                     column += 1;
                 }
-                chain.wrench = chain.combine(&own[..constraints]);
+                chain.wrench += chain.combine(&own[..constraints]);
             }
         }
-        Balanced(Free(tangent))
     }
 }
 
 /// The linkage as its constraints hold it against a pull.
 #[derive(Debug)]
-pub struct Balanced<'a>(Free<'a>);
+pub struct Balanced<'a>(pub(super) Free<'a>);
 
 impl<'a> Balanced<'a> {
     /// The free directions.
@@ -162,68 +168,32 @@ impl<'a> Balanced<'a> {
     }
 
     /// Second derivative of the objective along the free directions, given its Hessian in the twist: lower triangle,
-    /// `count` × `count`. With a closing step (`correction`, `step`), `mixed` receives the change of the gradient
-    /// along it.
-    #[inline]
-    pub fn reduced_hessian(
-        &self,
-        hessian: &Matrix6<f64>,
-        closing: Option<(&[f64], &[f64])>,
-        reduced: &mut Vec<f64>,
-        mixed: &mut Vec<f64>,
-    ) {
+    /// `count` × `count`.
+    pub fn reduced_hessian(&mut self, hessian: &Matrix6<f64>, reduced: &mut Vec<f64>) {
         let n = self.0.count();
         reduced.clear();
         reduced.resize(n * n, 0.0);
-        mixed.clear();
-        mixed.resize(n, 0.0);
-        // A rotation ω of the workpiece turns the end of an open chain by ω + e + ½ ω × e: the
-        // moment acts on the last term too.
-        let mut swirl = Vector3::zeros();
-        for chain in &self.0.0.chains {
-            let e = chain.open.fixed_rows::<3>(3).into_owned();
-            swirl += e.cross(&chain.wrench.fixed_rows::<3>(3)) * 0.5;
-        }
         for i in 0..n {
-            let twist = self.0.twist(i);
-            let pulled = hessian * twist;
+            let pulled = hessian * self.0.twist(i);
             for j in i..n {
                 reduced[i * n + j] = pulled.dot(&self.0.twist(j));
             }
-            if let Some((correction, _)) = closing {
-                mixed[i] = pulled.dot(&Vector6::from_column_slice(&correction[..6]))
-                    - swirl.dot(&twist.fixed_rows::<3>(3));
-            }
         }
-        let mut k = [[0.0; MAX_FREEDOMS]; MAX_FREEDOMS];
+        self.bend();
         for chain in &self.0.0.chains {
-            chain.curvature(&mut k);
             let own = chain.first..chain.first + chain.freedoms;
             for i in 0..n {
-                let bent = bent(&k, &self.0.rates(i)[own.clone()]);
-                let along =
-                    |rates: &[f64]| -> f64 { rates.iter().zip(&bent).map(|(r, b)| r * b).sum() };
+                let bent = chain.bent(self.0.rates(i));
                 for j in i..n {
-                    reduced[i * n + j] += along(&self.0.rates(j)[own.clone()]);
-                }
-                if let Some((_, step)) = closing {
-                    mixed[i] += along(&step[own.clone()]);
+                    let rates = self.0.rates(j)[own.clone()].iter();
+                    reduced[i * n + j] += rates.zip(&bent).map(|(r, b)| r * b).sum::<f64>();
                 }
             }
         }
     }
-}
 
-/// K Δθ for a symmetric K given by its upper triangle.
-#[inline]
-fn bent(k: &[[f64; MAX_FREEDOMS]; MAX_FREEDOMS], rates: &[f64]) -> [f64; MAX_FREEDOMS] {
-    let mut bent = [0.0; MAX_FREEDOMS];
-    for j in 0..rates.len() {
-        bent[j] += k[j][j] * rates[j];
-        for l in j + 1..rates.len() {
-            bent[j] += k[j][l] * rates[l];
-            bent[l] += k[j][l] * rates[j];
-        }
+    /// The curvature of the chains with their present wrenches.
+    pub(super) fn bend(&mut self) {
+        self.0.0.chains.iter_mut().for_each(ChainTangent::bend);
     }
-    bent
 }

@@ -86,7 +86,7 @@ impl Solver {
                 guarded: true,
             });
             let stationary = gradient <= self.tolerances.stationary;
-            let held = free.balance(&model.gradient);
+            let mut held = free.balance(&model.gradient);
             if stationary
                 && let Some(joint) = self
                     .holding
@@ -99,7 +99,7 @@ impl Solver {
                 }
                 continue;
             }
-            held.reduced_hessian(&model.hessian, None, &mut self.curvature, &mut self.mixed);
+            held.reduced_hessian(&model.hessian, &mut self.curvature);
             self.region
                 .prepare(held.free(), &self.curvature, &self.slope);
             self.closer.note_surplus(surplus);

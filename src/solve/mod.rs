@@ -12,6 +12,7 @@ mod guarded;
 pub mod limits;
 mod loop_factor;
 pub mod newton;
+mod newton_step;
 pub mod objective;
 pub mod paper_matrix;
 pub mod singular_values;

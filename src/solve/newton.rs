@@ -84,8 +84,8 @@ impl Solver {
         let free = tangent.factor(self.holding.stops(), dependence).free();
         let model = objective(free.pose(), &target);
         let projected_gradient = free.project(&model.gradient, &mut self.slope);
-        let held = free.balance(&model.gradient);
-        held.reduced_hessian(&model.hessian, None, &mut self.curvature, &mut self.mixed);
+        let mut held = free.balance(&model.gradient);
+        held.reduced_hessian(&model.hessian, &mut self.curvature);
         self.region
             .prepare(held.free(), &self.curvature, &self.slope);
         let rest = self.region.step(RADIUS, &mut self.step);
@@ -124,8 +124,8 @@ impl Solver {
         let free = tangent.factor(holding.stops(), dependence).free();
         let (now, then) = (objective(free.pose(), &now), objective(free.pose(), &then));
         free.project(&((now.gradient - then.gradient) / part), &mut self.slope);
-        let held = free.balance(&now.gradient);
-        held.reduced_hessian(&now.hessian, None, &mut self.curvature, &mut self.mixed);
+        let mut held = free.balance(&now.gradient);
+        held.reduced_hessian(&now.hessian, &mut self.curvature);
         let n = self.slope.len();
         // Directions that do not matter at all stand still.
         let diagonal = self.curvature.iter_mut().step_by(n + 1);

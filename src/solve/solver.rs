@@ -39,8 +39,8 @@ pub struct Solved {
     pub reached: bool,
     /// f; of a runaway at the last position before it was given up, not at the joint values that are left.
     pub value: f64,
-    /// Norm of the objective's gradient along orthonormal free directions: lengths as shares of the size, or of the
-    /// metric's length with the gradient planner.
+    /// A bound of the norm of the objective's gradient along orthonormal free directions, which is met where they were found
+    /// at the answer itself: lengths as shares of the size, or of the metric's length with the gradient planner.
     pub projected_gradient: f64,
     /// Linear systems solved.
     pub iterations: usize,
@@ -87,7 +87,7 @@ pub struct Solver {
     pub(super) correction: Vec<f64>,
     pub(super) slope: Vec<f64>,
     pub(super) curvature: Vec<f64>,
-    pub(super) mixed: Vec<f64>,
+    pub(super) torques: Vec<f64>,
     pub(super) region: TrustRegion,
     pub(super) trial: Vec<f64>,
     /// Where the guarded way began.
@@ -111,7 +111,7 @@ impl Solver {
             correction: Vec::new(),
             slope: Vec::new(),
             curvature: Vec::new(),
-            mixed: Vec::new(),
+            torques: vec![0.0; n],
             region: TrustRegion::new(tolerances.flat),
             trial: vec![0.0; n],
             origin: vec![0.0; n],
@@ -174,7 +174,7 @@ impl Solver {
 
     /// The goal as the metric measures towards it from a position before.
     pub(super) fn target(&self, goal: &Pose, theta: &[f64]) -> Target {
-        let before = self.scaled.chains()[0].pose(theta).rotation;
+        let before = self.closer.pose_at(&self.scaled, theta).rotation;
         self.metric.target(&self.scaled.enter_pose(goal), &before)
     }
 }

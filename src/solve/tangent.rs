@@ -27,6 +27,8 @@ use std::ops::RangeInclusive;
 #[derive(Clone, Debug)]
 pub struct Tangent {
     pub(super) chains: Vec<ChainTangent>,
+    /// The joint values of the last evaluation.
+    at: Vec<f64>,
     /// The largest of the last evaluation.
     pub(super) closure_error: f64,
     /// QR of the stacked constraints' transpose, (6 + explicit joints) × (constraints).
@@ -56,6 +58,7 @@ impl Tangent {
             .collect();
         Self {
             chains,
+            at: Vec::with_capacity(variables),
             closure_error: f64::INFINITY,
             stacked: PivotedQr::default(),
             combination: None,
@@ -69,9 +72,13 @@ impl Tangent {
     }
 
     /// Evaluates the chains at `theta`, and returns the largest [`closure_error`]. The workpiece
-    /// is where the first chain puts it.
-    #[inline]
+    /// is where the first chain puts it. At the joint values of the last evaluation nothing is left to do.
     pub fn evaluate(&mut self, chains: &[Chain], theta: &[f64]) -> f64 {
+        if self.at == theta {
+            return self.closure_error;
+        }
+        self.at.clear();
+        self.at.extend_from_slice(theta);
         let mut worst = 0.0_f64;
         for i in 0..self.chains.len() {
             let (done, rest) = self.chains.split_at_mut(i);
@@ -92,6 +99,15 @@ impl Tangent {
         &self.chains[0].state.pose
     }
 
+    /// The workpiece at `theta`, without an evaluation where that was the last one.
+    pub fn pose_at(&self, chains: &[Chain], theta: &[f64]) -> Pose {
+        if self.at == theta {
+            *self.pose()
+        } else {
+            chains[0].pose(theta)
+        }
+    }
+
     /// The Jacobian's columns of each chain at the last evaluation.
     pub fn jacobians(&self) -> impl Iterator<Item = &[Vector6<f64>]> {
         self.chains
@@ -100,7 +116,6 @@ impl Tangent {
     }
 
     /// Factors the constraints at the last evaluation; joints with a stop do not move.
-    #[inline]
     pub fn factor(&mut self, stops: &[Stop], dependence: Dependence) -> Factored<'_> {
         self.stack(stops);
         let mut most = self.constraints.saturating_sub(dependence.known());
@@ -109,6 +124,12 @@ impl Tangent {
             most = self.combine(surplus..=surplus + held, within);
         }
         self.stacked.factor(dependence.threshold(), most);
+        Factored(self)
+    }
+
+    /// The factors of an evaluation before, for steps from the last one.
+    #[inline]
+    pub(super) fn stale(&mut self) -> Factored<'_> {
         Factored(self)
     }
 
@@ -124,7 +145,6 @@ impl Tangent {
     }
 
     /// Stacks the chains' constraints.
-    #[inline]
     fn stack(&mut self, stops: &[Stop]) {
         let mut unknowns = 6;
         self.constraints = 0;
@@ -164,7 +184,6 @@ impl Tangent {
     }
 
     /// −N_iᵀ e_i of all chains, or the kept combinations of them, into the scratch.
-    #[inline]
     fn residuals(&mut self) {
         self.scratch.clear();
         for chain in &self.chains {
@@ -220,7 +239,6 @@ impl Factored<'_> {
     }
 
     /// The shortest y that closes the loops to first order goes to `correction`, its joint rates to `step`.
-    #[inline]
     pub fn close(&mut self, correction: &mut Vec<f64>, step: &mut [f64]) {
         let tangent = &mut *self.0;
         tangent.residuals();

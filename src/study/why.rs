@@ -96,7 +96,7 @@ pub fn explain(solver: &mut Solver, joints: &[f64], goal: &Pose) -> Insight {
 
     // All joints that stand at a limit, and then let go, one at a time, those that the pull would lead away.
     holding.hold_all_at(&theta);
-    let held = loop {
+    let mut held = loop {
         let held = tangent
             .factor(holding.stops(), dependence)
             .free()
@@ -116,8 +116,8 @@ pub fn explain(solver: &mut Solver, joints: &[f64], goal: &Pose) -> Insight {
     let mut slope = Vec::new();
     let projected_gradient = held.free().project(&model.gradient, &mut slope);
     let mut region = TrustRegion::new(tolerances.flat);
-    let (mut reduced, mut mixed) = (Vec::new(), Vec::new());
-    held.reduced_hessian(&model.hessian, None, &mut reduced, &mut mixed);
+    let mut reduced = Vec::new();
+    held.reduced_hessian(&model.hessian, &mut reduced);
     region.prepare(held.free(), &reduced, &slope);
 
     let gap = twist_between(&place, &near);
