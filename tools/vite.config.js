@@ -9,6 +9,7 @@ import { importedAtOnce } from './imported-at-once.js';
 import { licenceComment, licences, ourselves, packagesIn, partsOf } from './licences.js';
 import { inlineScript } from './package/inline.js';
 import { pages } from './pages.js';
+import { onlyStyles, styleLoads } from './style-loads.js';
 import { TARGETS, tight } from './tight.js';
 
 const at = (path) => fileURLToPath(new URL(path, import.meta.url));
@@ -123,7 +124,7 @@ export default defineConfig({
     ...TARGETS,
     outDir: at('../www/dist'),
     // Browsers that know the page's CSS know this too.
-    modulePreload: { polyfill: false },
+    modulePreload: { polyfill: false, resolveDependencies: onlyStyles },
     emptyOutDir: true,
     rolldownOptions: {
       input: Object.fromEntries(Object.entries({ index: 'index.html', embed: 'embed.html', ...LASTING }).map(([name, file]) => [name, at(`../www/${file}`)])),
@@ -139,5 +140,5 @@ export default defineConfig({
   worker: { format: 'es' },
   // For the progress of its loading, see www/planner/worker.js.
   define: { WASM_BYTES: JSON.stringify({ first: bytes('pkg-first'), whole: bytes('pkg') }) },
-  plugins: [pages(), early(), bundle(), tight(), lastingScripts(), licencesOfOthers(), serviceWorker()],
+  plugins: [pages(), early(), styleLoads(), bundle(), tight(), lastingScripts(), licencesOfOthers(), serviceWorker()],
 });

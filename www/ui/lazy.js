@@ -7,11 +7,6 @@ import { element, windowOf } from './dom.js';
 /** @param {string} what such as "The charts" @param {unknown} error */
 const failure = (what, error) => `${what} could not be loaded (${error instanceof Error ? error.message : error}).`;
 
-/** A style sheet that failed stays in the page, and its part would come without it. */
-function loadStylesAgain() {
-  for (const link of /** @type {NodeListOf<HTMLLinkElement>} */ (document.querySelectorAll('link[rel=stylesheet]'))) if (!link.sheet) link.replaceWith(link.cloneNode());
-}
-
 /**
  * Loads a part and goes on with it, or says that it cannot be loaded. Where the page was left meanwhile nothing is done.
  * @template T
@@ -26,10 +21,7 @@ export async function withPart({ say, signal }, what, load, go) {
   try {
     part = await load();
   } catch (error) {
-    const again = () => {
-      loadStylesAgain();
-      withPart({ say, signal }, what, load, go);
-    };
+    const again = () => withPart({ say, signal }, what, load, go);
     say(failure(what, error), { label: 'Try again', act: again, stays: true });
     return false;
   }
@@ -66,12 +58,7 @@ export function notLoaded(panel, what, why, attempt) {
  */
 export function whenSeen(panel, what, load) {
   const attempt = () =>
-    load().catch((error) =>
-      notLoaded(panel, what, failure(what, error), () => {
-        loadStylesAgain();
-        attempt();
-      }),
-    );
+    load().catch((error) => notLoaded(panel, what, failure(what, error), attempt));
   const { IntersectionObserver } = windowOf(panel);
   const observer = new IntersectionObserver((entries) => {
     if (!entries.some((entry) => entry.isIntersecting)) return;
