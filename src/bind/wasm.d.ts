@@ -72,7 +72,7 @@ export interface Motion {
   misfit: Float64Array;
   /** Smallest singular value of [A] that is not 0 because of surplus constraints: lengths as shares of the size, about the workpiece's origin. */
   sigma_min: Float64Array;
-  /** Norm of the projected gradient: lengths as shares of the size, or of the metric's length with the gradient planner; see report.bounds. */
+  /** A bound of the projected gradient's norm: lengths as shares of the size, or of the metric's length with the gradient planner; see report.bounds. */
   projected_gradient: Float64Array;
   /** Linear systems solved. */
   iterations: Uint32Array;
@@ -166,7 +166,7 @@ export interface Posture {
   misfit: number;
   /** Smallest singular value of [A] that is not 0 because of surplus constraints: lengths as shares of the size, about the workpiece's origin. */
   sigma_min: number;
-  /** Norm of the projected gradient: lengths as shares of the size, or of the metric's length with the gradient planner; see report.bounds. */
+  /** A bound of the projected gradient's norm: lengths as shares of the size, or of the metric's length with the gradient planner; see report.bounds. */
   projected_gradient: number;
   /** Linear systems solved. */
   iterations: number;

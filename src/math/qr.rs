@@ -1,5 +1,7 @@
 //! Column-pivoted Householder QR of small dense matrices.
 
+use crate::math::dot::dot;
+
 /// Householder QR with column pivoting, A P = Q R, stopped where the rest is below a threshold.
 ///
 /// The buffers are kept between factorisations, so that a solver's iterations do not allocate.
@@ -112,6 +114,11 @@ impl PivotedQr {
     #[inline]
     pub fn order(&self) -> &[usize] {
         &self.order
+    }
+
+    /// About the sum of the squares of R11⁻¹: those on its diagonal. With pivots the whole is seldom twice that.
+    pub fn inverse_size(&self) -> f64 {
+        dot(&self.inverse, &self.inverse)
     }
 
     /// x ← Qᵀ x.

@@ -108,7 +108,7 @@ pub const COLUMNS: [Column; 13] = [
     column(
         "projected_gradient",
         Kind::Number,
-        "Norm of the projected gradient: lengths as shares of the size, or of the metric's length with the gradient planner; see report.bounds.",
+        "A bound of the projected gradient's norm: lengths as shares of the size, or of the metric's length with the gradient planner; see report.bounds.",
         |t| (&t.projected_gradient[..]).into(),
     ),
     column("iterations", Kind::Count, "Linear systems solved.", |t| {

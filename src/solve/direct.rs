@@ -3,7 +3,7 @@
 //! answer two or three suffice; where anything is out of the ordinary the guarded way follows.
 //!
 //! An iterate with older factors is certified where its residuals bound the projected gradient, and where the curvature
-//! has not fallen to nothing, by the estimate [`CURVATURE_CHANGE`], on the way from where the factors were made.
+//! has not fallen to nothing, by an estimate, on the way from where the factors were made.
 
 use crate::math::linalg;
 use crate::math::metric::Target;
@@ -25,9 +25,6 @@ const ROUNDING_STEP: f64 = 1e-7;
 const STALE_CONTRACTION: f64 = 0.3;
 /// After a step that is not below this fraction of the last one new factors need less time than more such steps.
 const STALE_FAST: f64 = 0.05;
-/// How much the least curvature may fall per unit of joint motion, rad or sizes. An estimate: f's third derivatives are sums
-/// of products of the pull, of lengths in sizes, and of joint rates, all of them about 1.
-const CURVATURE_CHANGE: f64 = 10.0;
 
 impl Solver {
     /// Newton steps that close and descend at once; `None` as soon as a step is out of the ordinary.
@@ -46,8 +43,8 @@ impl Solver {
             reached,
             rounding: _,
         } = self.tolerances;
-        // Joint motion since the factors were made, and the least curvature there.
-        let (mut moved, mut least) = (0.0, 0.0);
+        // Joint motion since the factors were made.
+        let mut moved = 0.0;
         let (mut fresh, mut seen) = (true, false);
         for _ in 0..DIRECT_STEPS {
             let tangent = self.closer.tangent();
@@ -88,13 +85,11 @@ impl Solver {
                 if !linalg::cholesky(&mut self.curvature, n, n, flat) {
                     return None;
                 }
-                let pivots = self.curvature.iter().step_by(n + 1);
-                least = pivots.fold(f64::INFINITY, |least, l| l.min(least));
-                least *= least;
                 moved = 0.0;
             }
             if open <= SOLVED && gradient <= stationary {
-                if least - CURVATURE_CHANGE * moved < flat {
+                if !fresh && !(held.least_curvature(&self.curvature, moved, &mut self.trial) > flat)
+                {
                     fresh = true;
                     continue;
                 }
