@@ -17,7 +17,7 @@ use crate::plan::found::Cost;
 use crate::plan::one_chain::Part;
 use crate::plan::places::Places;
 use crate::plan::seeds::Variable;
-use crate::plan::settings::{Method, Settings, extent};
+use crate::plan::settings::{Settings, extent};
 use crate::plan::unseen::Unseen;
 use crate::solve::solver::Solver;
 
@@ -115,10 +115,7 @@ impl Assemblies {
         settings: &Settings,
         followed: &Trajectory,
     ) -> Self {
-        let settings = Settings {
-            method: Method::Newton,
-            ..*settings
-        };
+        let settings = settings.by_newton();
         let extent = extent(goals);
         let mut solver = settings.solver(mechanism, extent);
         let mut closed = followed.start.clone();

@@ -12,7 +12,7 @@ use crate::plan::branches::Branches;
 use crate::plan::calm::Calming;
 use crate::plan::found::{Cost, Found};
 use crate::plan::route::Route;
-use crate::plan::settings::{Method, Settings, extent};
+use crate::plan::settings::{Settings, extent};
 use crate::plan::unseen::Unseen;
 
 /// Starts of a round from each of the frames that [`Branches::start_slots`] names; after each round the best motion so far
@@ -73,10 +73,7 @@ impl Search {
             mechanism: mechanism.clone(),
             goals: goals.to_vec(),
             // The search goes by Newton's method, whatever the document plans with.
-            settings: Settings {
-                method: Method::Newton,
-                ..*settings
-            },
+            settings: settings.by_newton(),
             followed,
             done: branches.is_none(),
             branches,

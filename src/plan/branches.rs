@@ -12,7 +12,7 @@ use crate::model::scaled::CLOSED;
 use crate::motion::goal::Goal;
 use crate::motion::trajectory::{Status, Trajectory};
 use crate::plan::places::{Form, Places};
-use crate::plan::settings::{Method, Settings, extent};
+use crate::plan::settings::{Settings, extent};
 use crate::plan::walk::{self, LONGEST, Walk};
 use crate::solve::solver::{End, Solved, Solver};
 use std::collections::BTreeMap;
@@ -145,10 +145,7 @@ impl Branches {
         settings: &Settings,
         followed: &Trajectory,
     ) -> Option<Self> {
-        let settings = Settings {
-            method: Method::Newton,
-            ..*settings
-        };
+        let settings = settings.by_newton();
         let mut solver = settings.solver(mechanism, extent(goals));
         let mut start = followed.start.clone();
         let closed = solver.close_start(&mut start, settings.dimension_tolerance);

@@ -6,7 +6,7 @@ use crate::motion::goal::Goal;
 use crate::motion::trajectory::Trajectory;
 use crate::plan::given::close_start;
 use crate::plan::record::{Singularity, begin, record};
-use crate::plan::settings::{Method, Settings};
+use crate::plan::settings::Settings;
 use crate::solve::drive::{self, Obstacle};
 use crate::solve::solver::{End, Solved, Solver};
 
@@ -73,10 +73,7 @@ fn move_from(
     settings: &Settings,
     go: impl FnOnce(&mut Solver, &mut [f64]) -> (Solved, Option<Pose>, Option<Obstacle>),
 ) -> Configuration {
-    let newton = Settings {
-        method: Method::Newton,
-        ..*settings
-    };
+    let newton = settings.by_newton();
     let mut solver = newton.solver(mechanism, extent);
     let mut t = begin(mechanism, &solver, extent, &newton);
     let mut joints = from.to_vec();

@@ -9,7 +9,7 @@ use crate::motion::trajectory::{DriveEnd, Trajectory, Warning};
 use crate::plan::driven_start::{driven, positions_near};
 use crate::plan::given;
 use crate::plan::record::{Singularity, begin, record, warn_of_rounded};
-use crate::plan::settings::{Method, Settings};
+use crate::plan::settings::Settings;
 use crate::solve::drive::Obstacle;
 use crate::solve::solver::{End, Solved, Solver};
 use crate::solve::steer::Steering;
@@ -67,10 +67,7 @@ impl Planning {
             "one start value a joint variable"
         );
         // There is no distance that a method or a metric would lower.
-        let settings = Settings {
-            method: Method::Newton,
-            ..*settings
-        };
+        let settings = settings.by_newton();
         let mut solver = settings.solver(mechanism, extent);
         let mut t = begin(mechanism, &solver, extent, &settings);
         t.warnings.clear();

@@ -69,6 +69,14 @@ impl Settings {
         max_iterations: None,
     };
 
+    /// The same with Newton's method: for what is no question of the planner.
+    pub fn by_newton(&self) -> Self {
+        Self {
+            method: Method::Newton,
+            ..*self
+        }
+    }
+
     /// The metric for this mechanism and a motion of this extent.
     pub fn metric_for(&self, mechanism: &Mechanism, extent: f64) -> Metric {
         Metric {
