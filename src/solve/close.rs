@@ -16,6 +16,10 @@ use crate::solve::tangent::Tangent;
 /// Corrections near a closed position: quadratic convergence needs three or four.
 const CORRECTIONS: usize = 12;
 
+/// A correction that leaves less than this share of the closure error before it, so that another with its factors leaves
+/// hardly more than one with new ones.
+const STALE_FAST: f64 = 0.02;
+
 /// In what a correction is the shortest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shortest {
@@ -135,13 +139,18 @@ impl Closer {
     ) -> bool {
         self.at.copy_from_slice(theta);
         let mut last = f64::INFINITY;
-        for _ in 0..CORRECTIONS {
+        for correction in 0..CORRECTIONS {
             let mut open = self.tangent.evaluate(scaled.chains(), &self.at);
             if open <= SOLVED {
                 theta.copy_from_slice(&self.at);
                 return true;
             }
-            let mut factored = self.tangent.factor(stops, dependence);
+            let fast = correction > 0 && open < STALE_FAST * last && !dependence.is_rounded();
+            let mut factored = if fast {
+                self.tangent.stale()
+            } else {
+                self.tangent.factor(stops, dependence)
+            };
             if dependence.is_rounded() {
                 (open, _) = factored.closure();
                 if open <= SOLVED {
