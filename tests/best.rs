@@ -15,10 +15,11 @@ use synthetica::model::mechanism::Mechanism;
 use synthetica::motion::goal::Goal;
 use synthetica::motion::trajectory::{Status, Trajectory, Warning};
 use synthetica::plan::best::Search;
+use synthetica::plan::elsewhere;
 use synthetica::plan::follow::plan;
 use synthetica::plan::found::Found;
 use synthetica::plan::path::{path_motion, places};
-use synthetica::plan::settings::Settings;
+use synthetica::plan::settings::{Settings, extent};
 use synthetica::{Problem, Session};
 
 /// Bound of closure errors, lengths as shares of the size or rad.
@@ -535,6 +536,59 @@ fn random_linkages_are_never_farther_where_the_followed_motion_is_closed() {
         }
     }
     assert!(compared >= 3, "{compared} comparisons");
+}
+
+/// A linkage of every chain type's row by its number, with goals farther off than those of [`goals`].
+fn far(seed: u64, number: usize, frames: usize) -> Case {
+    let kinds = assemblies(&mut Random(77 + seed));
+    let mut random = Random(1000 + 1000 * seed + number as u64);
+    let linkage = linkage(&kinds[number], &mut random);
+    let home = linkage.mechanism.chains()[0].pose(&linkage.home);
+    let ends = [random.pose(1.0, 1.2), random.pose(1.2, 1.5)].map(|step| step * home);
+    let goal = |i: usize| {
+        let s = 2.0 * i as f64 / (frames - 1) as f64;
+        let (a, b, s) = if s <= 1.0 {
+            (&home, &ends[0], s)
+        } else {
+            (&ends[0], &ends[1], s - 1.0)
+        };
+        let rotation = a.rotation.slerp(&b.rotation, s);
+        let translation = a.translation.vector.lerp(&b.translation.vector, s);
+        Goal {
+            time: i as f64,
+            pose: Pose::from_parts(translation.into(), rotation),
+        }
+    };
+    Case {
+        goals: (0..frames).map(goal).collect(),
+        mechanism: linkage.mechanism,
+        start: linkage.home,
+        settings: Settings::default(),
+    }
+}
+
+/// RR+RPCP has one freedom, and its curve two pieces that come near each other. On the start's piece a slider runs away; the
+/// closest pose of goal 3, f = 0.0059, is on the other piece, and steps downhill of 0.2 rad leap to it.
+#[test]
+fn a_runaway_does_not_leap_to_another_piece_of_the_curve() {
+    let case = far(0, 208, 33);
+    let (followed, found) = checked("RR+RPCP", &case);
+    assert!(
+        found.cost.mean <= found.followed.mean + 1e-9,
+        "{:?}, followed {:?}",
+        found.cost,
+        found.followed
+    );
+    assert_eq!(followed.status[3], Status::Stalled);
+    let mut solver = case.settings.solver(&case.mechanism, extent(&case.goals));
+    let at = followed.joints_at(2);
+    let joined = elsewhere::joined(&mut solver, at, &case.goals[3].pose);
+    assert!(joined.is_none(), "{joined:?}");
+    // Where a slider runs away and a finite pose is joined, it is found though few ways lead there.
+    let case = far(0, 121, 33);
+    let followed = plan(&case.mechanism, &case.start, &case.goals, &case.settings);
+    assert!(followed.status[24].is_certified());
+    assert!(followed.metric[24] < 0.0814, "{:?}", followed.metric);
 }
 
 /// Overconstrained: their loops close as far as the dimensions agree.

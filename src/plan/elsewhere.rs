@@ -1,14 +1,13 @@
 //! A finite closest pose where the followed branch has none: from positions that closed walks join to the present one,
-//! and in other assemblies. A closed walk is a path of short steps over positions whose loops are closed.
+//! and in other assemblies. What a closed walk is: see [`walk`].
 
-use crate::math::linalg::dot;
 use crate::math::pose::Pose;
 use crate::math::random::Random;
 use crate::model::mechanism::Mechanism;
 use crate::motion::trajectory::Warning;
 use crate::plan::modes;
 use crate::plan::settings::Settings;
-use crate::solve::close::{Reach, Shortest, add_rates, solve_gram};
+use crate::plan::walk;
 use crate::solve::solver::{Solved, Solver};
 
 /// Frames in which a slider runs away; see [`Warning::Runaway`].
@@ -65,42 +64,25 @@ impl Runaway {
     }
 }
 
-/// Walks, and positions on each from which a minimum is looked for: about 200 starts.
-const WALKS: u64 = 8;
+/// Walks, and positions on each from which a minimum is looked for. A position is where the linkage falls to a goal at
+/// random: ways that go straight on over the closed positions are soon far out on the slider that runs away.
+const WALKS: u64 = 4;
 const POSITIONS: usize = 24;
-/// Steps from one to the next, straight on where that is possible: 4 rad, or sizes, so that a walk crosses the workspace.
-const STRIDE: usize = 20;
-/// Length of a step, root of the joints' squared motions, and of its corrections: half of it, so that the walk does not
-/// leap.
-const STEP: f64 = 0.2;
-const REACH: Reach = Reach {
-    shortest: Shortest::Joints,
-    each: 0.5 * STEP,
-    all: 0.5 * STEP,
-};
 
 /// The closest finite certified pose found from positions that closed walks, within the limits, join to `joints`.
 pub fn joined(solver: &mut Solver, joints: &[f64], goal: &Pose) -> Option<(Vec<f64>, Solved)> {
-    let mut best: Option<(Vec<f64>, Solved)> = None;
+    let (mut best, mut least) = (None, f64::INFINITY);
     for walk in 0..WALKS {
         let mut random = Random::new(walk);
         let mut theta = solver.scaled().entered(joints);
         for _ in 0..POSITIONS {
-            let mut heading = random_heading(&mut random, theta.len());
-            for _ in 0..STRIDE {
-                if !step(solver, &mut theta, &mut heading) {
-                    heading = random_heading(&mut random, theta.len());
-                }
+            let aim = walk::random_goal(solver, goal, &mut random);
+            if let Some((end, _)) = fallen(solver, &theta, &aim, f64::INFINITY) {
+                theta = end;
             }
-            let mut at = solver.scaled().left(&theta);
-            let predicted = at.clone();
-            solver.clear_holding();
-            let solved = solver.solve(goal, &mut at, &predicted);
-            let better = best
-                .as_ref()
-                .is_none_or(|(_, least)| solved.value < least.value);
-            if solved.end.is_minimum() && better {
-                best = Some((at, solved));
+            if let Some((end, solved)) = fallen(solver, &theta, goal, least) {
+                least = solved.value;
+                best = Some((solver.scaled().left(&end), solved));
             }
         }
     }
@@ -108,43 +90,21 @@ pub fn joined(solver: &mut Solver, joints: &[f64], goal: &Pose) -> Option<(Vec<f
     best
 }
 
-/// One closed step along the free direction nearest to `heading`, and `heading` becomes that direction; false where the
-/// loops do not close there or a joint would be beyond a limit.
-fn step(solver: &mut Solver, theta: &mut Vec<f64>, heading: &mut Vec<f64>) -> bool {
-    let (scaled, closer, holding) = solver.parts();
-    let mut holding = holding.clone();
-    holding.clear();
-    let dependence = closer.dependence_anywhere();
-    let tangent = closer.tangent();
-    tangent.evaluate(scaled.chains(), theta);
-    let free = tangent.factor(holding.stops(), dependence).free();
-    let mut coefficients: Vec<f64> = (0..free.count())
-        .map(|i| dot(free.rates(i), heading))
-        .collect();
-    if !solve_gram(&free, &mut Vec::new(), &mut coefficients) {
-        return false;
+/// The minimum, closer than `least`, to which the linkage falls from `theta`. The steps of the solver are longer than those
+/// of a walk and may leap: none where no walk leads along them.
+fn fallen(
+    solver: &mut Solver,
+    theta: &[f64],
+    goal: &Pose,
+    least: f64,
+) -> Option<(Vec<f64>, Solved)> {
+    let (end, solved, mut passed) = walk::fall(solver, theta, goal);
+    if !(solved.end.is_minimum() && solved.value < least) {
+        return None;
     }
-    heading.fill(0.0);
-    add_rates(&free, &coefficients, 1.0, heading);
-    let length = dot(heading, heading).sqrt();
-    if !(length > 0.0) {
-        return false;
-    }
-    let mut next: Vec<f64> = theta
-        .iter()
-        .zip(&*heading)
-        .map(|(t, d)| t + STEP / length * d)
-        .collect();
-    let closed =
-        closer.close(scaled, holding.stops(), &REACH, &mut next, &mut 0) && holding.contains(&next);
-    if closed {
-        *theta = next;
-    }
-    closed
-}
-
-fn random_heading(random: &mut Random, variables: usize) -> Vec<f64> {
-    (0..variables).map(|_| random.between(-1.0, 1.0)).collect()
+    passed.push(end.clone());
+    walk::through(solver, theta, &passed)?;
+    Some((end, solved))
 }
 
 /// Whether another assembly has a finite certified pose that is closer than `value`.
@@ -156,9 +116,8 @@ pub fn another_assembly(
     value: f64,
 ) -> bool {
     let free = vec![None; mechanism.chains().len()];
-    let found = modes::find(mechanism, &free, goal, extent, settings);
+    let mut joints = modes::find(mechanism, &free, goal, extent, settings);
     let mut solver = settings.solver(mechanism, extent);
-    let mut joints = found.clone();
     if !solver
         .close_start(&mut joints, settings.dimension_tolerance)
         .is_closed()

@@ -3,22 +3,18 @@
 //! Positions are joint values as the solver has them (rad, shares of the size).
 
 use crate::math::linalg::dot;
+use crate::math::norm::unit;
 use crate::math::pose::Pose;
 use crate::math::random::Random;
 use crate::solve::close::{Reach, Shortest, add_rates, longest, solve_gram};
 use crate::solve::limits::Holding;
 use crate::solve::solver::{Solved, Solver};
+use nalgebra::{Quaternion, Vector3, Vector4};
 
 /// Length of a step along a free direction, root of the joints' squared motions.
 const STEP: f64 = 0.06;
 /// Largest joint motion from one point of a walk to the next, rad or sizes.
 pub const LONGEST: f64 = 0.07;
-/// Corrections that close the loops after a step: no longer than half of it, so that a walk does not leap.
-const REACH: Reach = Reach {
-    shortest: Shortest::Joints,
-    each: 0.5 * STEP,
-    all: 0.5 * STEP,
-};
 /// Steps of a walk, and of one towards a position for each of the straight way's.
 const STEPS: usize = 300;
 const DETOUR: f64 = 2.0;
@@ -30,9 +26,11 @@ const NEARER: f64 = 1e-4;
 const ALONG: f64 = 1e-3;
 /// How often a walk at random that is stuck turns, and how often a step is halved.
 const TURNS: usize = 2;
-const DIVISIONS: usize = 3;
+const DIVISIONS: usize = 8;
 /// Rate of a joint, of a direction of length 1, that is rounding.
 const LEVEL: f64 = 1e-9;
+/// How far a goal at random is from another along each axis, sizes.
+const AWAY: f64 = 2.0;
 
 /// A closed walk: the points after the first one, and its length, root of the joints' squared motions.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -75,6 +73,14 @@ pub fn distance(from: &[f64], to: &[f64]) -> f64 {
 pub fn largest(from: &[f64], to: &[f64]) -> f64 {
     let moves = from.iter().zip(to).map(|(a, b)| (a - b).abs());
     moves.fold(0.0, f64::max)
+}
+
+/// A goal at random around another, turned in any way: the linkage falls far towards it.
+pub fn random_goal(solver: &Solver, goal: &Pose, random: &mut Random) -> Pose {
+    let mut number = || random.between(-1.0, 1.0);
+    let away = Vector3::from_fn(|_, _| number()) * (AWAY * solver.scaled().unit());
+    let rotation = unit(Quaternion::from(Vector4::from_fn(|_, _| number())));
+    Pose::from_parts((goal.translation.vector + away).into(), rotation)
 }
 
 /// A random direction of the joints.
@@ -205,55 +211,72 @@ pub fn walk(solver: &mut Solver, from: &[f64], to: &[f64]) -> Option<Walk> {
 
 /// The closed walk through points that are nearly closed, the last of them as it is; none where one does not close nearby or
 /// a step between two cannot be divided.
-pub fn close(solver: &mut Solver, from: &[f64], points: Vec<Vec<f64>>) -> Option<Walk> {
-    let mut walk = Walk::default();
-    let mut at = from.to_vec();
+pub fn close(solver: &mut Solver, from: &[f64], mut points: Vec<Vec<f64>>) -> Option<Walk> {
     let last = points.len().saturating_sub(1);
-    for (i, point) in points.into_iter().enumerate() {
-        let closed = if i < last {
-            closed(solver, point)?
-        } else {
-            point
-        };
-        divide(solver, &mut walk, &at, &closed, DIVISIONS)?;
-        at = closed;
+    for point in &mut points[..last] {
+        *point = closed(solver, std::mem::take(point))?;
+    }
+    through(solver, from, &points)
+}
+
+/// The closed walk through closed positions, with more of them between where steps are long; none where two are not joined so.
+pub fn through(solver: &mut Solver, from: &[f64], points: &[Vec<f64>]) -> Option<Walk> {
+    let mut walk = Walk::default();
+    let mut at = from;
+    for point in points {
+        if !divide(solver, &mut walk, at, point, DIVISIONS) {
+            return None;
+        }
+        at = point;
     }
     Some(walk)
 }
 
-/// The closed position next to one that is nearly closed, within the limits.
-pub fn closed(solver: &mut Solver, mut theta: Vec<f64>) -> Option<Vec<f64>> {
-    let (scaled, closer, holding) = solver.parts();
-    let mut holding = holding.clone();
-    holding.hold_all_at(&theta);
-    let mut closes = |holding: &Holding| {
-        closer.close(scaled, holding.stops(), &REACH, &mut theta, &mut 0)
-            && holding.contains(&theta)
-    };
-    let held = closes(&holding);
-    holding.clear();
-    (held || closes(&holding)).then_some(theta)
-}
-
-/// Appends a step to a walk, with closed positions between where it is long.
+/// Appends a step to a walk, with closed positions between where it is long: however far the corrections go, what counts is
+/// that no step is long in the end. False where it is not divided.
 fn divide(
     solver: &mut Solver,
     walk: &mut Walk,
     from: &[f64],
     to: &[f64],
     divisions: usize,
-) -> Option<()> {
-    if largest(from, to) <= LONGEST {
+) -> bool {
+    let far = largest(from, to);
+    if far <= LONGEST {
         walk.push(from, to.to_vec());
-        return Some(());
+        return true;
     }
     if divisions == 0 {
-        return None;
+        return false;
     }
     let middle = from.iter().zip(to).map(|(a, b)| 0.5 * (a + b)).collect();
-    let middle = closed(solver, middle)?;
-    divide(solver, walk, from, &middle, divisions - 1)?;
-    divide(solver, walk, &middle, to, divisions - 1)
+    closed_within(solver, middle, 0.5 * far).is_some_and(|middle| {
+        divide(solver, walk, from, &middle, divisions - 1)
+            && divide(solver, walk, &middle, to, divisions - 1)
+    })
+}
+
+/// The closed position next to one that is nearly closed, within the limits.
+pub fn closed(solver: &mut Solver, theta: Vec<f64>) -> Option<Vec<f64>> {
+    closed_within(solver, theta, 0.5 * STEP)
+}
+
+fn closed_within(solver: &mut Solver, mut theta: Vec<f64>, far: f64) -> Option<Vec<f64>> {
+    let (scaled, closer, holding) = solver.parts();
+    let mut holding = holding.clone();
+    holding.hold_all_at(&theta);
+    let reach = Reach {
+        shortest: Shortest::Joints,
+        each: far,
+        all: far,
+    };
+    let mut closes = |holding: &Holding| {
+        closer.close(scaled, holding.stops(), &reach, &mut theta, &mut 0)
+            && holding.contains(&theta)
+    };
+    let held = closes(&holding);
+    holding.clear();
+    (held || closes(&holding)).then_some(theta)
 }
 
 /// The minimum of the distance from `goal` downhill from a closed position: joint values, what is known of it, and closed
