@@ -189,7 +189,7 @@ Examples:
   synthetica best --format csv 3rps.json > best.csv
   synthetica best --format json 3rps.json --output best.json
   synthetica best --format csv --headings two-rows --calm 1e-6 3rps.json > calm.csv
-  synthetica best --quiet --key-frames path.csv --table '{\"scale\": 0.001}' 3rps.json")]
+  synthetica best --format csv --quiet 3rps.json --key-frames path.csv --table '{\"scale\": 0.001}' > best.csv")]
 pub struct Best {
     /// The documents; `-` or nothing for standard input
     #[arg(value_name = "DOCUMENT", default_value = "-", hide_default_value = true, value_hint = ValueHint::FilePath)]
@@ -231,7 +231,7 @@ Exit codes:
 Examples:
   synthetica modes 3rps.json
   synthetica modes --key 1 --json 3rps.json
-  synthetica modes --key 2 --key-frames path.csv --table '{\"scale\": 0.001}' 3rps.json
+  synthetica modes 3rps.json --key 1 --key-frames path.csv --table '{\"scale\": 0.001}'
   synthetica modes --start 0 3rps.json | synthetica plan --quiet > motion.csv")]
 pub struct Modes {
     /// The documents; `-` or nothing for standard input
