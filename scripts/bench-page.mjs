@@ -2,6 +2,7 @@
 // `node scripts/bench-page.mjs edits use`. Run by `scripts/dev.sh bench` after a build; fails only where bytes or the canvas's
 // shares of the window are over their bar: times are of the machine too. How each is measured stands in scripts/bench/, beside
 // the limits; how long a plan takes against natively is told by scripts/wasm-ratio.mjs.
+import { best } from './bench/best.mjs';
 import { canvasShares } from './bench/canvas.mjs';
 import { editRatios } from './bench/edits.mjs';
 import { firstFrame } from './bench/first-frame.mjs';
@@ -20,6 +21,7 @@ const PARTS = {
   first: { measure: firstFrame },
   moves: { measure: moves },
   edits: { measure: editRatios },
+  best: { measure: best },
   use: { measure: use },
 };
 

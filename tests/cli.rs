@@ -546,6 +546,56 @@ fn key_frames_come_from_a_table() {
     fs::remove_file(&path).expect("it was there");
 }
 
+/// The best motion and the ways to assemble take the same table; of a motion that cannot be certified the warnings are left out.
+#[test]
+fn the_best_motion_has_the_options_of_a_plan() {
+    let name = format!("synthetica-best-{}.csv", std::process::id());
+    let path = std::env::temp_dir().join(name);
+    let rows: String = (0..12).map(|i| format!("0 0 {}\n", 600 + i)).collect();
+    fs::write(&path, format!("x y z\n{rows}0 0 what\n")).expect("a file");
+    let table = path.to_str().expect("a path");
+    let of = [
+        "3rps.json",
+        "--frames",
+        "12",
+        "--key-frames",
+        table,
+        "--table",
+        "{\"scale\": 0.001}",
+    ];
+    let with = |command: &[&str]| run(&[command, &of[..]].concat());
+    let (out, err, code) = with(&["best", "--json"]);
+    assert_eq!(code, 0, "{err}");
+    assert!(err.contains("row 14: "), "{err}");
+    assert_eq!(json(&out)["frames"], 12);
+    let (out, err, code) = with(&["best", "-f", "csv", "--headings", "two-rows"]);
+    assert_eq!(code, 0, "{err}");
+    let mut lines = out.lines();
+    let [names, units] = [lines.next(), lines.next()].map(|line| line.expect("headings"));
+    assert!(
+        names.contains(",goal_z,") && units.contains(",m,"),
+        "{units}"
+    );
+    let goal = names.split(',').position(|name| name == "goal_z");
+    let last: Vec<&str> = out.lines().last().expect("a line").split(',').collect();
+    assert_eq!(last[goal.expect("a column")], "0.611");
+    let (out, err, code) = with(&["modes", "--key", "11", "--json"]);
+    assert_eq!((json(&out)["frame"].as_u64(), code), (Some(11), 0), "{err}");
+    fs::remove_file(&path).expect("it was there");
+
+    let (_, err, code) = run(&["best", "-f", "json", "--headings", "plain", "3rps.json"]);
+    assert!(code == 2 && err.contains("Accepted"), "{err}");
+    let (out, _, _) = run(&["best", LOCAL]);
+    let (quiet, err, _) = run(&["best", "--quiet", LOCAL]);
+    let kept: Vec<&str> = (out.lines())
+        .filter(|line| !line.starts_with("  warning   "))
+        .collect();
+    assert_eq!(
+        (quiet.lines().collect::<Vec<_>>(), err.as_str()),
+        (kept, "")
+    );
+}
+
 #[test]
 fn a_wrong_command_line_says_what_would_be_accepted() {
     for (arguments, accepted) in [

@@ -11,6 +11,10 @@ export const LIMITS = {
   move: { 'key frame': 16, workpiece: 12 },
   /** Script of an edit with many key frames, as a multiple of the same with three. */
   edit: 3,
+  /** ms of the search for the best motion of a sample, median. */
+  best: 1000,
+  /** A plan while a search runs, as a multiple of its own time. */
+  planBeside: 1.2,
   /**
    * What a round of use may leave behind, when all garbage is collected. Listeners: none. Nodes: a text for each typed number,
    * four in a round, which the browser's own undo of fields keeps. Bytes of the heap: a round makes some 30 steps of undo, each a document and its text, and 500 are kept.

@@ -1,13 +1,12 @@
 //! The command line: commands, options, and their help.
 
 use crate::inputs::Inputs;
-use crate::options::{MotionOptions, Output, Planning, Table};
+use crate::options::{KeyFrames, MotionOptions, Output, Planning, Table, Tables};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueHint, value_parser};
 use clap_complete::Shell;
 use std::path::PathBuf;
 use synthetica::exchange::export::Format;
-use synthetica::exchange::table::Headings;
 use synthetica::model::joint::JointKind;
 use synthetica::plan::calm_form::MOST_PRICE;
 use synthetica::types::enumerate::{MAX_CHAIN_CONSTRAINTS, MAX_CONSTRAINTS};
@@ -140,9 +139,8 @@ pub struct Export {
     /// What to print
     #[arg(value_parser = PossibleValuesParser::new(Format::ALL.map(Format::name)).try_map(|name| Format::named(&name)))]
     pub format: Format,
-    /// Of csv: units behind the names (x[mm]), plain names, or two rows, the names and below them their units
-    #[arg(long, value_name = "WORD", value_parser = PossibleValuesParser::new(Headings::ALL.map(Headings::name)).try_map(|word| Headings::named(&word)))]
-    pub headings: Option<Headings>,
+    #[command(flatten)]
+    pub tables: Tables,
     /// Of mjcf: gravity along -z, in the document's unit of length
     #[arg(long)]
     pub gravity: bool,
@@ -190,7 +188,8 @@ Examples:
   synthetica best --json 3rps.json 2tpr.json
   synthetica best --format csv 3rps.json > best.csv
   synthetica best --format json 3rps.json --output best.json
-  synthetica best --format csv --calm 1e-6 3rps.json > calm.csv")]
+  synthetica best --format csv --headings two-rows --calm 1e-6 3rps.json > calm.csv
+  synthetica best --format csv --quiet 3rps.json --key-frames path.csv --table '{\"scale\": 0.001}' > best.csv")]
 pub struct Best {
     /// The documents; `-` or nothing for standard input
     #[arg(value_name = "DOCUMENT", default_value = "-", hide_default_value = true, value_hint = ValueHint::FilePath)]
@@ -207,9 +206,16 @@ pub struct Best {
     #[arg(long, value_name = "PRICE", requires = "format", value_parser = price)]
     pub calm: Option<f64>,
     #[command(flatten)]
+    pub tables: Tables,
+    #[command(flatten)]
     pub planning: Planning,
     #[command(flatten)]
+    pub key_frames: KeyFrames,
+    #[command(flatten)]
     pub into: Output,
+    /// No warnings
+    #[arg(short, long)]
+    pub quiet: bool,
 }
 
 #[derive(Args)]
@@ -225,6 +231,7 @@ Exit codes:
 Examples:
   synthetica modes 3rps.json
   synthetica modes --key 1 --json 3rps.json
+  synthetica modes 3rps.json --key 1 --key-frames path.csv --table '{\"scale\": 0.001}'
   synthetica modes --start 0 3rps.json | synthetica plan --quiet > motion.csv")]
 pub struct Modes {
     /// The documents; `-` or nothing for standard input
@@ -241,6 +248,8 @@ pub struct Modes {
     pub start: Option<usize>,
     #[command(flatten)]
     pub planning: Planning,
+    #[command(flatten)]
+    pub key_frames: KeyFrames,
     #[command(flatten)]
     pub into: Output,
 }

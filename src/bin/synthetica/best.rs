@@ -4,6 +4,7 @@ use crate::arguments::Best;
 use crate::check::{Refused, line, warnings};
 use crate::failure::{AT_FAULT, Failure, NO_ANSWER, at_fault, tell};
 use crate::files::{self, Out};
+use crate::motion::{check, warn};
 use crate::options::Table;
 use crate::planned::{Planned, planned};
 use crate::progress::{PARTS, Progress, part};
@@ -15,7 +16,6 @@ use synthetica::document::number::readable;
 use synthetica::document::report::Report;
 use synthetica::exchange::export::{Format, Options, write};
 use synthetica::exchange::path_table;
-use synthetica::exchange::table::Headings;
 use synthetica::motion::trajectory::Status;
 use synthetica::plan::best::Search;
 use synthetica::plan::found::Found;
@@ -43,7 +43,7 @@ struct Searched {
 
 impl Searched {
     fn new(asked: &Best, file: &Path) -> Result<Self, Failure> {
-        let planned = planned(file, &asked.planning, None)?;
+        let planned = planned(file, &asked.planning, Some(&asked.key_frames))?;
         let followed = planned.motion.clone();
         let mut search = at_fault(&planned.file, planned.problem().best(followed))?;
         let mut progress = Progress::new("part", PARTS);
@@ -71,7 +71,7 @@ fn report(asked: &Best) -> Result<(), Failure> {
                 out.write(&if asked.json {
                     line(&verdict)
                 } else {
-                    words(&verdict, &searched)
+                    words(&verdict, &searched, asked.quiet)
                 })?;
                 if verdict.ok { 0 } else { AT_FAULT }
             }
@@ -95,6 +95,11 @@ fn report(asked: &Best) -> Result<(), Failure> {
 }
 
 fn motion(asked: &Best, format: Table, file: &Path) -> Result<(), Failure> {
+    let wished = Options {
+        headings: asked.tables.headings,
+        ..Options::default()
+    };
+    check(wished, format.into())?;
     let mut searched = Searched::new(asked, file)?;
     let calm = asked.calm.map(|price| searched.search.calm(price));
     let Searched { planned, search } = &searched;
@@ -104,27 +109,25 @@ fn motion(asked: &Best, format: Table, file: &Path) -> Result<(), Failure> {
         return Err(Failure::Said(AT_FAULT));
     };
     let motion = calm.flatten().map(|calm| calm.motion);
-    warn(planned, motion.as_ref().unwrap_or(&found.motion));
+    if !asked.quiet {
+        warn(planned, motion.as_ref().unwrap_or(&found.motion));
+    }
     let (document, problem) = (planned.document(), planned.problem());
     let text = match (motion, format) {
         (Some(motion), table) => {
             let format = Format::from(table);
-            let (options, mechanism) = (Options::default(), &problem.mechanism);
-            let text = write(format, options, document, mechanism, &motion);
+            let text = write(format, wished, document, &problem.mechanism, &motion);
             at_fault(&planned.file, text)?
         }
-        (None, Table::Csv) => path_table::csv(document, problem, found, Headings::default()),
+        (None, Table::Csv) => path_table::csv(
+            document,
+            problem,
+            found,
+            wished.headings.unwrap_or_default(),
+        ),
         (None, Table::Json) => path_table::json(document, problem, found, &BestReport::new(search)),
     };
     files::write(asked.into.file(), &text)
-}
-
-fn warn(planned: &Planned, motion: &Trajectory) {
-    let problem = planned.problem();
-    let report = Report::new(&problem.mechanism, &problem.length_unit, motion);
-    for said in warnings(&report, motion) {
-        tell(&format!("{}: warning: {said}", planned.file));
-    }
 }
 
 /// What is said of a document with goals. Frames count from 0, as they do in the library.
@@ -163,7 +166,7 @@ impl<'a> Verdict<'a> {
 const OPEN: &str = "the loops of the start are open, and there is no closed motion to search from";
 
 /// For a person.
-fn words(verdict: &Verdict, searched: &Searched) -> String {
+fn words(verdict: &Verdict, searched: &Searched, quiet: bool) -> String {
     let (best, motion) = (&verdict.best, searched.motion());
     let mut lines = vec![
         format!("{}: {}", verdict.file, verdict.name),
@@ -202,10 +205,12 @@ fn words(verdict: &Verdict, searched: &Searched) -> String {
     } else {
         lines.push(format!("  result    {OPEN}"));
     }
-    let problem = searched.planned.problem();
-    let report = Report::new(&problem.mechanism, &problem.length_unit, motion);
-    let said = warnings(&report, motion);
-    lines.extend(said.iter().map(|said| format!("  warning   {said}")));
+    if !quiet {
+        let problem = searched.planned.problem();
+        let report = Report::new(&problem.mechanism, &problem.length_unit, motion);
+        let said = warnings(&report, motion);
+        lines.extend(said.iter().map(|said| format!("  warning   {said}")));
+    }
     lines.join("\n") + "\n"
 }
 

@@ -24,7 +24,7 @@ pub fn modes(asked: &Modes) -> Result<(), Failure> {
 }
 
 fn searched(asked: &Modes, file: &Path) -> Result<(Planned, ModesReport), Failure> {
-    let planned = planned(file, &asked.planning, None)?;
+    let planned = planned(file, &asked.planning, Some(&asked.key_frames))?;
     let problem = planned.problem();
     let at = problem.key_at(&planned.document().motion, asked.key);
     let at = at_fault(&planned.file, at)?;

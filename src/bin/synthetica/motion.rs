@@ -5,7 +5,8 @@ use crate::check::warnings;
 use crate::failure::{Failure, NO_ANSWER, tell};
 use crate::files;
 use crate::options::MotionOptions;
-use crate::planned::planned;
+use crate::planned::{Planned, planned};
+use synthetica::Trajectory;
 use synthetica::document::report::Report;
 use synthetica::exchange::export::{Format, Options, write};
 
@@ -17,14 +18,28 @@ pub fn plan(asked: &Plan) -> Result<(), Failure> {
 /// The motion for another program.
 pub fn export(asked: &Export) -> Result<(), Failure> {
     let wished = Options {
-        headings: asked.headings,
+        headings: asked.tables.headings,
         gravity: asked.gravity.then_some(true),
     };
-    wished.check(asked.format).map_err(|fault| {
+    check(wished, asked.format)?;
+    print(asked.format, wished, &asked.options)
+}
+
+/// Whether a format can have what is wished.
+pub fn check(wished: Options, format: Format) -> Result<(), Failure> {
+    wished.check(format).map_err(|fault| {
         tell(&format!("error: {fault}"));
         Failure::Said(NO_ANSWER)
-    })?;
-    print(asked.format, wished, &asked.options)
+    })
+}
+
+/// Says on standard error what a person should know of a motion.
+pub fn warn(planned: &Planned, motion: &Trajectory) {
+    let problem = planned.problem();
+    let report = Report::new(&problem.mechanism, &problem.length_unit, motion);
+    for said in warnings(&report, motion) {
+        tell(&format!("{}: warning: {said}", planned.file));
+    }
 }
 
 fn print(format: Format, wished: Options, options: &MotionOptions) -> Result<(), Failure> {
@@ -34,14 +49,7 @@ fn print(format: Format, wished: Options, options: &MotionOptions) -> Result<(),
         Some(&options.key_frames),
     )?;
     if !options.quiet {
-        let report = Report::new(
-            &planned.problem().mechanism,
-            &planned.problem().length_unit,
-            &planned.motion,
-        );
-        for said in warnings(&report, &planned.motion) {
-            tell(&format!("{}: warning: {said}", planned.file));
-        }
+        warn(&planned, &planned.motion);
     }
     let mechanism = &planned.problem().mechanism;
     let text = write(

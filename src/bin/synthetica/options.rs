@@ -1,8 +1,10 @@
 //! Options that several commands have.
 
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum, ValueHint, value_parser};
 use std::path::{Path, PathBuf};
 use synthetica::exchange::export::Format;
+use synthetica::exchange::table::Headings;
 use synthetica::motion::goal::MAX_FRAMES;
 
 #[derive(Args)]
@@ -19,6 +21,14 @@ pub struct MotionOptions {
     /// No warnings
     #[arg(short, long)]
     pub quiet: bool,
+}
+
+/// What a table says.
+#[derive(Args)]
+pub struct Tables {
+    /// Of csv: units behind the names (x[mm]), plain names, or two rows, the names and below them their units
+    #[arg(long, value_name = "WORD", value_parser = PossibleValuesParser::new(Headings::ALL.map(Headings::name)).try_map(|word| Headings::named(&word)))]
+    pub headings: Option<Headings>,
 }
 
 /// What is planned otherwise than the document says.
