@@ -64,10 +64,13 @@ impl Runaway {
     }
 }
 
-/// Walks, and positions on each from which a minimum is looked for. A position is where the linkage falls to a goal at
-/// random: ways that go straight on over the closed positions are soon far out on the slider that runs away.
-const WALKS: u64 = 4;
+/// Walks, and positions on each from which a minimum is looked for. On every other walk a position is where the linkage falls
+/// to a goal at random, on the others it is straight on: out on a slider that runs away only goals bring the linkage
+/// back, and where it is well only straight walks leave the surroundings of a minimum.
+const WALKS: u64 = 8;
 const POSITIONS: usize = 24;
+/// From one position straight on to the next, root of the joints' squared motions, rad and sizes: across the workspace.
+const STRIDE: f64 = 4.0;
 
 /// The closest finite certified pose found from positions that closed walks, within the limits, join to `joints`.
 pub fn joined(solver: &mut Solver, joints: &[f64], goal: &Pose) -> Option<(Vec<f64>, Solved)> {
@@ -76,10 +79,13 @@ pub fn joined(solver: &mut Solver, joints: &[f64], goal: &Pose) -> Option<(Vec<f
         let mut random = Random::new(walk);
         let mut theta = solver.scaled().entered(joints);
         for _ in 0..POSITIONS {
-            let aim = walk::random_goal(solver, goal, &mut random);
-            if let Some((end, _)) = fallen(solver, &theta, &aim, f64::INFINITY) {
-                theta = end;
-            }
+            let next = if walk % 2 == 0 {
+                let aim = walk::random_goal(solver, goal, &mut random);
+                fallen(solver, &theta, &aim, f64::INFINITY).map(|(end, _)| end)
+            } else {
+                walk::wandered(solver, &theta, STRIDE, &mut random)
+            };
+            theta = next.unwrap_or(theta);
             if let Some((end, solved)) = fallen(solver, &theta, goal, least) {
                 least = solved.value;
                 best = Some((solver.scaled().left(&end), solved));

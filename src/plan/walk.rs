@@ -167,6 +167,19 @@ pub fn wander(
     points
 }
 
+/// The closed position at the end of [`wander`]; none where no closed walk leads there.
+pub fn wandered(
+    solver: &mut Solver,
+    theta: &[f64],
+    length: f64,
+    random: &mut Random,
+) -> Option<Vec<f64>> {
+    let mut points = wander(solver, theta, length, random);
+    let end = closed(solver, points.pop()?)?;
+    points.push(end.clone());
+    close(solver, theta, points).map(|_| end)
+}
+
 /// The closed walk from one closed position to another that goes as straight as it can; none where it does not arrive.
 pub fn walk(solver: &mut Solver, from: &[f64], to: &[f64]) -> Option<Walk> {
     let mut points = Vec::new();
