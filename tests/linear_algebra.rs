@@ -8,6 +8,7 @@ use synthetica::math::lanczos::Lanczos;
 use synthetica::math::linalg::{
     PivotedQr, Svd, cholesky, solve_lower, solve_lower_transposed, svd, symmetric_eigen,
 };
+use synthetica::math::six_rows::SixRows;
 
 /// Columns of equal length.
 type Columns = Vec<Vec<f64>>;
@@ -405,4 +406,48 @@ fn cholesky_solves() {
     assert!(!cholesky(&mut [1.0, 0.0, 0.0, 1e-3], 2, 2, 1e-2));
     assert!(!cholesky(&mut [f64::NAN], 1, 1, 0.0));
     assert!(cholesky(&mut [], 0, 0, 0.0));
+}
+
+/// Columns of six entries: the rows give back what the columns are combined of, and those across are orthonormal.
+#[test]
+fn columns_of_six_entries() {
+    let mut source = Random(17);
+    for round in 0..3000 {
+        let count = source.below(6);
+        let rank = 1 + source.below(6);
+        let given = of_rank(6, count, rank, &mut source);
+        let mut columns: Vec<[f64; 6]> = given
+            .iter()
+            .map(|c| std::array::from_fn(|i| c[i]))
+            .collect();
+        let mut order: Vec<usize> = (0..count).collect();
+        let mut qr = SixRows::default();
+        let threshold = 0.05;
+        qr.factor(&mut columns, &mut order, threshold);
+        assert!(qr.rank <= rank.min(count), "{round}");
+        let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+        for p in qr.rank..6 {
+            for l in qr.rank..6 {
+                let unit = f64::from(u8::from(p == l));
+                assert!((dot(&qr.rows[p], &qr.rows[l]) - unit).abs() < 1e-14);
+            }
+            for (k, &column) in order.iter().enumerate() {
+                let remainder = if k < qr.rank { 0.0 } else { qr.rest[k][p] };
+                let found = dot(&qr.rows[p], &given[column]);
+                assert!((found - remainder).abs() < 1e-12, "{round}: {found:e}");
+            }
+        }
+        for i in 0..qr.rank {
+            for (k, &column) in order.iter().enumerate() {
+                let unit = f64::from(u8::from(k == i));
+                let wanted = if k < qr.rank { unit } else { qr.rest[k][i] };
+                let found = dot(&qr.rows[i], &given[column]);
+                assert!((found - wanted).abs() < 1e-11, "{round}: {found} {wanted}");
+            }
+        }
+        for k in qr.rank..count {
+            let rest = qr.rest[k][qr.rank..].iter().map(|x| x * x).sum::<f64>();
+            assert!(rest.sqrt() <= threshold * (1.0 + 1e-12), "{round}");
+        }
+    }
 }

@@ -12,6 +12,7 @@ pub mod pose;
 pub mod qr;
 pub mod random;
 pub mod screw;
+pub mod six_rows;
 pub mod sort;
 pub mod svd;
 pub mod symmetric;

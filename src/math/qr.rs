@@ -135,36 +135,6 @@ impl PivotedQr {
         }
     }
 
-    /// For six rows: R11⁻¹ Q1ᵀ into the first rows, the rest of Qᵀ into the others; R12 becomes R11⁻¹ R12.
-    pub fn invert(&mut self, rows: &mut [[f64; 6]; 6]) {
-        for (i, row) in rows.iter_mut().enumerate() {
-            *row = [0.0; 6];
-            row[i] = 1.0;
-        }
-        for k in (0..self.rank).rev() {
-            // The first rows are not reached by the last reflections.
-            let mut v = [0.0; 6];
-            v.copy_from_slice(&self.v[k * 6..(k + 1) * 6]);
-            for row in &mut rows[k..] {
-                reflect(&v, self.beta[k], row);
-            }
-        }
-        for i in (0..self.rank).rev() {
-            let (above, own) = rows.split_at_mut(i);
-            own[0].iter_mut().for_each(|x| *x *= self.inverse[i]);
-            for (j, row) in above.iter_mut().enumerate() {
-                let r = self.a[i * 6 + j];
-                row.iter_mut().zip(&own[0]).for_each(|(x, y)| *x -= r * y);
-            }
-        }
-        for j in self.rank..self.order.len() {
-            let mut column = [0.0; 6];
-            column.copy_from_slice(&self.a[j * 6..(j + 1) * 6]);
-            self.solve_r(&mut column);
-            self.a[j * 6..(j + 1) * 6].copy_from_slice(&column);
-        }
-    }
-
     fn reflect_by(&self, k: usize, x: &mut [f64]) {
         reflect(&self.v[k * self.rows..(k + 1) * self.rows], self.beta[k], x);
     }

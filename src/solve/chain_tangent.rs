@@ -1,6 +1,6 @@
 //! One chain of a closed linkage to first and second order: what it withstands, its joint rates, its curvature.
 
-use crate::math::linalg::PivotedQr;
+use crate::math::six_rows::{SixRows, dot6};
 use crate::model::chain::{Chain, ChainState, MAX_FREEDOMS};
 use crate::model::joint::Stop;
 use nalgebra::Vector6;
@@ -19,12 +19,11 @@ pub(super) struct ChainTangent {
     pub state: ChainState,
     /// Workpiece minus end of chain: the twist e_i by which the loop is open.
     pub open: Vector6<f64>,
-    /// QR of the columns of J that may move; R12 is R11⁻¹ R12.
-    qr: PivotedQr,
+    /// The columns of J that may move, factored: R11⁻¹ Q1ᵀ and N_iᵀ are its rows. Products with them wait less than
+    /// reflections, each for the one before.
+    qr: SixRows,
     /// The chain's joints that may move; once factored, in pivoted order.
     active: Vec<usize>,
-    /// R11⁻¹ Q1ᵀ, and below it N_iᵀ: products with them wait less than reflections, each for the one before.
-    rows: [[f64; 6]; 6],
     /// First of the chain's explicit joints in y.
     explicit: usize,
     /// The wrench λ_i with which the chain holds the workpiece against the goal's pull.
@@ -41,9 +40,8 @@ impl ChainTangent {
             freedoms,
             state: ChainState::default(),
             open: Vector6::zeros(),
-            qr: PivotedQr::default(),
+            qr: SixRows::default(),
             active: Vec::with_capacity(freedoms),
-            rows: [[0.0; 6]; 6],
             explicit: 0,
             wrench: Vector6::zeros(),
             curvature: [[0.0; MAX_FREEDOMS]; MAX_FREEDOMS],
@@ -52,58 +50,52 @@ impl ChainTangent {
 
     /// Number of constraints: rows of N_iᵀ.
     pub fn constraints(&self) -> usize {
-        6 - self.qr.rank()
+        6 - self.qr.rank
     }
 
     /// Factors the columns of the joints that are not held; its explicit joints follow the `unknowns` before it.
     /// Returns how many unknowns there are then.
     #[inline]
     pub fn factor(&mut self, stops: &[Stop], unknowns: usize) -> usize {
-        self.qr.clear(6);
+        let mut columns = [[0.0; 6]; MAX_FREEDOMS];
         self.active.clear();
         for j in 0..self.freedoms {
             if stops[self.first + j] == Stop::None {
+                columns[self.active.len()] = self.state.jacobian[j].into();
                 self.active.push(j);
-                self.qr.push(self.state.jacobian[j].as_slice());
             }
         }
-        self.qr.factor(EXPLICIT, MAX_FREEDOMS);
-        self.qr.invert(&mut self.rows);
-        let mut active = [0; MAX_FREEDOMS];
-        for (joint, &column) in active.iter_mut().zip(self.qr.order()) {
-            *joint = self.active[column];
-        }
         let count = self.active.len();
-        self.active.copy_from_slice(&active[..count]);
+        (self.qr).factor(&mut columns[..count], &mut self.active, EXPLICIT);
         self.explicit = unknowns;
-        unknowns + count - self.qr.rank()
+        unknowns + count - self.qr.rank
     }
 
     /// Writes constraint `p` (from the rank to 5) over zeros as a linear form in y: a column of N_i, and −R22 of the
     /// explicit joints.
     #[inline]
     pub fn constraint(&self, p: usize, form: &mut [f64]) {
-        form[..6].copy_from_slice(&self.rows[p]);
-        let rank = self.qr.rank();
+        form[..6].copy_from_slice(&self.qr.rows[p]);
+        let rank = self.qr.rank;
         for j in rank..self.active.len() {
-            form[self.explicit + j - rank] = -self.qr.entry(p, j);
+            form[self.explicit + j - rank] = -self.qr.rest[j][p];
         }
     }
 
     /// Rows of N_iᵀ.
     pub fn constraint_rows(&self) -> std::ops::Range<usize> {
-        self.qr.rank()..6
+        self.qr.rank..6
     }
 
     /// Appends −N_iᵀ e_i.
     pub fn residuals(&self, out: &mut Vec<f64>) {
         let e = self.open.into();
-        out.extend(self.rows[self.qr.rank()..].iter().map(|n| -dot6(n, &e)));
+        out.extend(self.qr.rows[self.qr.rank..].iter().map(|n| -dot6(n, &e)));
     }
 
     /// N_i times the multipliers of its constraints.
     pub fn combine(&self, multipliers: &[f64]) -> Vector6<f64> {
-        sum6(&self.rows[self.qr.rank()..], multipliers)
+        sum6(&self.qr.rows[self.qr.rank..], multipliers)
     }
 
     /// Joint rates that realise ξ + e with explicit joints as in `y`; those of held joints stay 0.
@@ -112,16 +104,16 @@ impl ChainTangent {
         if let Some(e) = open {
             x.iter_mut().zip(e.iter()).for_each(|(x, e)| *x += e);
         }
-        let rank = self.qr.rank();
+        let rank = self.qr.rank;
         let out = &mut out[self.first..];
-        for (row, &joint) in self.rows[..rank].iter().zip(&self.active) {
+        for (row, &joint) in self.qr.rows[..rank].iter().zip(&self.active) {
             out[joint] = dot6(row, &x);
         }
         for (j, &joint) in self.active.iter().enumerate().skip(rank) {
             let b = y[self.explicit + j - rank];
             out[joint] = b;
             for (i, &other) in self.active[..rank].iter().enumerate() {
-                out[other] -= self.qr.entry(i, j) * b;
+                out[other] -= self.qr.rest[j][i] * b;
             }
         }
     }
@@ -136,16 +128,16 @@ impl ChainTangent {
     /// The wrench w along the joints with Jᵀ w = −`torques`, as far as the joints are not explicit; their rest is taken from
     /// the explicit unknowns in `rest`, and w from its first six. N_i μ may be added to w.
     pub fn react(&self, torques: &[f64], rest: &mut [f64]) -> Vector6<f64> {
-        let rank = self.qr.rank();
+        let rank = self.qr.rank;
         let mut own = [0.0; MAX_FREEDOMS];
         for (x, &joint) in own.iter_mut().zip(&self.active) {
             *x = -torques[self.first + joint];
         }
         for j in rank..self.active.len() {
-            let along: f64 = (0..rank).map(|i| self.qr.entry(i, j) * own[i]).sum();
+            let along: f64 = (0..rank).map(|i| self.qr.rest[j][i] * own[i]).sum();
             rest[self.explicit + j - rank] += along - own[j];
         }
-        let w = sum6(&self.rows[..rank], &own);
+        let w = sum6(&self.qr.rows[..rank], &own);
         rest.iter_mut().zip(w.iter()).for_each(|(r, w)| *r -= w);
         w
     }
@@ -179,12 +171,6 @@ impl ChainTangent {
         }
         bent
     }
-}
-
-/// Summed in pairs: the additions do not wait for each other.
-#[inline]
-fn dot6(a: &[f64; 6], x: &[f64; 6]) -> f64 {
-    (a[0] * x[0] + a[1] * x[1]) + (a[2] * x[2] + a[3] * x[3]) + (a[4] * x[4] + a[5] * x[5])
 }
 
 /// The sum of rows with these coefficients.
