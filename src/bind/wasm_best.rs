@@ -63,11 +63,18 @@ impl Session {
     /// A `Fault` where joints are driven.
     pub fn best(&mut self) -> Result<JsBest, JsValue> {
         self.ensure_best()?;
-        let report = BestReport::new(self.search());
+        let mut report = BestReport::new(self.search());
+        // Long lists are copied as they are.
+        let metrics: Vec<_> = (report.branches.iter_mut())
+            .map(|branch| std::mem::take(&mut branch.metric))
+            .collect();
         let object = to_js(&report)?;
         typed(&object, "lane", |array| Int32Array::new(array).into())?;
-        for branch in Array::from(&Reflect::get(&object, &"branches".into())?).iter() {
-            typed(&branch, "metric", |array| Float64Array::new(array).into())?;
+        let branches = Array::from(&Reflect::get(&object, &"branches".into())?);
+        for (branch, metric) in branches.iter().zip(&metrics) {
+            typed(&branch, "metric", |_| {
+                Float64Array::from(&metric[..]).into()
+            })?;
         }
         Ok(object.unchecked_into())
     }
