@@ -6,10 +6,12 @@ use crate::document::best_report::{BestReport, CostReport};
 use crate::document::bounds::out_of_range;
 use crate::document::fault::{Fault, FaultCode, Place};
 use crate::document::modes_report::ModesReport;
+use crate::exchange::export::{self, Format, Options};
+use crate::exchange::path_table;
 use crate::motion::columns::placed;
 use crate::motion::trajectory::Trajectory;
 use crate::plan::best::Search;
-use crate::plan::calm_form::MOST_PRICE;
+use crate::plan::calm_form::{Calm, MOST_PRICE};
 use crate::plan::path::path_motion;
 use crate::source::session::index;
 use js_sys::{Array, Float64Array, Int32Array, Object, Reflect};
@@ -63,11 +65,18 @@ impl Session {
     /// A `Fault` where joints are driven.
     pub fn best(&mut self) -> Result<JsBest, JsValue> {
         self.ensure_best()?;
-        let report = BestReport::new(self.search());
+        let mut report = BestReport::new(self.search());
+        // Long lists are copied as they are.
+        let metrics: Vec<_> = (report.branches.iter_mut())
+            .map(|branch| std::mem::take(&mut branch.metric))
+            .collect();
         let object = to_js(&report)?;
         typed(&object, "lane", |array| Int32Array::new(array).into())?;
-        for branch in Array::from(&Reflect::get(&object, &"branches".into())?).iter() {
-            typed(&branch, "metric", |array| Float64Array::new(array).into())?;
+        let branches = Array::from(&Reflect::get(&object, &"branches".into())?);
+        for (branch, metric) in branches.iter().zip(&metrics) {
+            typed(&branch, "metric", |_| {
+                Float64Array::from(&metric[..]).into()
+            })?;
         }
         Ok(object.unchecked_into())
     }
@@ -122,23 +131,55 @@ impl Session {
     /// # Errors
     /// A `Fault` where joints are driven, or the price is no number from 0 to 1.
     pub fn calm_motion(&mut self, price: f64) -> Result<JsCalmMotion, JsValue> {
-        if !(0.0..=MOST_PRICE).contains(&price) {
-            const PRICE: Place<'static> = Place::WHOLE.field("price");
-            let fault = out_of_range(&PRICE, price, "a number from 0 to 1");
-            return Err(refusal(&fault));
-        }
-        self.ensure_best()?;
-        let search = self.searches.best.as_mut();
-        let calm = search.and_then(|search| {
-            search.finish();
-            search.calm(price)
-        });
-        let Some(calm) = calm else {
+        let Some(calm) = self.calm_form(price)? else {
             // The loops do not close: there is nothing to make calm.
             let search = self.search();
             return self.calm(search.followed(), search.followed_cost().into());
         };
         self.calm(&calm.motion, calm.cost.into())
+    }
+
+    /// The best motion found so far as `export_motion` writes a motion, or its calm form at a price, for which the search is
+    /// completed first. As CSV and JSON the best motion has all points of its closed path.
+    ///
+    /// # Errors
+    /// A `Fault` where there is no such format, an option does not go with it, joints are driven, or the price is no number
+    /// from 0 to 1.
+    pub fn export_best(
+        &mut self,
+        format: &str,
+        options: &str,
+        price: Option<f64>,
+    ) -> Result<String, JsValue> {
+        let asked = || {
+            let (format, options) = (Format::named(format)?, Options::read(options)?);
+            options.check(format)?;
+            Ok((format, options))
+        };
+        let (format, options) = asked().map_err(|fault: Fault| refusal(&fault))?;
+        let calm = match price {
+            Some(price) => self.calm_form(price)?,
+            None => self.ensure_best().map(|()| None)?,
+        };
+        let (search, problem) = (self.search(), self.open.problem());
+        let document = self.open.document();
+        let motion = match (search.found(), &calm) {
+            (_, Some(calm)) => &calm.motion,
+            (Some(found), None) => match format {
+                Format::Csv => {
+                    let headings = options.headings.unwrap_or_default();
+                    return Ok(path_table::csv(document, problem, found, headings));
+                }
+                Format::Json => {
+                    let report = BestReport::new(search);
+                    return Ok(path_table::json(document, problem, found, &report));
+                }
+                Format::Mjcf => &found.motion,
+            },
+            (None, None) => search.followed(),
+        };
+        export::write(format, options, document, &problem.mechanism, motion)
+            .map_err(|fault| refusal(&fault))
     }
 
     /// Begins the search for all ways to assemble at a key frame, counted from 0, in place of one begun before.
@@ -203,6 +244,21 @@ impl Session {
             Some(_) => Ok(()),
             None => self.begin_best(),
         }
+    }
+
+    /// The calm form at a price, once the search is complete; none where the loops do not close.
+    fn calm_form(&mut self, price: f64) -> Result<Option<Calm>, JsValue> {
+        if !(0.0..=MOST_PRICE).contains(&price) {
+            const PRICE: Place<'static> = Place::WHOLE.field("price");
+            let fault = out_of_range(&PRICE, price, "a number from 0 to 1");
+            return Err(refusal(&fault));
+        }
+        self.ensure_best()?;
+        let search = self.searches.best.as_mut();
+        Ok(search.and_then(|search| {
+            search.finish();
+            search.calm(price)
+        }))
     }
 
     /// The search, once it is begun.

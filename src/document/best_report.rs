@@ -1,7 +1,7 @@
 //! What the search for the best motion found so far, as a page and the command read it: plain numbers under the names of its
 //! JSON. Frames count from 0.
 
-use crate::document::fault::{Fault, FaultCode, Place, told};
+use crate::document::fault::{Fault, FaultCode, Place};
 use crate::document::problem::Problem;
 use crate::motion::trajectory::Trajectory;
 use crate::plan::best::Search;
@@ -10,9 +10,6 @@ use crate::plan::found::Found;
 use crate::plan::found::Lane;
 use crate::plan::found::Switch;
 use serde::Serialize;
-
-/// Frames of a motion whose branches are looked for: memory and time grow with them and with the branches.
-const MOST_FRAMES: usize = 3000;
 
 /// The search so far.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -61,7 +58,7 @@ pub struct CostReport {
 pub struct BranchReport {
     /// Its first frame.
     pub first: usize,
-    /// f, frame by frame.
+    /// f, frame by frame; of long motions linear between the frames that are searched.
     pub metric: Vec<f64>,
 }
 
@@ -192,23 +189,9 @@ impl Problem {
     /// The search for the best motion, beside the motion that was planned.
     ///
     /// # Errors
-    /// Where joints are driven: there is no goal that a motion could be closer to; or there are too many frames.
+    /// Where joints are driven: there is no goal that a motion could be closer to.
     pub fn best(&self, followed: Trajectory) -> Result<Search, Fault> {
         self.check_goals()?;
-        if self.goals.len() > MOST_FRAMES {
-            let place = Place::WHOLE.field("motion");
-            let what = told!(
-                "{} frames are more than the search for the best motion takes",
-                self.goals.len()
-            );
-            let accepted = told!("up to {MOST_FRAMES} frames");
-            return Err(Fault::new(
-                FaultCode::OutOfRange,
-                &place.field("frames"),
-                &what,
-                &accepted,
-            ));
-        }
         Ok(Search::new(
             &self.mechanism,
             &self.goals,

@@ -8,10 +8,12 @@ use crate::model::mechanism::Mechanism;
 use crate::model::scaled::Scaled;
 use crate::motion::goal::Goal;
 use crate::motion::trajectory::{Status, Trajectory};
-use crate::plan::branches::Branches;
+use crate::plan::between::slots;
+use crate::plan::branches::{Apart, Branches};
+use crate::plan::building::{Building, Task};
 use crate::plan::calm::Calming;
 use crate::plan::found::{Cost, Found};
-use crate::plan::route::Route;
+use crate::plan::route::{Route, Way};
 use crate::plan::settings::{Settings, extent};
 use crate::plan::unseen::Unseen;
 
@@ -47,13 +49,21 @@ pub struct Search {
     route: Route,
     /// Slots from which starts are to be made in this round.
     waiting: Vec<usize>,
+    /// Poses that are to be tried again at its end, the last one first.
+    again: Vec<Apart>,
     /// Rounds that were begun.
     rounds: usize,
     /// The mean before the last round.
     before: f64,
     pub(super) found: Option<Found>,
-    /// The calm forms of the last price, from the best and the followed motion.
-    calming: Vec<Calming>,
+    /// The way that it goes, and the motion along another one so far.
+    way: Option<Way>,
+    building: Option<Building>,
+    /// The calm forms of the last price, from the best and the followed motion; so many of them are settled for the next one.
+    pub(super) calming: Vec<Calming>,
+    pub(super) settled: usize,
+    /// Those of each price of the curve.
+    pub(super) calmed: Vec<Vec<Calming>>,
     /// How far the search was when it was last asked: rounds that follow do not take it back.
     told: f64,
     pub(super) curve: Vec<(f64, Cost)>,
@@ -68,7 +78,7 @@ impl Search {
         settings: &Settings,
         followed: Trajectory,
     ) -> Self {
-        let branches = Branches::new(mechanism, goals, settings, &followed);
+        let branches = Branches::new(mechanism, goals, slots(goals.len()), settings, &followed);
         Self {
             mechanism: mechanism.clone(),
             goals: goals.to_vec(),
@@ -79,16 +89,21 @@ impl Search {
             branches,
             route: Route::default(),
             waiting: Vec::new(),
+            again: Vec::new(),
             rounds: 0,
             before: f64::INFINITY,
             found: None,
+            way: None,
+            building: None,
             calming: Vec::new(),
+            settled: 0,
+            calmed: Vec::new(),
             curve: Vec::new(),
             told: 0.0,
         }
     }
 
-    /// One start, or one look for the best motion; false when there is nothing left.
+    /// A small part of the search: one start, a slot of a motion, a step towards a calm form; false when there is nothing left.
     pub fn advance(&mut self) -> bool {
         if self.done {
             return false;
@@ -99,21 +114,38 @@ impl Search {
             return true;
         }
         let price = FIRST_PRICE * self.curve.iter().map(|_| NEXT_PRICE).product::<f64>();
-        let mut calming = std::mem::take(&mut self.calming);
-        if let Some(calm) = self.settle(&mut calming, price) {
-            self.curve.push((price, calm.cost));
+        if let Some(cost) = self.advance_calm(price) {
+            self.curve.push((price, cost));
+            self.calmed.push(self.calming.clone());
         }
-        self.calming = calming;
         self.done = self.curve.len() >= PRICES;
         !self.done
     }
 
-    /// One start, or one look for the best motion.
+    /// One start, one look for the best way, or a slot of its motion.
     fn search(&mut self) {
         let Some(branches) = self.branches.as_mut() else {
             return;
         };
-        if let Some(slot) = self.waiting.pop() {
+        let (route, followed) = (&self.route, &self.followed);
+        let task = Task {
+            mechanism: &self.mechanism,
+            goals: &self.goals,
+            settings: &self.settings,
+            followed,
+        };
+        if let Some(mut building) = self.building.take() {
+            match building.advance(&task, branches, route) {
+                Some(true) => self.building = Some(building),
+                Some(false) => {
+                    self.found = Some(building.finish(&task, branches, route));
+                    self.way = Some(route.way());
+                    self.end_round();
+                }
+                // A way that leaves the bounds is none: what was found before stays.
+                None => self.end_round(),
+            }
+        } else if let Some(slot) = self.waiting.pop() {
             // Shifted from one pass over the slots to the next, so that each slot has starts of both kinds.
             let made = self.waiting.len();
             let pass = made / branches.start_slots().len();
@@ -123,21 +155,31 @@ impl Search {
                 branches.start_from(slot);
             }
             if self.waiting.is_empty() {
-                branches.try_apart_again(&self.route.values(branches));
+                self.again = branches.apart_again(&route.values(branches));
             }
+        } else if let Some(apart) = self.again.pop() {
+            branches.try_again(&apart);
         } else if !self.route.continue_branch(branches)
             && !self.route.reach_branch(branches)
             && self.route.advance(branches)
         {
-            let (mechanism, goals, settings) = (&self.mechanism, &self.goals, &self.settings);
-            let (followed, route) = (&self.followed, &self.route);
-            // A way that leaves the bounds is none: what was found before stays.
-            self.found = Found::new(mechanism, goals, settings, followed, branches, route)
-                .or_else(|| self.found.take());
-            if !self.begin_round() {
-                self.calming = self.begin_calm();
-                self.done = self.calming.is_empty();
+            let route = &self.route;
+            match &mut self.found {
+                _ if route.nodes().is_empty() => self.end_round(),
+                Some(found) if self.way.as_ref() == Some(&route.way()) => {
+                    found.know(followed, branches, route);
+                    self.end_round();
+                }
+                _ => self.building = Some(Building::new(&task, branches)),
             }
+        }
+    }
+
+    /// Begins another round, or the calm forms.
+    fn end_round(&mut self) {
+        if !self.begin_round() {
+            self.calming = self.begin_calm();
+            self.done = self.calming.is_empty();
         }
     }
 

@@ -106,6 +106,8 @@ pub struct Branches {
     /// What tells positions apart.
     pub places: Places,
     goals: Vec<Pose>,
+    /// The frame of each slot but the start: all of them, or of a long motion as many as are looked at.
+    pub(super) frames: Vec<usize>,
     /// The closest poses of each slot.
     pub nodes: Vec<Vec<Node>>,
     /// The branches; the followed motion's come first.
@@ -138,10 +140,11 @@ pub struct Branches {
 }
 
 impl Branches {
-    /// The followed motion as it was planned, and no other branch yet; none where its loops do not close.
+    /// The followed motion as it was planned, at these frames, and no other branch yet; none where its loops do not close.
     pub fn new(
         mechanism: &Mechanism,
         goals: &[Goal],
+        frames: Vec<usize>,
         settings: &Settings,
         followed: &Trajectory,
     ) -> Option<Self> {
@@ -158,8 +161,9 @@ impl Branches {
             anywhere: solver.clone(),
             apart: Vec::new(),
             solver,
-            goals: goals.iter().map(|goal| goal.pose).collect(),
-            nodes: vec![Vec::new(); goals.len() + 1],
+            goals: frames.iter().map(|&frame| goals[frame].pose).collect(),
+            nodes: vec![Vec::new(); frames.len() + 1],
+            frames,
             list: Vec::new(),
             followed: 0,
             crossings: Vec::new(),
@@ -176,25 +180,15 @@ impl Branches {
         let value = branches.solver.value(branches.goal(0), &start);
         let at_start = resting(value);
         branches.add(0, theta, at_start, None);
-        for frame in 0..followed.frames() {
+        for slot in 1..branches.slots() {
+            let frame = branches.frames[slot - 1];
             // A frame whose loops are open repeats the last closed joint values.
             if !(followed.closure[frame] <= CLOSED) {
                 return None;
             }
-            let solved = Solved {
-                end: match followed.status[frame] {
-                    Status::Reached | Status::Closest => End::Minimum,
-                    Status::AtLimit => End::MinimumAtLimit,
-                    Status::Stalled | Status::ClosureLost | Status::Passing => End::Stalled,
-                },
-                reached: followed.status[frame] == Status::Reached,
-                value: followed.metric[frame],
-                projected_gradient: followed.projected_gradient[frame],
-                iterations: followed.iterations[frame] as usize,
-            };
             let theta = branches.solver.scaled().entered(followed.joints_at(frame));
             let branch = branches.list.len() - 1;
-            branches.add(frame + 1, theta, solved, Some(branch));
+            branches.add(slot, theta, solved(followed, frame), Some(branch));
         }
         branches.followed = branches.list.len();
         branches.origins = branches.list.iter().map(|branch| branch.first).collect();
@@ -353,7 +347,8 @@ impl Branches {
 
     /// The straight distance from one position to another, root of the joints' squared motions, less whole turns.
     pub fn straight(&self, from: &[f64], to: &[f64]) -> f64 {
-        walk::distance(from, &self.places.form_near(from, to).apply(to))
+        let square = |_: usize, moved: f64| moved * moved;
+        self.places.apart(from, to, f64::INFINITY, square).sqrt()
     }
 
     /// A closed walk from a node to one of the next slot, or of the same.
@@ -361,6 +356,21 @@ impl Branches {
         let form = self.places.form_near(from, to);
         let walk = walk::walk(&mut self.solver, from, &form.apply(to))?;
         Some(Edge { walk, form })
+    }
+}
+
+/// What is known of a frame of a motion.
+pub(super) fn solved(t: &Trajectory, frame: usize) -> Solved {
+    Solved {
+        end: match t.status[frame] {
+            Status::Reached | Status::Closest => End::Minimum,
+            Status::AtLimit => End::MinimumAtLimit,
+            Status::Stalled | Status::ClosureLost | Status::Passing => End::Stalled,
+        },
+        reached: t.status[frame] == Status::Reached,
+        value: t.metric[frame],
+        projected_gradient: t.projected_gradient[frame],
+        iterations: t.iterations[frame] as usize,
     }
 }
 

@@ -34,6 +34,7 @@ const REACH: Reach = Reach {
 const INWARD: f64 = 1e-9;
 
 /// A frame of the system.
+#[derive(Clone, Debug)]
 struct Block {
     /// Joint rates of the free directions.
     rates: Vec<Vec<f64>>,
@@ -45,60 +46,88 @@ struct Block {
 /// A motion that is made calm: closed positions as the solver has them, one a frame.
 #[derive(Clone, Debug)]
 pub struct Calming {
+    at: At,
+    /// On the way to the least sum for a μ.
+    settling: Option<Settling>,
+}
+
+/// Positions, and the limits that hold them.
+#[derive(Clone, Debug)]
+struct At {
     theta: Vec<Vec<f64>>,
     holding: Vec<Holding>,
+}
+
+/// The state of Newton's method.
+#[derive(Clone, Debug)]
+struct Settling {
+    cost: f64,
+    damping: f64,
+    blocks: Vec<Block>,
+    /// Iterations that may follow.
+    left: usize,
 }
 
 impl Calming {
     /// From closed positions within the limits.
     pub fn new(solver: &Solver, theta: Vec<Vec<f64>>) -> Self {
         let holding = Holding::new(solver.scaled().limits());
-        Self {
-            holding: vec![holding; theta.len()],
-            theta,
-        }
+        let holding = vec![holding; theta.len()];
+        let at = At { theta, holding };
+        Self { at, settling: None }
     }
 
     /// The positions.
     pub fn theta(&self) -> &[Vec<f64>] {
-        &self.theta
+        &self.at.theta
     }
 
     /// Σ f + μ/2 Σ |θ_{i+1} − θ_i|² of the present positions.
     pub fn cost(&self, solver: &mut Solver, goals: &[Pose], mu: f64) -> f64 {
-        total(solver, goals, &self.theta, mu)
+        total(solver, goals, &self.at.theta, mu)
     }
 
-    /// Goes to the least sum for this μ that is downhill from here.
-    pub fn settle(&mut self, solver: &mut Solver, goals: &[Pose], mu: f64) {
-        let mut cost = self.cost(solver, goals, mu);
-        let mut damping = DAMPING;
-        let mut blocks = self.blocks(solver, goals, mu);
-        for _ in 0..ITERATIONS {
-            let steps = solve(&blocks, mu, damping);
-            let trial = steps.and_then(|steps| self.step(solver, &blocks, &steps));
-            let lower = trial.and_then(|trial| {
-                let reached = total(solver, goals, &trial.theta, mu);
-                (reached < cost).then_some((trial, reached))
+    /// One iteration towards the least sum for this μ that is downhill from here; false when it is there.
+    pub fn advance(&mut self, solver: &mut Solver, goals: &[Pose], mu: f64) -> bool {
+        let Some(mut now) = self.settling.take() else {
+            self.settling = Some(Settling {
+                cost: self.cost(solver, goals, mu),
+                damping: DAMPING,
+                blocks: self.at.blocks(solver, goals, mu),
+                left: ITERATIONS,
             });
-            let Some((trial, reached)) = lower else {
-                damping *= MORE;
-                if damping > MOST_DAMPING {
-                    return;
-                }
-                continue;
-            };
-            *self = trial;
-            let fall = cost - reached;
-            cost = reached;
-            damping *= LESS;
-            if fall <= FALL * cost {
-                return;
-            }
-            blocks = self.blocks(solver, goals, mu);
+            return true;
+        };
+        if now.left == 0 {
+            return false;
         }
+        now.left -= 1;
+        let steps = solve(&now.blocks, mu, now.damping);
+        let trial = steps.and_then(|steps| self.at.step(solver, &now.blocks, &steps));
+        let lower = trial.and_then(|trial| {
+            let reached = total(solver, goals, &trial.theta, mu);
+            (reached < now.cost).then_some((trial, reached))
+        });
+        let Some((trial, reached)) = lower else {
+            now.damping *= MORE;
+            let more = now.damping <= MOST_DAMPING;
+            self.settling = more.then_some(now);
+            return more;
+        };
+        self.at = trial;
+        let fall = now.cost - reached;
+        now.cost = reached;
+        now.damping *= LESS;
+        if fall <= FALL * now.cost {
+            return false;
+        }
+        now.blocks = self.at.blocks(solver, goals, mu);
+        self.settling = Some(now);
+        true
     }
+}
 
+impl At {
     fn blocks(&mut self, solver: &mut Solver, goals: &[Pose], mu: f64) -> Vec<Block> {
         (0..self.theta.len())
             .map(|frame| self.block(solver, &goals[frame], frame, mu))

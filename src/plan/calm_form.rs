@@ -4,6 +4,7 @@ use crate::math::pose::Pose;
 use crate::model::scaled::Scaled;
 use crate::motion::trajectory::{Status, Trajectory};
 use crate::plan::best::{FIRST_PRICE, NEXT_PRICE, Search};
+use crate::plan::branches::Branches;
 use crate::plan::calm::Calming;
 use crate::plan::found::{Cost, Point};
 use crate::plan::record::{Singularity, begin, record, warn_of_rounded};
@@ -14,7 +15,7 @@ use crate::plan::walk;
 const CALM_FALL: f64 = 1e-12;
 /// The highest price: at it, a motion by 1 rad or size costs more than the farthest pose.
 pub const MOST_PRICE: f64 = 1.0;
-/// Joint motion between two frames, root of squares, that is spread over frames to begin with, and how much a frame then has.
+/// Joint motion between two slots, root of squares, that is spread over slots to begin with, and how much a slot then has.
 const SPREAD: f64 = 0.5;
 const SHARE: f64 = 0.3;
 
@@ -30,18 +31,19 @@ pub struct Calm {
 }
 
 impl Search {
-    /// The best and the followed motion as positions, those between frames of the best one spread over frames.
+    /// The best and the followed motion as positions of the slots, those between slots of the best one spread over slots.
     pub(super) fn begin_calm(&self) -> Vec<Calming> {
         let (Some(branches), Some(found)) = (&self.branches, &self.found) else {
             return Vec::new();
         };
-        let scaled = branches.solver.scaled();
+        let (scaled, frames) = (branches.solver.scaled(), &branches.frames);
         let entered = |t: &Trajectory| -> Vec<Vec<f64>> {
-            (0..t.frames())
-                .map(|i| scaled.entered(t.joints_at(i)))
+            let frames = frames.iter();
+            frames
+                .map(|&frame| scaled.entered(t.joints_at(frame)))
                 .collect()
         };
-        let best = spread(scaled, &found.path, entered(&found.motion));
+        let best = spread(scaled, frames, &found.path, entered(&found.motion));
         let mut from = vec![Calming::new(&branches.solver, best)];
         if !found.switches.is_empty() {
             from.push(Calming::new(&branches.solver, entered(&self.followed)));
@@ -49,31 +51,53 @@ impl Search {
         from
     }
 
-    /// The calm form at a price: of those that are downhill from these motions the one whose frames are closest.
-    pub(super) fn settle(&mut self, from: &mut [Calming], price: f64) -> Option<Calm> {
+    /// A step towards the calm forms at a price; when they are there, what the one costs whose frames are closest.
+    pub(super) fn advance_calm(&mut self, price: f64) -> Option<Cost> {
         let branches = self.branches.as_mut()?;
-        let goals: Vec<Pose> = self.goals.iter().map(|goal| goal.pose).collect();
-        // With N frames the mean of f and the mean square of the speeds N |θ_{i+1} − θ_i| are N times less than the sums.
-        let frames = goals.len() as f64;
-        let mu = price * frames * frames;
-        let solver = &mut branches.solver;
-        let mut best: Option<(f64, usize)> = None;
-        for (i, calming) in from.iter_mut().enumerate() {
-            calming.settle(solver, &goals, mu);
-            let far = calming.cost(solver, &goals, 0.0);
-            if best.is_none_or(|(least, _)| far < least) {
-                best = Some((far, i));
-            }
+        if let Some(calming) = self.calming.get_mut(self.settled) {
+            let (goals, mu) = (slot_goals(branches), weight(branches, price));
+            let more = calming.advance(&mut branches.solver, &goals, mu);
+            self.settled += usize::from(!more);
+            return None;
         }
-        let (_, best) = best?;
-        let motion = self.published(from[best].theta())?;
-        let scaled = self.branches.as_ref()?.solver.scaled();
-        let cost = Cost::of(&motion, scaled);
-        Some(Calm {
-            price,
-            motion,
-            cost,
-        })
+        self.settled = 0;
+        let calming = std::mem::take(&mut self.calming);
+        let theta = self.closest(&calming);
+        self.calming = calming;
+        Some(self.cost(&theta))
+    }
+
+    /// Of calm forms the one whose slots are closest to their goals: the positions of all frames.
+    fn closest(&mut self, calming: &[Calming]) -> Vec<Vec<f64>> {
+        let Some(branches) = self.branches.as_mut() else {
+            return Vec::new();
+        };
+        let goals = slot_goals(branches);
+        let far = |calming: &Calming| calming.cost(&mut branches.solver, &goals, 0.0);
+        let far: Vec<f64> = calming.iter().map(far).collect();
+        let best = (0..far.len()).min_by(|&a, &b| far[a].total_cmp(&far[b]));
+        best.map_or_else(Vec::new, |best| fill(branches, calming[best].theta()))
+    }
+
+    /// How close positions of all frames come.
+    fn cost(&self, theta: &[Vec<f64>]) -> Cost {
+        let Some(branches) = &self.branches else {
+            return Cost::default();
+        };
+        let scaled = branches.solver.scaled();
+        let values = self.goals.iter().zip(theta).map(|(goal, theta)| {
+            let joints = scaled.left(theta);
+            branches.solver.value(&goal.pose, &joints)
+        });
+        let (sum, largest) = values.fold((0.0, 0.0_f64), |(sum, largest), value| {
+            (sum + value, largest.max(value))
+        });
+        let steps = theta.windows(2).map(|w| walk::largest(&w[0], &w[1]));
+        Cost {
+            mean: sum / theta.len().max(1) as f64,
+            largest,
+            largest_step: steps.fold(0.0, f64::max),
+        }
     }
 
     /// Positions as a motion with its report.
@@ -101,17 +125,42 @@ impl Search {
 
     /// The calm form of what was found at a price, up to [`MOST_PRICE`]; none before the search is done, or beyond.
     pub fn calm(&mut self, price: f64) -> Option<Calm> {
+        /// Of two prices that are the same.
+        const SAME: f64 = 1e-12;
         if !(self.done && price <= MOST_PRICE) {
             return None;
         }
-        let mut from = self.begin_calm();
-        // Step by step, as the curve was found: at once a high price may lead elsewhere.
-        let mut step = FIRST_PRICE;
-        while step < price {
+        // From the curve on, step by step as it was found: at once a high price may lead elsewhere.
+        let below = |(known, _): &&(f64, Cost)| *known <= price * (1.0 + SAME);
+        let known = self.curve.iter().filter(below).count();
+        let (mut from, mut step) = match known.checked_sub(1) {
+            Some(last) => (self.calmed[last].clone(), self.curve[last].0),
+            None => (self.begin_calm(), FIRST_PRICE / NEXT_PRICE),
+        };
+        while step < price * (1.0 - SAME) {
+            step = price.min(step * NEXT_PRICE);
             self.settle(&mut from, step);
-            step *= NEXT_PRICE;
         }
-        self.settle(&mut from, price)
+        let theta = self.closest(&from);
+        let motion = self.published(&theta)?;
+        let scaled = self.branches.as_ref()?.solver.scaled();
+        let cost = Cost::of(&motion, scaled);
+        Some(Calm {
+            price,
+            motion,
+            cost,
+        })
+    }
+
+    /// Makes motions calm at a price.
+    fn settle(&mut self, from: &mut [Calming], price: f64) {
+        let Some(branches) = self.branches.as_mut() else {
+            return;
+        };
+        let (goals, mu) = (slot_goals(branches), weight(branches, price));
+        for calming in from {
+            while calming.advance(&mut branches.solver, &goals, mu) {}
+        }
     }
 
     /// The calm form whose largest joint step from frame to frame is `step` (rad or sizes) or less; none before the search
@@ -137,19 +186,75 @@ impl Search {
     }
 }
 
-/// The frames' positions, with those of a long way between two frames taken from all along the way.
-fn spread(scaled: &Scaled, path: &[Point], mut theta: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
+/// The goals of the slots.
+fn slot_goals(branches: &Branches) -> Vec<Pose> {
+    let slots = 1..branches.slots();
+    slots.map(|slot| *branches.goal(slot)).collect()
+}
+
+/// μ of a price: with N slots the mean of f and the mean square of the speeds N |θ_{i+1} − θ_i| are N times less than the sums.
+fn weight(branches: &Branches, price: f64) -> f64 {
+    let slots = branches.frames.len() as f64;
+    price * slots * slots
+}
+
+/// The positions of all frames from those of the slots: between them a cubic through the slots around, closed.
+fn fill(branches: &mut Branches, theta: &[Vec<f64>]) -> Vec<Vec<f64>> {
+    let frames = branches.frames.clone();
+    let last = theta.len() - 1;
+    let time = |slot: usize| frames[slot] as f64;
+    let slope = |slot: usize| -> Vec<f64> {
+        let (a, b) = (slot.saturating_sub(1), (slot + 1).min(last));
+        let moves = theta[b].iter().zip(&theta[a]);
+        moves
+            .map(|(b_, a_)| (b_ - a_) / (time(b) - time(a)))
+            .collect()
+    };
+    let mut all = Vec::with_capacity(frames[last] + 1);
+    for slot in 0..last {
+        all.push(theta[slot].clone());
+        let count = frames[slot + 1] - frames[slot];
+        if count == 1 {
+            continue;
+        }
+        let slopes = [slope(slot), slope(slot + 1)];
+        for i in 1..count {
+            let (s, width) = (i as f64 / count as f64, count as f64);
+            let (h, r) = (s * s * (3.0 - 2.0 * s), 1.0 - s);
+            let point = (0..theta[slot].len()).map(|joint| {
+                theta[slot][joint] * (1.0 - h)
+                    + theta[slot + 1][joint] * h
+                    + width * s * r * (r * slopes[0][joint] - s * slopes[1][joint])
+            });
+            let closed = walk::closed(&mut branches.solver, point.collect());
+            // It can always stay.
+            let closed = closed.unwrap_or_else(|| all[all.len() - 1].clone());
+            all.push(closed);
+        }
+    }
+    all.push(theta[last].clone());
+    all
+}
+
+/// The slots' positions, with those of a long way between two slots taken from all along the way.
+fn spread(
+    scaled: &Scaled,
+    frames: &[usize],
+    path: &[Point],
+    mut theta: Vec<Vec<f64>>,
+) -> Vec<Vec<f64>> {
     let mut free = 1;
     let mut way: Vec<Vec<f64>> = Vec::new();
     for point in path {
         way.push(scaled.entered(&point.joints));
-        let Some(frame) = point.frame else {
+        let slot = point.frame.map(|frame| frames.binary_search(&frame));
+        let Some(Ok(slot)) = slot else {
             continue;
         };
         let length: f64 = way.windows(2).map(|w| walk::distance(&w[0], &w[1])).sum();
-        if length > SPREAD && frame > 0 {
+        if length > SPREAD && slot > 0 {
             let half = index(libm::ceil(0.5 * length / SHARE)).max(1);
-            let (first, end) = (frame.saturating_sub(half), frame + half);
+            let (first, end) = (slot.saturating_sub(half), slot + half);
             for at in first.max(free)..end.min(theta.len()) {
                 let share = ((at - first) as f64 + 0.5) / (end - first) as f64;
                 theta[at].clone_from(&way[index(share * (way.len() - 1) as f64)]);

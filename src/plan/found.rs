@@ -1,19 +1,12 @@
 //! What the search for the best motion found: the motion, all points of its path, where it changes its branch, and what is
 //! known of the branches.
 
-use crate::model::mechanism::Mechanism;
 use crate::model::scaled::Scaled;
-use crate::motion::goal::Goal;
 use crate::motion::trajectory::Trajectory;
 use crate::plan::branches::Branches;
-use crate::plan::places::Form;
-use crate::plan::record::{Singularity, begin, record, warn_of_rounded};
 use crate::plan::route::Route;
-use crate::plan::settings::{Settings, extent};
 use crate::plan::walk;
-
-/// Largest joint motion from one point of a path to the next, rad or sizes, that is published.
-const LONGEST_STEP: f64 = 0.1;
+use std::ops::Range;
 
 /// A point of a closed motion.
 #[derive(Clone, Debug, PartialEq)]
@@ -80,7 +73,7 @@ pub struct Switch {
 pub struct Lane {
     /// Its first frame.
     pub first: usize,
-    /// f, frame by frame.
+    /// f, frame by frame; between the slots of a long motion linear.
     pub values: Vec<f64>,
 }
 
@@ -107,159 +100,108 @@ pub struct Found {
     pub found_where_lost: Vec<usize>,
 }
 
-impl Found {
-    /// The way of a route as a motion; none where there is no way, or a point of it is not closed within
-    /// the limits, or too far from the one before.
-    pub(super) fn new(
-        mechanism: &Mechanism,
-        goals: &[Goal],
-        settings: &Settings,
+/// What is known beside the motion itself, and better after each round of starts.
+#[derive(Clone, Debug)]
+pub(super) struct Known {
+    pub lanes: Vec<Lane>,
+    pub lower_bound: f64,
+}
+
+impl Known {
+    pub fn new(
         followed: &Trajectory,
-        branches: &mut Branches,
+        branches: &Branches,
         route: &Route,
-    ) -> Option<Self> {
-        let nodes = route.nodes();
-        if nodes.is_empty() {
-            return None;
-        }
-        let mut t = begin(mechanism, &branches.solver, extent(goals), settings);
-        t.mobility_rank = followed.mobility_rank;
-        let start = branches.nodes[0][0].theta.clone();
-        t.start = branches.solver.scaled().left(&start);
-        let (lanes, lane_of) = lanes(branches, followed);
-        let mut path = vec![Point {
-            frame: None,
-            towards: 0,
-            joints: t.start.clone(),
-            value: branches.nodes[0][0].solved.value,
-            closure: 0.0,
-            misfit: 0.0,
-        }];
-        let (mut switches, mut lane) = (Vec::new(), Vec::new());
-        let mut form = Form::same(start.len());
-        let mut before = t.start.clone();
-        for slot in 1..nodes.len() {
-            let frame = slot - 1;
-            let first = path.len();
-            let mut length = 0.0;
-            for edge in route.edges(branches, slot) {
-                length += edge.walk.length;
-                for point in &edge.walk.points {
-                    let joints = branches.solver.scaled().left(&form.apply(point));
-                    path.push(Point {
-                        frame: None,
-                        towards: frame,
-                        value: branches.solver.value(branches.goal(slot), &joints),
-                        joints,
-                        closure: 0.0,
-                        misfit: 0.0,
-                    });
-                }
-                form = form.of(&edge.form);
-            }
-            let node = &branches.nodes[slot][nodes[slot]];
-            let joints = branches.solver.scaled().left(&form.apply(&node.theta));
-            record(
-                &mut t,
-                &mut branches.solver,
-                &goals[frame],
-                &before,
-                &joints,
-                &node.solved,
-            );
-            let last = path.last_mut().expect("the start is one");
-            last.frame = Some(frame);
-            last.value = t.metric[frame];
-            last.joints.clone_from(&joints);
-            lane.push(lane_of(node.branch, slot));
-            let before_it = branches.nodes[slot - 1][nodes[slot - 1]].branch;
-            if route.changes(slot) {
-                switches.push(Switch {
-                    frame,
-                    from: lane_of(before_it, slot - 1),
-                    to: lane_of(node.branch, slot),
-                    length,
-                    largest: path[first..].iter().map(|p| p.value).fold(0.0, f64::max),
-                    points: path.len() - first,
-                });
-            }
-            before = joints;
-        }
-        let mut last = start;
-        for point in &mut path {
-            let theta = branches.solver.scaled().entered(&point.joints);
-            // Written so that NaN is none.
-            if !(branches.is_closed(&theta) && walk::largest(&last, &theta) <= LONGEST_STEP) {
-                return None;
-            }
-            last.clone_from(&theta);
-            let (scaled, closer, _) = branches.solver.parts();
-            (point.closure, point.misfit) = closer.closure(scaled, &theta);
-        }
-        Singularity::default().finish(&mut t, &mut branches.solver);
-        warn_of_rounded(&mut t, &mut branches.solver);
-        let certified = |t: &Trajectory, frame: usize| t.status[frame].is_certified();
-        let lost = (0..t.frames()).filter(|&i| certified(&t, i) && !certified(followed, i));
+        motion: &Trajectory,
+    ) -> Self {
         let joined = route.joined(branches);
         let least = |slot: usize| {
             let nodes = branches.nodes[slot].iter();
             let values = nodes
                 .filter(|node| joined[node.branch])
                 .map(|node| node.solved.value);
-            // Where the way passes a pose that no walk joins to the start, it is known all the same.
-            values.fold(t.metric[slot - 1], f64::min)
+            values.fold(f64::INFINITY, f64::min)
         };
-        let scaled = branches.solver.scaled();
-        Some(Found {
-            cost: Cost::of(&t, scaled),
-            followed: Cost::of(followed, scaled),
-            lower_bound: (1..branches.slots()).map(least).sum::<f64>() / t.frames() as f64,
-            lanes,
-            lane,
-            switches,
-            found_where_lost: lost.collect(),
-            path,
-            motion: t,
-        })
+        let values: Vec<f64> = (1..branches.slots()).map(least).collect();
+        let all = of_frames(&branches.frames, &values);
+        // Where the way passes a pose that no walk joins to the start, it is known all the same.
+        let least = all.iter().zip(&motion.metric).map(|(a, b)| a.min(*b));
+        Self {
+            lanes: lanes(branches, followed),
+            lower_bound: least.sum::<f64>() / motion.frames() as f64,
+        }
     }
 }
 
-/// The branches as runs of frames, and the run that a branch is in at a slot. The followed motion is the first, though it
-/// may leap and then has several branches; what comes before a leap's end on a branch is a run of its own.
-fn lanes(
-    branches: &Branches,
-    followed: &Trajectory,
-) -> (Vec<Lane>, impl Fn(usize, usize) -> usize + use<>) {
-    let run = |branch: usize, slots: std::ops::Range<usize>| {
+impl Found {
+    /// Takes what is known by now, where the motion is the same.
+    pub(super) fn know(&mut self, followed: &Trajectory, branches: &Branches, route: &Route) {
+        let known = Known::new(followed, branches, route, &self.motion);
+        (self.lanes, self.lower_bound) = (known.lanes, known.lower_bound);
+    }
+}
+
+/// The values of all frames from those of frames that follow each other: linear between.
+fn of_frames(frames: &[usize], values: &[f64]) -> Vec<f64> {
+    let mut all = Vec::new();
+    for (frames, values) in frames.windows(2).zip(values.windows(2)) {
+        let count = frames[1] - frames[0];
+        all.push(values[0]);
+        all.extend((1..count).map(|i| {
+            let share = i as f64 / count as f64;
+            values[0] + (values[1] - values[0]) * share
+        }));
+    }
+    all.extend(values.last());
+    all
+}
+
+/// The slots of a branch that are a run of their own. Where the followed motion leaps and so has several branches, what comes
+/// before a leap's end on a branch is such a run; else it is the first one.
+fn own_slots(branches: &Branches, branch: usize) -> Range<usize> {
+    let list = &branches.list[branch];
+    let end = match branches.origins.get(branch) {
+        Some(&origin) => origin,
+        None => list.first + list.nodes.len(),
+    };
+    list.first.max(1)..end
+}
+
+/// The branches as runs of frames. The followed motion is the first, though it may have several branches.
+fn lanes(branches: &Branches, followed: &Trajectory) -> Vec<Lane> {
+    let run = |branch: usize, slots: Range<usize>| {
         let list = &branches.list[branch];
         let value = |slot: usize| {
             let node = list.node(slot).expect("a slot of the branch");
             branches.nodes[slot][node].solved.value
         };
+        let frames = &branches.frames[slots.start - 1..slots.end - 1];
         Lane {
-            first: slots.start - 1,
-            values: slots.map(value).collect(),
+            first: frames[0],
+            values: of_frames(frames, &slots.map(value).collect::<Vec<_>>()),
         }
     };
     let mut lanes = vec![Lane {
         first: 0,
         values: followed.metric.clone(),
     }];
-    let mut own = vec![0; branches.list.len()];
-    let (origins, count) = (branches.origins.clone(), branches.followed);
-    for (branch, list) in branches.list.iter().enumerate() {
-        let end = match origins.get(branch) {
-            Some(&origin) => origin,
-            None => list.first + list.nodes.len(),
-        };
-        if list.first.max(1) < end {
-            own[branch] = lanes.len();
-            lanes.push(run(branch, list.first.max(1)..end));
+    for branch in 0..branches.list.len() {
+        let slots = own_slots(branches, branch);
+        if !slots.is_empty() {
+            lanes.push(run(branch, slots));
         }
     }
-    let lane_of = move |branch: usize, slot: usize| match origins.get(branch) {
-        Some(&origin) if branch < count && slot >= origin => 0,
-        _ => own[branch],
-    };
-    (lanes, lane_of)
+    lanes
+}
+
+/// The run that a branch is in at a slot. Those of branches that are found later come behind.
+pub(super) fn lane_of(branches: &Branches, branch: usize, slot: usize) -> usize {
+    match branches.origins.get(branch) {
+        Some(&origin) if branch < branches.followed && slot >= origin => 0,
+        _ if own_slots(branches, branch).is_empty() => 0,
+        _ => {
+            let earlier = (0..=branch).filter(|branch| !own_slots(branches, *branch).is_empty());
+            earlier.count()
+        }
+    }
 }

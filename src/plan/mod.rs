@@ -5,7 +5,11 @@ pub mod assemblies;
 #[cfg(feature = "study")]
 pub mod best;
 #[cfg(feature = "study")]
+mod between;
+#[cfg(feature = "study")]
 mod branches;
+#[cfg(feature = "study")]
+mod building;
 #[cfg(feature = "study")]
 mod calm;
 #[cfg(feature = "study")]

@@ -30,6 +30,8 @@ pub struct Places {
     axes: Vec<Axis>,
     /// Angles with a limit: there a whole turn more is another position.
     limited: Vec<usize>,
+    /// Of each joint whether it is an angle without a limit.
+    free: Vec<bool>,
 }
 
 /// What is compared of an axis.
@@ -107,6 +109,9 @@ impl Places {
             spherical,
             axes,
             limited: (0..scaled.variables()).filter(is_limited).collect(),
+            free: (0..scaled.variables())
+                .map(|joint| scaled.turns()[joint] && !is_limited(&joint))
+                .collect(),
         }
     }
 
@@ -190,7 +195,7 @@ impl Places {
     /// How to write the joint values `theta` so that they are nearest to `reference`. Angles with limits stay as they are.
     pub fn form_near(&self, reference: &[f64], theta: &[f64]) -> Form {
         let mut form = Form::same(theta.len());
-        let is_free = |joint: usize| self.scaled.turns()[joint] && !self.limited.contains(&joint);
+        let is_free = |joint: usize| self.free[joint];
         for joint in (0..theta.len()).filter(|joint| is_free(*joint)) {
             form.0[joint] = turned(reference[joint], theta[joint], (1.0, 0.0));
         }
@@ -216,6 +221,55 @@ impl Places {
             }
         }
         form
+    }
+}
+
+impl Places {
+    /// The joints' motions from one position to another as [`Places::form_near`] writes it, each as `count` counts it, added up;
+    /// from `most` on it is not added on.
+    pub fn apart(
+        &self,
+        from: &[f64],
+        to: &[f64],
+        most: f64,
+        count: impl Fn(usize, f64) -> f64,
+    ) -> f64 {
+        let moved = |joint: usize, form: (f64, f64)| {
+            let (sign, offset) = turned(from[joint], to[joint], form);
+            (from[joint] - (sign * to[joint] + offset)).abs()
+        };
+        let mut spherical = self.spherical.iter().peekable();
+        let (mut sum, mut joint) = (0.0, 0);
+        while joint < from.len() && sum < most {
+            let own = spherical.next_if(|(first, _)| *first == joint);
+            let own = own.filter(|_| self.free[joint..joint + 3].iter().all(|free| *free));
+            if let Some(&(first, offset)) = own {
+                let plain = [0, 1, 2].map(|k| moved(first + k, (1.0, 0.0)));
+                let twin = [(1.0, PI), (-1.0, -2.0 * offset), (1.0, PI)];
+                let twin = [0, 1, 2].map(|k| moved(first + k, twin[k]));
+                let square = |moves: [f64; 3]| moves.iter().map(|m| m * m).sum::<f64>();
+                let nearer = if square(twin) < square(plain) {
+                    twin
+                } else {
+                    plain
+                };
+                for (k, moved) in nearer.into_iter().enumerate() {
+                    sum += count(first + k, moved);
+                }
+                joint += 3;
+                continue;
+            }
+            sum += count(
+                joint,
+                if self.free[joint] {
+                    moved(joint, (1.0, 0.0))
+                } else {
+                    (from[joint] - to[joint]).abs()
+                },
+            );
+            joint += 1;
+        }
+        sum
     }
 }
 

@@ -40,14 +40,14 @@ impl Branches {
         let mut near: Vec<Near> = Vec::new();
         let compare = |theta: &[f64], node: usize, way: Option<(usize, usize)>| {
             let mut best = Near {
-                far: self.unlike(theta, to),
+                far: self.unlike(theta, to, f64::INFINITY),
                 node,
                 way,
                 back: None,
             };
             for (number, points) in ways.iter().enumerate() {
                 for i in (0..points.len()).skip(KEPT - 1).step_by(KEPT) {
-                    let far = self.unlike(theta, &points[i]);
+                    let far = self.unlike(theta, &points[i], best.far);
                     if far < best.far {
                         best.far = far;
                         best.back = Some((number, i + 1));
@@ -81,17 +81,13 @@ impl Branches {
     }
 
     /// How unlike two positions are for a walk between them: a slider's way counts up to one size, since it mostly is straight
-    /// however long it is, and angles decide.
-    fn unlike(&self, from: &[f64], to: &[f64]) -> f64 {
-        let written = self.places.form_near(from, to).apply(to);
+    /// however long it is, and angles decide. From `most` on it does not matter how much.
+    fn unlike(&self, from: &[f64], to: &[f64], most: f64) -> f64 {
         let turns = self.solver.scaled().turns();
-        let moves = from.iter().zip(&written).zip(turns);
-        let squares = moves.map(|((a, b), turns)| {
-            let moved = (a - b).abs();
-            let counted = if *turns { moved } else { moved.min(1.0) };
+        self.places.apart(from, to, most, |joint, moved| {
+            let counted = if turns[joint] { moved } else { moved.min(1.0) };
             counted * counted
-        });
-        squares.sum()
+        })
     }
 
     /// The closed walk from a node by a way at random, straight on, and by the way back.

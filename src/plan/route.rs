@@ -29,6 +29,10 @@ enum By {
     Crossing { number: usize, back: bool },
 }
 
+/// What tells a way from others.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Way(Vec<usize>, Vec<By>);
+
 /// A way through all slots: a node each.
 #[derive(Clone, Debug, Default)]
 pub struct Route {
@@ -47,6 +51,11 @@ impl Route {
     /// The node of each slot; empty until a way is found.
     pub fn nodes(&self) -> &[usize] {
         &self.nodes
+    }
+
+    /// The way: the node of each slot and how it is reached. Another one is another motion.
+    pub fn way(&self) -> Way {
+        Way(self.nodes.clone(), self.by.clone())
     }
 
     /// f of the way in each slot; of the followed motion where there is no way yet.

@@ -145,27 +145,28 @@ impl Branches {
         Some(branch)
     }
 
-    /// Tries the closest poses again that no walk was found to, with more effort: those that are closer than `known`, f of
-    /// each slot, by most.
-    pub fn try_apart_again(&mut self, known: &[f64]) {
+    /// The closest poses that no walk was found to and that are to be tried again, those last that are closer than `known`, f
+    /// of each slot, by most.
+    pub(super) fn apart_again(&mut self, known: &[f64]) -> Vec<Apart> {
         let gain = |apart: &Apart| known[apart.slot] - apart.solved.value;
         self.apart.sort_by(|a, b| gain(b).total_cmp(&gain(a)));
-        let first: Vec<Apart> = (self.apart.iter())
-            .filter(|apart| gain(apart) > 0.0)
-            .take(AGAIN)
-            .cloned()
-            .collect();
-        for apart in first {
-            let found = self.find(apart.slot, &apart.theta, &apart.axes);
-            if found.is_some()
-                || !self.is_full()
-                    && self
-                        .take_in(apart.slot, &apart.theta, apart.solved, 2 * TRIES, BACK)
-                        .is_some()
-            {
-                self.apart
-                    .retain(|other| other.slot != apart.slot || other.axes != apart.axes);
-            }
+        let first = self.apart.iter().filter(|apart| gain(apart) > 0.0);
+        let mut first: Vec<Apart> = first.take(AGAIN).cloned().collect();
+        first.reverse();
+        first
+    }
+
+    /// Tries one of them again, with more effort.
+    pub(super) fn try_again(&mut self, apart: &Apart) {
+        let found = self.find(apart.slot, &apart.theta, &apart.axes);
+        if found.is_some()
+            || !self.is_full()
+                && self
+                    .take_in(apart.slot, &apart.theta, apart.solved, 2 * TRIES, BACK)
+                    .is_some()
+        {
+            self.apart
+                .retain(|other| other.slot != apart.slot || other.axes != apart.axes);
         }
     }
 

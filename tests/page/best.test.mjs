@@ -3,9 +3,10 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { boundSentence, branchName, calmWords, distance, isCloser, jointMotion, oneIn, switchSentence, unseenSentence, verdict } from '../../www/panels/best/best-words.js';
 import { lanesOf, outlineOf, runsOf } from '../../www/panels/best/lanes.js';
-import { placesOf, pointsOf } from '../../www/panels/best/calm.js';
+import { getsCalmer, placesOf, pointsOf } from '../../www/panels/best/calm.js';
 import { createSearchState } from '../../www/panels/best/search-state.js';
 import { bestMode, ordered } from '../../www/panels/best/mode-order.js';
+import { bestMotions } from '../../www/core/best-motions.js';
 import { createStore } from '../../www/core/store.js';
 import { statusWords } from '../../www/core/status-words.js';
 import { DocumentFault, Superseded } from '../../www/planner/errors.js';
@@ -81,6 +82,14 @@ test('the slider goes over the best motion and the points of the curve; the pict
   assert.ok(Number.isFinite(still.points[0].x) && Number.isFinite(still.points[0].y));
 });
 
+test('the slider is there where a point of the curve is calmer by 1 % or more', () => {
+  assert.ok(getsCalmer(best));
+  const flat = (...steps) => ({ ...best, curve: steps.map((step) => ({ price: step, ...cost(0.03, step) })) });
+  assert.ok(!getsCalmer(flat(0.6, 0.595, 0.7)));
+  assert.ok(getsCalmer(flat(0.6, 0.59)));
+  assert.ok(!getsCalmer({ ...flat(0), best: cost(0.01, 0) }), 'what stands still');
+});
+
 test('modes: by nearness or by their motions; the best one is known when all are planned', () => {
   const found = [{ index: 0, metric: 0, mean: 0.02, is_start: true }, { index: 1, metric: 0.1, mean: 0.01, is_start: false }, { index: 2, metric: 0.05, is_start: false }];
   assert.deepEqual(ordered(found, 'key').map(({ index }) => index), [0, 2, 1]);
@@ -110,6 +119,7 @@ function made() {
       asked.push({ resolve, reject, ...options });
     }),
     bestMotion: async () => closer,
+    exportBest: async (...what) => JSON.stringify(what),
     calmMotion: async (_, price) => ({ motion: { ...closer, price }, ...cost(price) }),
     leave() {
       this.left = true;
@@ -139,6 +149,8 @@ test('partial results are there at once; the best motion takes the followed oneâ
   assert.deepEqual(state.betterAt(1), { best: 0.01, now: 0.04 }, 'still against the followed one');
   await state.choose(2);
   assert.deepEqual([store.result.motion.price, state.now.choice, state.now.which], [1, 2, 'best']);
+  assert.deepEqual(JSON.parse(await bestMotions.get(store.result.motion).write('csv', {})).slice(1), ['csv', {}, 1], 'written as it is shown');
+  assert.deepEqual([bestMotions.get(store.result.motion).switches, bestMotions.get(closer).switches, bestMotions.has(followed)], [0, 1, false]);
   state.show('followed');
   assert.equal(store.result.motion, followed);
   await state.choose(0);

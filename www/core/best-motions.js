@@ -1,6 +1,8 @@
 /**
  * The motions that were found by the search for the best one: shown like any other, and not what the planner plans by itself.
+ * What is known of each: what writes it for other programs, and how often it changes its branch while a frame stands.
  *
- * @type {WeakSet<import('./types.js').Motion>}
+ * @typedef {{write: (format: 'csv' | 'json' | 'mjcf', options: import('./types.js').ExportOptions) => Promise<string>, switches: number}} BestMotion
+ * @type {WeakMap<import('./types.js').Motion, BestMotion>}
  */
-export const bestMotions = new WeakSet();
+export const bestMotions = new WeakMap();

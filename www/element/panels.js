@@ -51,7 +51,7 @@ export async function createPanels(bare, banners) {
     const read = await ask(() => planner.normalise(textOf(doc)), 'read the document');
     return read.is === 'fault' ? read.fault : null;
   };
-  const openModes = (/** @type {number} */ key) => withPart(app, 'The ways to assemble', () => Promise.all([import('../panels/best/modes-dialog.js'), import('../export/picture.js')]), ([{ openModes }, { drawPicture }]) => openModes(app, key, drawPicture));
+  const openModes = (/** @type {number} */ key) => withPart(app, 'The ways to assemble', () => Promise.all([import('../panels/best/modes-dialog.js'), import('../export/picture.js')]), ([{ openModes }, pictures]) => openModes(app, key, pictures));
   const tables = createTables(places, store, DEFAULTS, { markFault: tabs.mark, findStart, goToKey, openModes, compareMetrics, readPoses, check, bringOut: (target) => bringOut(target, app), say, rewrite: (text, chain) => ask(() => planner.byAxes(text, chain), 'find the axes'), view: app });
   const selection = createSelection(places.root, [places.mechanism, places.motion], app, tables.ready);
   for (const kind of ['pointerover', 'focusin']) places.root.addEventListener(kind, () => planner.prepare(), { once: true });

@@ -1,5 +1,5 @@
 /**
- * The motion as text: a table, data, a MuJoCo model; the planner writes them.
+ * The motion that is shown as text: a table, data, a MuJoCo model; the planner writes them.
  */
 import { ask } from '../core/ask.js';
 import { bestMotions } from '../core/best-motions.js';
@@ -19,11 +19,12 @@ const FILES = {
 export async function exportMotion({ store, planner, say }, format, options) {
   const { doc, motion } = store.result;
   if (!doc) return;
-  const text = await ask(() => planner.exportMotion(textOf(doc), format, options), 'write the motion');
+  const best = motion && bestMotions.get(motion);
+  const text = await ask(() => (best ? best.write(format, options) : planner.exportMotion(textOf(doc), format, options)), 'write the motion');
   if (text.is === 'late') return;
   if (text.is !== 'answer') return say(`The file could not be made. ${text.message}`, { stays: true });
   const { ending, type } = FILES[format];
   const name = fileName(doc, ending);
   saveFile(name, new Blob([text.value], { type }));
-  say(`Saved ${name}.${motion && bestMotions.has(motion) ? ' It has the followed motion: the best one is only shown.' : ''}`);
+  say(`Saved ${name}.${best ? ` It has the best motion, which is shown${best.switches ? ', with all points of its path at a switch' : ''}.` : ''}`);
 }

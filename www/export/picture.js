@@ -8,6 +8,7 @@
  * @property {number} [ratio] pixels of the picture to one of those
  * @property {Background} [background] the view's, if it is not given
  * @property {boolean} [whole] the linkage with its motions fills the picture; otherwise what the view shows
+ * @property {import('three').Vector3[]} [fit] points that fill it instead of the linkage
  * @property {boolean} [names] with the names in the view
  * @property {import('./legend.js').Line[]} [legend] its lines, drawn at the foot
  * @property {boolean} [shadows] also where the view leaves them out while it moves
@@ -22,6 +23,8 @@ import { placeOf } from '../view3d/scene/labels.js';
 import { drawn } from '../view3d/scene/stroke.js';
 import { drawLegend, legendFont, legendHeight } from './legend.js';
 import { pointsOf } from './triangles.js';
+
+export { pointsOf };
 
 /** Share of a picture's height or width that stays free around a linkage that fills it: names stand beside their points. */
 const EDGE = 0.06;
@@ -87,7 +90,7 @@ export function withoutTools(scene, wish, draw) {
   camera.updateMatrixWorld();
   if (wish.whole) {
     const foot = 2 * legendShare(wish, viewStyle(scene).font);
-    frameWhole(camera, pointsOf(scene.pictured.filter(({ name }) => name !== 'ground')), { left: EDGE - 1, right: 1 - EDGE, bottom: EDGE - 1 + foot, top: 1 - 2 * EDGE });
+    frameWhole(camera, wish.fit ?? pointsOf(scene.pictured.filter(({ name }) => name !== 'ground')), { left: EDGE - 1, right: 1 - EDGE, bottom: EDGE - 1 + foot, top: 1 - 2 * EDGE });
   }
   const before = drawn.clone();
   drawn.set(width, height);

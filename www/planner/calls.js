@@ -23,7 +23,7 @@
  *   followed by others, all else is the last; `loading` where the planner could not be loaded
  *
  * @typedef {'plan' | 'pull' | 'explain' | 'text' | 'find_start' | 'drive' | 'trace' | 'matrix' | 'compare_metrics' | 'export_motion' | 'by_axes'
- *   | 'looks_standard' | 'best' | 'best_motion' | 'best_path' | 'calm_motion' | 'modes' | 'text_with_mode'} DocumentCall
+ *   | 'looks_standard' | 'best' | 'best_motion' | 'best_path' | 'calm_motion' | 'export_best' | 'modes' | 'text_with_mode'} DocumentCall
  *   methods of the packages' Session
  * @typedef {DocumentCall | 'ready' | 'defaults' | 'enumeration' | 'assemble' | 'make' | 'makers' | 'make_named' | 'read_poses' | 'schema' | 'chain_by_index' | 'assembly_by_index'} Call
  * @typedef {import('./packages.js').Open} Open

@@ -36,6 +36,11 @@ export class Search {
     return this.#ask('calm_motion', text, [price]);
   }
 
+  /** The best motion found so far, or its calm form at a price, for other programs. @param {string} text a document @param {'csv' | 'json' | 'mjcf'} format @param {import('../core/types.js').ExportOptions} options @param {number} [price] @returns {Promise<string>} */
+  exportBest(text, format, options, price) {
+    return this.#ask('export_best', text, [format, JSON.stringify(options), price]);
+  }
+
   /** All ways to assemble at a key frame, and what the motion from each costs. @param {string} text a document @param {number} key from 0 @param {{signal: AbortSignal, onProgress: (soFar: Modes) => void}} options @returns {Promise<Modes>} */
   modes(text, key, options) {
     return this.#ask('modes', text, [key], options);

@@ -31,6 +31,12 @@ export function placesOf(points, followed) {
   return { points: points.map(place), followed: place(followed), wide, high };
 }
 
+/** Share by which the largest joint step must fall for a motion to be calmer. */
+const CALMER = 0.01;
+
+/** Whether the curve leads to a calmer motion. @param {Best} best */
+export const getsCalmer = ({ best, curve }) => curve.some(({ largest_step }) => largest_step < (1 - CALMER) * best.largest_step);
+
 /** @param {MotionCost[]} points @param {MotionCost} followed @param {number} chosen @param {Motion | null} motion @param {(index: number) => void} choose */
 function picture(points, followed, chosen, motion, choose) {
   const { points: at, followed: other, wide, high } = placesOf(points, followed);
@@ -54,6 +60,7 @@ function picture(points, followed, chosen, motion, choose) {
 export function calmSlider({ best, motion, choice, waiting }, choose) {
   if (!best) return nothing;
   if (best.curve.length === 0) return best.progress < 1 ? html`<section class="calm"><h2>Closer – calmer</h2><p class="muted">When the search is complete.</p></section>` : nothing;
+  if (!getsCalmer(best)) return html`<section class="calm"><h2>Closer – calmer</h2><p class="muted">There is no calmer motion to choose: giving up closeness makes the largest joint step smaller by less than 1 %.</p></section>`;
   const points = pointsOf(best);
   const words = calmWords(points[choice], motion);
   const slide = (/** @type {Event} */ { target }) => choose(Number(/** @type {HTMLInputElement} */ (target).value));

@@ -1,58 +1,99 @@
 /**
- * Small pictures of the linkage in each of its ways to assemble, as the view would show it from where it is looked from now. One
- * after the other, so that the page answers in between.
+ * Small pictures of the linkage in each of its ways to assemble, seen from where the view looks, all with one camera: it takes in
+ * what differs from way to way, so that they are told apart. One after the other, so that the page answers in between.
  *
  * @typedef {import('../../core/types.js').Mode} Mode
- * @typedef {typeof import('../../export/picture.js').drawPicture} DrawPicture
+ * @typedef {typeof import('../../export/picture.js')} Pictures
+ * @typedef {{canvas: HTMLCanvasElement, mode: Mode, frame: number}} Wanted `frame` of the key frame
  */
 import { groupAt } from '../../core/shown.js';
+import { differing } from './mode-framing.js';
 
 /** In CSS pixels. */
 export const PICTURE = { width: 210, height: 150 };
 
+/** Least part of a link's radius by which a point must differ from one way to another. */
+const APART = 0.5;
+
 /**
  * @param {Pick<import('../../element/workbench.js').App, 'store' | 'player'>} app
  * @param {NonNullable<import('../../element/workbench.js').App['scene']>} scene
- * @param {DrawPicture} drawPicture
+ * @param {Pick<Pictures, 'drawPicture' | 'pointsOf'>} pictures
  */
-export function createModePictures({ store, player }, scene, drawPicture) {
-  /** @type {{canvas: HTMLCanvasElement, mode: Mode, frame: number}[]} */
+export function createModePictures({ store, player }, scene, { drawPicture, pointsOf }) {
+  /** @type {Wanted[]} */
+  let wanted = [];
+  /** What is still to be drawn. @type {Wanted[]} */
   let waiting = [];
   let working = false;
+  /** What the camera takes in, and the ways that it was found for. @type {{points: import('three').Vector3[] | undefined, of: string}} */
+  let fit = { points: undefined, of: '' };
+
+  const pause = () => new Promise((resolve) => setTimeout(resolve));
 
   async function work() {
     if (working) return;
     working = true;
     // What was rendered just now stands in the page then.
     await null;
-    for (let next = waiting.shift(); next; next = waiting.shift()) {
-      draw(next);
-      await new Promise((resolve) => setTimeout(resolve));
+    for (;;) {
+      wanted = wanted.filter(({ canvas }) => canvas.isConnected);
+      if (!waiting.length) break;
+      const of = wanted.map(({ mode, frame }) => `${frame} ${mode.joints.join()}`).join('\n');
+      if (fit.of !== of) {
+        fit = { points: framed(), of };
+        waiting = [...wanted];
+        await pause();
+        continue;
+      }
+      const next = waiting.shift();
+      if (next?.canvas.isConnected) draw(next);
+      await pause();
     }
     working = false;
   }
 
-  /** @param {{canvas: HTMLCanvasElement, mode: Mode, frame: number}} one */
-  function draw({ canvas, mode: { joints, rows, pose }, frame }) {
+  /**
+   * Calls something while the scene has the linkage alone in a way: what belongs to the shown frame is not of this mode.
+   * @template T @param {Wanted} one @param {() => T} act @returns {T | undefined}
+   */
+  function posed({ mode: { joints, rows, pose }, frame }, act) {
     const { motion, plain } = store.result;
-    if (!motion || !plain || !canvas.isConnected) return;
-    // The linkage alone: what belongs to the shown frame is not of this mode.
+    if (!motion || !plain) return undefined;
     const others = scene.pictured.filter(({ name, type, visible }) => type === 'Group' && name !== 'linkage' && name !== 'ground' && visible);
     for (const other of others) other.visible = false;
     try {
       scene.pose({ doc: plain, index: 0, frames: 1, joints, pose, rows, goal: groupAt(motion.goal, { index: Math.min(frame, motion.frames - 1), frames: motion.frames }) });
-      drawPicture(scene, { ...PICTURE, ratio: Math.min(2, devicePixelRatio), names: false, whole: true, shadows: true }, canvas);
-      canvas.dataset.drawn = '';
+      return act();
     } finally {
       for (const other of others) other.visible = true;
       player.invalidate();
     }
   }
 
+  /** Where the camera must look: at what differs and at the workpiece; at all where nothing differs. */
+  function framed() {
+    const linkage = scene.pictured.filter(({ name }) => name === 'linkage');
+    /** @type {import('three').Object3D[]} */
+    const carried = [];
+    linkage[0]?.traverse((object) => object.userData.place === 'workpiece' && carried.push(object));
+    const all = wanted.flatMap((one) => posed(one, () => [{ points: pointsOf(linkage), workpiece: pointsOf(carried) }]) ?? []);
+    const points = differing(all.map(({ points }) => points), APART * scene.linkRadius);
+    return points.length ? [...points, ...all.flatMap(({ workpiece }) => workpiece)] : undefined;
+  }
+
+  /** @param {Wanted} one */
+  function draw(one) {
+    posed(one, () => drawPicture(scene, { ...PICTURE, ratio: Math.min(2, devicePixelRatio), names: false, whole: true, fit: fit.points, shadows: true }, one.canvas));
+    one.canvas.dataset.drawn = '';
+  }
+
   return {
     /** @param {HTMLCanvasElement} canvas @param {Mode} mode @param {number} frame of the key frame */
     show(canvas, mode, frame) {
-      waiting = [...waiting.filter((one) => one.canvas !== canvas), { canvas, mode, frame }];
+      const others = (/** @type {Wanted} */ one) => one.canvas !== canvas;
+      wanted = [...wanted.filter(others), { canvas, mode, frame }];
+      waiting = [...waiting.filter(others), { canvas, mode, frame }];
       work();
     },
   };

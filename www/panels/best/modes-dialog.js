@@ -35,13 +35,13 @@ const facts = ({ starts, mean, largest = 0, certified }, all, frames) => [
   ...(certified === undefined || certified >= frames ? [] : [`${plural(certified, 'frame')} of ${frames} certified`]),
 ];
 
-/** @param {import('../../element/workbench.js').App} app @param {number} first key frame, from 0 @param {import('./mode-pictures.js').DrawPicture} drawPicture */
-export function openModes({ root, find, store, player, scene, say, signal }, first, drawPicture) {
+/** @param {import('../../element/workbench.js').App} app @param {number} first key frame, from 0 @param {Parameters<typeof createModePictures>[2]} drawing */
+export function openModes({ root, find, store, player, scene, say, signal }, first, drawing) {
   wear(root, dialogLook);
   wear(root, look);
   const { doc } = store;
   const search = new Search();
-  const pictures = scene && createModePictures({ store, player }, scene, drawPicture);
+  const pictures = scene && createModePictures({ store, player }, scene, drawing);
   let life = new AbortController();
   let key = Math.min(first, keyFramesOf(doc).length - 1);
   /** @type {Modes | null} */

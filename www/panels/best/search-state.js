@@ -83,7 +83,10 @@ export function createSearchState({ store, signal }, search = new Search()) {
 
   /** @param {Motion} motion @param {State['cost']} cost @param {number} choice */
   function take(motion, cost, choice) {
-    bestMotions.add(motion);
+    const { best } = state;
+    const text = textOf(/** @type {object} */ (state.doc));
+    const price = best?.curve[choice - 1]?.price;
+    bestMotions.set(motion, { write: (format, options) => search.exportBest(text, format, options, price), switches: choice > 0 ? 0 : best?.switches.length ?? 0 });
     const isShown = store.result.motion === state.motion && state.motion !== null;
     set({ motion, cost, choice, waiting: false });
     if (isShown || state.which === 'best') show(state.which);
