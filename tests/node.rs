@@ -27,7 +27,7 @@ fn a_session_plans_in_portions_as_in_one_go() {
     let mut session = Session::open(sample).expect("a document");
     let whole = joints(session.plan().expect("a motion").into());
     let mut portions = 0;
-    while session.advance_plan(0.0) {
+    while session.advance_plan(0.0).expect("a portion") {
         portions += 1;
     }
     // The last call says that there is no more.

@@ -263,7 +263,7 @@ fn portions_are_the_same_motion() {
     session.begin_plan();
     for portion in 1..=20 {
         // No time at all is one frame.
-        assert!(session.advance_plan(0.0));
+        assert!(session.advance_plan(0.0).expect("a portion"));
         assert_eq!(done(&session), Some(f64::from(portion)));
     }
     let some: JsValue = session.plan_so_far().expect("a motion").into();
@@ -283,8 +283,11 @@ fn portions_are_the_same_motion() {
             &column(&whole, "goal")[..7],
         )
         .expect("a posture");
-    while session.advance_plan(5.0) {}
-    assert!(!session.advance_plan(5.0), "nothing is left");
+    while session.advance_plan(5.0).expect("a portion") {}
+    assert!(
+        !session.advance_plan(5.0).expect("a portion"),
+        "nothing is left"
+    );
     assert_eq!(done(&session), Some(frames));
     let portions: JsValue = session.plan_so_far().expect("a motion").into();
     assert_eq!(all_of(&portions), all_of(&whole));

@@ -98,12 +98,13 @@ impl Session {
     /// Plans the motion in one go.
     ///
     /// # Errors
-    /// Never for a reason of the caller's.
+    /// `null` where the package that a page loads first leaves the motion to the whole one.
     pub fn plan(&self) -> Result<JsMotion, JsValue> {
         let clock = Clock::new();
         let began = clock.now();
-        let trajectory = self.open.plan();
-        self.motion(&trajectory, clock.now() - began)
+        let mut planning = self.open.planning();
+        while go_on(&mut planning)? {}
+        self.motion(&planning.finish(), clock.now() - began)
     }
 
     /// Begins a plan in portions, in place of one that was begun before. The start is searched for here.
@@ -116,7 +117,10 @@ impl Session {
 
     /// Plans frame by frame until that time is used up, one frame where there is no clock, and begins the plan where
     /// none is. True while there is more to do.
-    pub fn advance_plan(&mut self, milliseconds: f64) -> bool {
+    ///
+    /// # Errors
+    /// `null` where the package that a page loads first leaves the motion to the whole one.
+    pub fn advance_plan(&mut self, milliseconds: f64) -> Result<bool, JsValue> {
         if matches!(self.portions, Portions::None) {
             self.begin_plan();
         }
@@ -124,9 +128,9 @@ impl Session {
         let began = clock.now();
         let mut more = false;
         if let Portions::Running(planning) = &mut self.portions {
-            more = planning.advance();
+            more = go_on(planning)?;
             while more && clock.is_there() && clock.now() - began < milliseconds {
-                more = planning.advance();
+                more = go_on(planning)?;
             }
         }
         if !more {
@@ -136,7 +140,7 @@ impl Session {
             };
         }
         self.milliseconds += clock.now() - began;
-        more
+        Ok(more)
     }
 
     /// How far the plan in portions is.
@@ -277,6 +281,16 @@ pub(crate) fn refusal(fault: &Fault) -> JsValue {
 #[cfg(not(feature = "study"))]
 fn refusal(_fault: &Fault) -> JsValue {
     JsValue::NULL
+}
+
+/// The next frame; true while there are more.
+fn go_on(planning: &mut Planning) -> Result<bool, JsValue> {
+    let more = planning.advance();
+    #[cfg(not(feature = "study"))]
+    if planning.is_for_whole() {
+        return Err(JsValue::NULL);
+    }
+    Ok(more)
 }
 
 /// Small plain data as an object, without a way through text.

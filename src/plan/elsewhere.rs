@@ -69,8 +69,8 @@ impl Runaway {
 /// back, and where it is well only straight walks leave the surroundings of a minimum.
 const WALKS: u64 = 8;
 const POSITIONS: usize = 24;
-/// From one position straight on to the next, root of the joints' squared motions, rad and sizes: across the workspace.
-const STRIDE: f64 = 4.0;
+/// Steps straight on from one position to the next: 4 rad, or sizes, across the workspace.
+const STRIDE: usize = 66;
 
 /// The closest finite certified pose found from positions that closed walks, within the limits, join to `joints`.
 pub fn joined(solver: &mut Solver, joints: &[f64], goal: &Pose) -> Option<(Vec<f64>, Solved)> {
@@ -79,13 +79,14 @@ pub fn joined(solver: &mut Solver, joints: &[f64], goal: &Pose) -> Option<(Vec<f
         let mut random = Random::new(walk);
         let mut theta = solver.scaled().entered(joints);
         for _ in 0..POSITIONS {
-            let next = if walk % 2 == 0 {
+            if walk % 2 == 0 {
                 let aim = walk::random_goal(solver, goal, &mut random);
-                fallen(solver, &theta, &aim, f64::INFINITY).map(|(end, _)| end)
+                if let Some((end, _)) = fallen(solver, &theta, &aim, f64::INFINITY) {
+                    theta = end;
+                }
             } else {
-                walk::wandered(solver, &theta, STRIDE, &mut random)
-            };
-            theta = next.unwrap_or(theta);
+                go_straight(solver, &mut theta, &mut random);
+            }
             if let Some((end, solved)) = fallen(solver, &theta, goal, least) {
                 least = solved.value;
                 best = Some((solver.scaled().left(&end), solved));
@@ -94,6 +95,19 @@ pub fn joined(solver: &mut Solver, joints: &[f64], goal: &Pose) -> Option<(Vec<f
     }
     solver.clear_holding();
     best
+}
+
+/// Closed steps in a direction at random, in another one where that is not possible.
+fn go_straight(solver: &mut Solver, theta: &mut Vec<f64>, random: &mut Random) {
+    let mut heading = walk::random_heading(random, theta.len());
+    for _ in 0..STRIDE {
+        let mut next = theta.clone();
+        let went = walk::step(solver, &mut next, &mut heading, walk::STEP);
+        match walk::closed(solver, next) {
+            Some(next) if went && walk::largest(theta, &next) <= walk::LONGEST => *theta = next,
+            _ => heading = walk::random_heading(random, theta.len()),
+        }
+    }
 }
 
 /// The minimum, closer than `least`, to which the linkage falls from `theta`. The steps of the solver are longer than those

@@ -11,7 +11,7 @@ use crate::plan::given;
 use crate::plan::leaps::{self, Leap};
 use crate::plan::predict::predict;
 use crate::plan::record::{Singularity, begin, record, warn_of_rounded};
-use crate::plan::settings::{Settings, extent};
+use crate::plan::settings::{IS_FIRST, Settings, extent};
 use crate::solve::gradient;
 use crate::solve::solver::{End, Solved, Solver};
 
@@ -67,6 +67,7 @@ pub struct Planning {
     checked: usize,
     leaps: Vec<Leap>,
     runaways: Vec<Runaway>,
+    is_for_whole: bool,
     /// The first frame at which the next search for a finite pose may be made: searches are slow, and get rarer.
     search_from: usize,
     searches: usize,
@@ -119,6 +120,7 @@ impl Planning {
             checked: 0,
             leaps: Vec::new(),
             runaways: Vec::new(),
+            is_for_whole: false,
             search_from: 0,
             searches: 0,
             descent: None,
@@ -167,6 +169,12 @@ impl Planning {
         }
         let left = self.singularity.advance(&mut self.t, &mut self.solver);
         self.done() < self.frames() || left
+    }
+
+    /// In the package that a page loads first: a slider runs away, and the whole one plans the motion, since it looks for a
+    /// finite pose.
+    pub fn is_for_whole(&self) -> bool {
+        self.is_for_whole
     }
 
     /// The frames planned so far as a motion with its report.
@@ -247,6 +255,10 @@ impl Planning {
     fn search(&mut self, frame: usize, runaway: Solved) -> Solved {
         /// Searches of one motion: each takes as long as a few hundred frames.
         const MOST: usize = 8;
+        if IS_FIRST {
+            self.is_for_whole = true;
+            return runaway;
+        }
         let goal = self.goals[frame].pose;
         let searched = frame >= self.search_from && self.searches < MOST;
         let joined = searched.then(|| {

@@ -25,6 +25,9 @@ pub enum Method {
 /// that move are off it by 0.1 and more.
 pub const DIMENSION_TOLERANCE: f64 = 3e-4;
 
+/// The package that a page loads first: what a motion needs only sometimes is in the whole one.
+pub const IS_FIRST: bool = cfg!(all(target_arch = "wasm32", not(feature = "study")));
+
 /// How to find the closest motion: plain data, as a document holds it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
@@ -101,8 +104,7 @@ impl Settings {
     /// Is it the paper's projected gradient? The package that a page loads first has only Newton's method, and leaves other
     /// documents to the whole one.
     pub const fn is_gradient(&self) -> bool {
-        !cfg!(all(target_arch = "wasm32", not(feature = "study")))
-            && matches!(self.method, Method::Gradient)
+        !IS_FIRST && matches!(self.method, Method::Gradient)
     }
 
     /// Iterations that a frame may take.

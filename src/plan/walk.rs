@@ -12,7 +12,7 @@ use crate::solve::solver::{Solved, Solver};
 use nalgebra::{Quaternion, Vector3, Vector4};
 
 /// Length of a step along a free direction, root of the joints' squared motions.
-const STEP: f64 = 0.06;
+pub const STEP: f64 = 0.06;
 /// Largest joint motion from one point of a walk to the next, rad or sizes.
 pub const LONGEST: f64 = 0.07;
 /// Steps of a walk, and of one towards a position for each of the straight way's.
@@ -92,7 +92,7 @@ pub fn random_heading(random: &mut Random, variables: usize) -> Vec<f64> {
 /// at a limit that it would push beyond it stand still, and it ends at the first limit that it meets. In the same step the
 /// loops are closed to first order, so that one factorisation serves a step; what it leaves open itself is closed by the next.
 /// False where nothing is left of the direction or closing takes as long as the step.
-fn step(solver: &mut Solver, theta: &mut [f64], heading: &mut [f64], length: f64) -> bool {
+pub fn step(solver: &mut Solver, theta: &mut [f64], heading: &mut [f64], length: f64) -> bool {
     let wanted = heading.to_vec();
     let (scaled, closer, holding) = solver.parts();
     let mut holding = holding.clone();
@@ -165,19 +165,6 @@ pub fn wander(
         }
     }
     points
-}
-
-/// The closed position at the end of [`wander`]; none where no closed walk leads there.
-pub fn wandered(
-    solver: &mut Solver,
-    theta: &[f64],
-    length: f64,
-    random: &mut Random,
-) -> Option<Vec<f64>> {
-    let mut points = wander(solver, theta, length, random);
-    let end = closed(solver, points.pop()?)?;
-    points.push(end.clone());
-    close(solver, theta, points).map(|_| end)
 }
 
 /// The closed walk from one closed position to another that goes as straight as it can; none where it does not arrive.

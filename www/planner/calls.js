@@ -88,7 +88,14 @@ export function createAnswers(send) {
       }
       send({ id, kind: 'begun' });
       if (doc) {
-        const done = await prepare(call, args, sessionOf(doc, module), { id, question, isWanted });
+        const of = { id, question, isWanted };
+        const done = await prepare(call, args, sessionOf(doc, module), of).catch(async (error) => {
+          // The smaller package leaves a motion to the whole one too: one on which a slider runs away.
+          if (error !== null || module !== first) throw error;
+          doc.forWhole = true;
+          module = await whole.load();
+          return isWanted() && prepare(call, args, sessionOf(doc, module), of);
+        });
         const value = done && (await valueOf(call, args, doc, module));
         if (value && call === 'plan') await putInWords(value, doc, module);
         if (done && isWanted()) last = { id, kind: 'value', value };
