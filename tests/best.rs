@@ -288,6 +288,59 @@ fn the_calm_form_is_closer_at_the_followed_motions_own_step() {
     assert!(calm.motion.closure.iter().all(|closure| *closure <= CLOSED));
 }
 
+/// Searched at some of its frames, followed through all, and no farther than with few frames; every portion of the search is
+/// small: no more of them are saved than there are frames that are searched.
+#[test]
+fn a_long_motion_is_searched_at_some_of_its_frames() {
+    /// As many as are searched.
+    const SLOTS: usize = 512;
+    let golden = Case::golden("3PRS");
+    let (_, _, few) = three_prs();
+    let last = golden.goals.len() - 1;
+    let long: Vec<Goal> = (0..=1500)
+        .map(|i| {
+            let at = last as f64 * f64::from(i) / 1500.0;
+            let first = (0..last).rev().find(|first| *first as f64 <= at);
+            let first = first.expect("a frame");
+            let share = at - first as f64;
+            let [a, b] = [&golden.goals[first], &golden.goals[first + 1]];
+            let (pose, time) = (a.pose.lerp_slerp(&b.pose, share), at);
+            Goal { time, pose }
+        })
+        .collect();
+    let case = Case {
+        goals: long,
+        ..golden
+    };
+    let followed = plan(&case.mechanism, &case.start, &case.goals, &case.settings);
+    let (mechanism, goals, settings) = (&case.mechanism, &case.goals, &case.settings);
+    let mut search = Search::new(mechanism, goals, settings, followed);
+    let mut portions = 0;
+    while search.advance() {
+        portions += 1;
+    }
+    let starts = search.starts();
+    assert!(portions >= starts + SLOTS, "{portions}, {starts} starts");
+    let found = search.found().expect("closed loops").clone();
+    case.check("3PRS, long", search.followed(), &found, CLOSED);
+    assert!(!found.switches.is_empty());
+    assert!(found.motion.status.iter().all(|s| s.is_certified()));
+    // The goals between are others.
+    assert!(found.cost.mean <= 1.05 * few.cost.mean, "{:?}", found.cost);
+    for lane in &found.lanes {
+        assert!(lane.first + lane.values.len() <= case.goals.len());
+    }
+    let calm = search.calm(1e-6).expect("a calm form").motion;
+    assert_eq!(calm.frames(), case.goals.len());
+    assert!(calm.closure.iter().all(|closure| *closure <= CLOSED));
+    let known = search.curve()[3];
+    let again = search.calm(known.0).expect("a calm form").cost;
+    assert!(
+        (again.mean - known.1.mean).abs() <= 1e-12,
+        "{again:?}, {known:?}"
+    );
+}
+
 fn local() -> Case {
     Case::document(include_str!("field/local-RRCP.json"))
 }

@@ -1,10 +1,13 @@
 // The best motion in words and pictures: estimates, lanes, the curve from closer to calmer, and the state of the search.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { Vector3 } from 'three';
 import { boundSentence, branchName, calmWords, distance, isCloser, jointMotion, oneIn, switchSentence, unseenSentence, verdict } from '../../www/panels/best/best-words.js';
 import { lanesOf, outlineOf, runsOf } from '../../www/panels/best/lanes.js';
 import { getsCalmer, placesOf, pointsOf } from '../../www/panels/best/calm.js';
 import { createSearchState } from '../../www/panels/best/search-state.js';
+import { differing, spanOf } from '../../www/panels/best/mode-framing.js';
+import { jointLines } from '../../www/panels/best/mode-joints.js';
 import { bestMode, ordered } from '../../www/panels/best/mode-order.js';
 import { bestMotions } from '../../www/core/best-motions.js';
 import { createStore } from '../../www/core/store.js';
@@ -102,6 +105,20 @@ test('modes: by nearness or by their motions; the best one is known when all are
   assert.equal(bestMode({ progress: 1, found: lost })?.index, 1);
   const alike = [{ index: 0, metric: 0, mean: 1e-25, certified: 33, is_start: false }, { index: 1, metric: 1e-26, mean: 3e-25, certified: 33, is_start: true }];
   assert.equal(bestMode({ progress: 1, found: alike })?.index, 1);
+});
+
+test('ways to assemble: what differs is framed, and told where it is little', () => {
+  const at = (...xs) => xs.map((x) => new Vector3(x, 0, 0));
+  const ways = [at(0, 1, 2), at(0, 1.2, 5)];
+  assert.deepEqual(differing(ways, 0.5).map(({ x }) => x), [2, 5]);
+  assert.deepEqual([differing([ways[0]], 0.5), differing([], 0.5)], [[], []]);
+  assert.deepEqual([spanOf(differing(ways, 0.5)), spanOf([]) > 0], [3, false]);
+  const chains = [{ name: 'leg', variables: [{ unit: 'rad', label: 'θ1', joint: 0 }, { unit: 'rad', label: 'θ2', joint: 0 }] }, { variables: [{ unit: 'length', label: 'd1', joint: 0 }] }];
+  const found = [{ joints: [0, Math.PI / 2, 3] }, { joints: [0, -Math.PI / 2, 3] }];
+  assert.deepEqual(jointLines(found[1], found, chains), ['leg: θ2 −90°']);
+  assert.deepEqual(jointLines(found[0], [found[0]], chains), [], 'one way has nothing to be told from');
+  const many = [0, 1].map((joint) => ({ joints: Array(13).fill(joint) }));
+  assert.deepEqual(jointLines(many[0], many, [{ variables: Array(13).fill({ unit: 'rad' }) }]), []);
 });
 
 /** A store with a motion, and a search whose answers are given by hand. */

@@ -41,7 +41,7 @@ export function exportItems(app) {
   // Text is of the motion that is shown too.
   const best = store.result.motion && bestMotions.get(store.result.motion);
   const of = (/** @type {string} */ hint) => (best ? `Of the best motion, which is shown. ${hint}` : hint);
-  const jumps = best?.switches ? 'The best motion changes its branch while a frame stands; a model has one position a frame. Choose a calmer one, or show the followed one' : '';
+  const jumps = best?.switches ? 'The best motion switches while a frame stands: choose a calmer one, or show the followed one' : '';
   return [
     item('Picture (PNG) …', seen('The linkage whole, or the view; with its legend, on white or clear'), unseen || nothing, attempt(dialog, ({ openPicture }) => openPicture(app, 'png'))),
     item('Drawing (SVG) …', seen('The same as shapes, for print and to edit'), unseen || nothing, attempt(dialog, ({ openPicture }) => openPicture(app, 'svg'))),

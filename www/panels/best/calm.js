@@ -67,7 +67,7 @@ export function calmSlider({ best, motion, choice, waiting }, choose) {
   return html`<section class="calm" aria-label="Closer – calmer">
     <h2>Closer – calmer</h2>
     <label><span aria-hidden="true">closer</span><input type="range" min="0" max=${points.length - 1} step="1" .value=${live(String(choice))} aria-label="From closer to calmer" aria-valuetext=${words} @input=${slide} /><span aria-hidden="true">calmer</span></label>
-    <output aria-busy=${String(waiting)} class=${waiting ? 'waiting' : ''}>${choice === 0 ? 'The best motion itself: it switches while the goal stands; ' : ''}${words}.</output>
+    <output aria-busy=${String(waiting)} class=${waiting ? 'waiting' : ''}>${choice === 0 ? `The best motion itself${best.switches.length ? ': it switches while the goal stands' : ''}; ` : ''}${words}.</output>
     ${picture(points, best.followed, choice, motion, choose)}
     <p class="muted key">✕ the followed motion</p>
   </section>`;

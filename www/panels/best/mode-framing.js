@@ -13,3 +13,9 @@ export function differing(ways, apart) {
   if (!others.length) return [];
   return first.flatMap((point, index) => (others.some((way) => way[index].distanceTo(point) > apart) ? [point, ...others.map((way) => way[index])] : []));
 }
+
+/** The longest edge of the box around points. @param {Vector3[]} points */
+export function spanOf(points) {
+  const edge = (/** @type {'x' | 'y' | 'z'} */ axis) => points.reduce((most, point) => Math.max(most, point[axis]), -Infinity) - points.reduce((least, point) => Math.min(least, point[axis]), Infinity);
+  return Math.max(edge('x'), edge('y'), edge('z'));
+}

@@ -7,13 +7,16 @@
  * @typedef {{canvas: HTMLCanvasElement, mode: Mode, frame: number}} Wanted `frame` of the key frame
  */
 import { groupAt } from '../../core/shown.js';
-import { differing } from './mode-framing.js';
+import { differing, spanOf } from './mode-framing.js';
 
 /** In CSS pixels. */
 export const PICTURE = { width: 210, height: 150 };
 
-/** Least part of a link's radius by which a point must differ from one way to another. */
-const APART = 0.5;
+/** How many radii of a link a point must be apart from one way to another: one of a rod that only turns is less. */
+const APART = 2.5;
+
+/** What spans fewer radii is no more than joints on one spot: the linkage is shown whole then. */
+const LEAST = 10;
 
 /**
  * @param {Pick<import('../../element/workbench.js').App, 'store' | 'player'>} app
@@ -79,7 +82,7 @@ export function createModePictures({ store, player }, scene, { drawPicture, poin
     linkage[0]?.traverse((object) => object.userData.place === 'workpiece' && carried.push(object));
     const all = wanted.flatMap((one) => posed(one, () => [{ points: pointsOf(linkage), workpiece: pointsOf(carried) }]) ?? []);
     const points = differing(all.map(({ points }) => points), APART * scene.linkRadius);
-    return points.length ? [...points, ...all.flatMap(({ workpiece }) => workpiece)] : undefined;
+    return spanOf(points) > LEAST * scene.linkRadius ? [...points, ...all.flatMap(({ workpiece }) => workpiece)] : undefined;
   }
 
   /** @param {Wanted} one */

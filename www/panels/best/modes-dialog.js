@@ -19,6 +19,7 @@ import { element, setText } from '../../ui/dom.js';
 import { attach, html, live, nothing, render, renderRows, repeat } from '../../ui/render.js';
 import { wear } from '../../ui/style-sheets.js';
 import { distance, unseenSentence } from './best-words.js';
+import { jointLines } from './mode-joints.js';
 import { bestMode, ordered } from './mode-order.js';
 import { createModePictures, PICTURE } from './mode-pictures.js';
 
@@ -160,7 +161,7 @@ export function openModes({ root, find, store, player, scene, say, signal }, fir
       ${pictures ? html`<canvas role="img" aria-label=${`Way ${number}, as seen from the present side`} width=${PICTURE.width} height=${PICTURE.height} ${attach(picture, mode)}></canvas>` : nothing}
       <h3>Way ${number} ${mode.is_start ? html`<small>the document’s start</small>` : nothing}${best ? html`<small class="mark">best mode</small>` : nothing}</h3>
       <p>${closeness(mode)}</p>
-      ${facts(mode, modes?.starts ?? 0, motion?.goal_frames ?? 0).map((text) => html`<p class="muted">${text}</p>`)}
+      ${[...facts(mode, modes?.starts ?? 0, motion?.goal_frames ?? 0), ...jointLines(mode, modes?.found ?? [], motion?.report.chains ?? [])].map((text) => html`<p class="muted">${text}</p>`)}
       ${store.readonly ? nothing : html`<button ?disabled=${mode.is_start} aria-label=${`Start from this: way ${number}`} @click=${() => startFrom(mode, number)}>Start from this</button>`}
     </li>`;
   }

@@ -1,0 +1,44 @@
+/**
+ * The joint values of a way to assemble in words: where axes meet in a point, as in a spherical linkage, pictures of the ways are
+ * alike. Only what differs from way to way. Knows no DOM.
+ *
+ * @typedef {import('../../core/types.js').Mode} Mode
+ */
+import { chainName } from '../../core/chain-name.js';
+import { angle, short } from '../../core/format.js';
+
+/** More values than these are no words any more: of a hexapod's legs, say. */
+const MOST = 12;
+
+/** Values that are nearer are the same, rad or lengths as a share of the largest. */
+const SAME = 1e-3;
+
+/** @param {Mode[]} ways @param {number} index of a joint value */
+function differs(ways, index) {
+  const values = ways.map(({ joints }) => joints[index]);
+  const largest = values.reduce((most, value) => Math.max(most, Math.abs(value)), 1e-9);
+  return values.some((value) => Math.abs(value - values[0]) > SAME * Math.max(1e-3, Math.min(1, largest)));
+}
+
+/**
+ * A line for each chain.
+ * @param {Mode} mode @param {Mode[]} ways all of them @param {import('../../core/types.js').Motion['report']['chains']} chains
+ * @returns {string[]}
+ */
+export function jointLines(mode, ways, chains) {
+  let first = 0;
+  let count = 0;
+  const lines = chains.flatMap((chain, number) => {
+    const { variables } = chain;
+    const values = variables.flatMap(({ unit, label }, i) => {
+      const index = first + i;
+      if (!differs(ways, index)) return [];
+      const value = mode.joints[index];
+      return [`${label} ${unit === 'rad' ? angle(value, 1) : short(value, 3)}`];
+    });
+    first += variables.length;
+    count += values.length;
+    return values.length ? [`${chainName(chain, number)}: ${values.join(', ')}`] : [];
+  });
+  return count > MOST ? [] : lines;
+}
