@@ -64,10 +64,10 @@ impl Runaway {
     }
 }
 
-/// Walks, and positions on each from which a minimum is looked for. On every other walk a position is where the linkage falls
+/// Walks, and positions on each from which a minimum is looked for. On every third walk a position is where the linkage falls
 /// to a goal at random, on the others it is straight on: out on a slider that runs away only goals bring the linkage
 /// back, and where it is well only straight walks leave the surroundings of a minimum.
-const WALKS: u64 = 8;
+const WALKS: u64 = 12;
 const POSITIONS: usize = 24;
 /// Steps straight on from one position to the next: 4 rad, or sizes, across the workspace.
 const STRIDE: usize = 66;
@@ -79,7 +79,7 @@ pub fn joined(solver: &mut Solver, joints: &[f64], goal: &Pose) -> Option<(Vec<f
         let mut random = Random::new(walk);
         let mut theta = solver.scaled().entered(joints);
         for _ in 0..POSITIONS {
-            if walk % 2 == 0 {
+            if walk % 3 == 0 {
                 let aim = walk::random_goal(solver, goal, &mut random);
                 if let Some((end, _)) = fallen(solver, &theta, &aim, f64::INFINITY) {
                     theta = end;
