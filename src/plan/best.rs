@@ -115,6 +115,10 @@ impl Search {
         }
         let price = FIRST_PRICE * self.curve.iter().map(|_| NEXT_PRICE).product::<f64>();
         if let Some(cost) = self.advance_calm(price) {
+            // Between slots, and where a calm form leaves the branches that are known, it may be closer than all of them.
+            if let Some(found) = &mut self.found {
+                found.lower_bound = found.lower_bound.min(cost.mean);
+            }
             self.curve.push((price, cost));
             self.calmed.push(self.calming.clone());
         }
@@ -138,7 +142,14 @@ impl Search {
             match building.advance(&task, branches, route) {
                 Some(true) => self.building = Some(building),
                 Some(false) => {
-                    self.found = Some(building.finish(&task, branches, route));
+                    let found = building.finish(&task, branches, route);
+                    // A route is chosen by the slots: over all frames of a long motion it may be farther than the one before.
+                    match &mut self.found {
+                        Some(before) if before.cost_of_frames() < found.cost_of_frames() => {
+                            before.know(followed, branches, route);
+                        }
+                        _ => self.found = Some(found),
+                    }
                     self.way = Some(route.way());
                     self.end_round();
                 }

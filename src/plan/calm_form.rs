@@ -135,8 +135,15 @@ impl Search {
         let known = self.curve.iter().filter(below).count();
         let (mut from, mut step) = match known.checked_sub(1) {
             Some(last) => (self.calmed[last].clone(), self.curve[last].0),
-            None => (self.begin_calm(), FIRST_PRICE / NEXT_PRICE),
+            None => {
+                let (mut from, first) = (self.begin_calm(), price.min(FIRST_PRICE));
+                self.settle(&mut from, first);
+                (from, first)
+            }
         };
+        if from.is_empty() {
+            return None;
+        }
         while step < price * (1.0 - SAME) {
             step = price.min(step * NEXT_PRICE);
             self.settle(&mut from, step);

@@ -4,7 +4,7 @@
 use crate::model::scaled::Scaled;
 use crate::motion::trajectory::Trajectory;
 use crate::plan::branches::Branches;
-use crate::plan::route::Route;
+use crate::plan::route::{Route, UNCERTIFIED};
 use crate::plan::walk;
 use std::ops::Range;
 
@@ -88,7 +88,7 @@ pub struct Found {
     pub cost: Cost,
     /// How close the followed motion comes.
     pub followed: Cost,
-    /// Mean over the frames of the least f seen there.
+    /// Mean over the frames of the least f seen there; between the slots of a long motion an estimate, linear from slot to slot.
     pub lower_bound: f64,
     /// The branches; the followed motion is the first.
     pub lanes: Vec<Lane>,
@@ -124,16 +124,29 @@ impl Known {
         };
         let values: Vec<f64> = (1..branches.slots()).map(least).collect();
         let all = of_frames(&branches.frames, &values);
-        // Where the way passes a pose that no walk joins to the start, it is known all the same.
-        let least = all.iter().zip(&motion.metric).map(|(a, b)| a.min(*b));
+        let least = all.iter().enumerate().map(|(frame, least)| {
+            // Where the way passes a pose that no walk joins to the start, it is known all the same.
+            let known = least.min(motion.metric[frame]);
+            match branches.frames.binary_search(&frame) {
+                Ok(_) => known,
+                // Between slots `all` is an estimate.
+                Err(_) => known.min(followed.metric[frame]),
+            }
+        });
         Self {
-            lanes: lanes(branches, followed),
             lower_bound: least.sum::<f64>() / motion.frames() as f64,
+            lanes: lanes(branches, followed),
         }
     }
 }
 
 impl Found {
+    /// What a motion is chosen by: mean f, with the price of frames that are not certified.
+    pub(super) fn cost_of_frames(&self) -> f64 {
+        let uncertified = self.motion.status.iter().filter(|s| !s.is_certified());
+        self.cost.mean + UNCERTIFIED * uncertified.count() as f64 / self.motion.frames() as f64
+    }
+
     /// Takes what is known by now, where the motion is the same.
     pub(super) fn know(&mut self, followed: &Trajectory, branches: &Branches, route: &Route) {
         let known = Known::new(followed, branches, route, &self.motion);

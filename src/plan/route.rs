@@ -13,7 +13,7 @@ use std::collections::BTreeMap;
 /// Price of a rad or size of joint motion, root of squares, in the unit of mean f.
 pub const PRICE: f64 = 2e-7;
 /// Price of a frame that is no certified closest pose, in the unit of f: such a frame is no answer.
-const UNCERTIFIED: f64 = 0.05;
+pub(super) const UNCERTIFIED: f64 = 0.05;
 /// Straight walks between two branches that may fail before only known ways are taken.
 const TRIES: usize = 6;
 

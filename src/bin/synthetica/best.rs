@@ -26,6 +26,10 @@ const CLOSER: f64 = 1e-3;
 /// Says it of each document, or prints the motion of one.
 pub fn best(asked: &Best) -> Result<(), Failure> {
     match (asked.format, &asked.documents[..]) {
+        (None, _) if asked.tables.headings.is_some() => {
+            tell("error: --headings is of a table. Accepted: --format csv with it");
+            Err(Failure::Said(NO_ANSWER))
+        }
         (None, _) => report(asked),
         (Some(format), [document]) => motion(asked, format, document),
         (Some(_), _) => {
@@ -236,7 +240,8 @@ fn result(best: &BestReport, found: &Found) -> String {
         };
         format!("f falls to {share} % of the followed motion's mean; {end}")
     } else if mean > followed * (1.0 + CLOSER) {
-        "no closed motion is as close as the followed one, which leaps".to_owned()
+        "no closed motion that was found is as close as the followed one, in which closed walks do not join all frames"
+            .to_owned()
     } else if at_bound {
         "the followed motion is the best: no motion over the branches known is closer".to_owned()
     } else {
