@@ -644,6 +644,23 @@ fn a_runaway_does_not_leap_to_another_piece_of_the_curve() {
     assert!(followed.metric[24] < 0.0814, "{:?}", followed.metric);
 }
 
+/// From a branch that is left at one frame to one that a third joins to it at another: CT+RCR knew poses of mean f = 0.078,
+/// all joined to the start, and came to 0.105; PPT+PRCR+RRC was farther than the followed motion.
+#[test]
+fn what_is_joined_is_reached_at_every_frame() {
+    for (seed, number) in [(0, 187), (1, 179)] {
+        let name = format!("far goals {seed}, {number}");
+        let (_, found) = checked(&name, &far(seed, number, 33));
+        let (best, bound) = (found.cost.mean, found.lower_bound);
+        assert!(best <= bound + 1e-4, "{name}: {best}, bound {bound}");
+        assert!(
+            best <= found.followed.mean + 1e-9,
+            "{name}: {best}, followed {}",
+            found.followed.mean
+        );
+    }
+}
+
 /// Overconstrained: their loops close as far as the dimensions agree.
 #[test]
 fn rounded_linkages_have_best_motions() {

@@ -39,6 +39,8 @@ pub mod predict;
 mod reach;
 pub mod record;
 #[cfg(feature = "study")]
+mod roads;
+#[cfg(feature = "study")]
 mod route;
 mod seeds;
 pub mod settings;

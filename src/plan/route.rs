@@ -6,8 +6,7 @@
 //! the change left out. The way is found where all its changes are walks.
 
 use crate::plan::branches::{Branches, Edge};
-use crate::plan::places::Form;
-use crate::plan::walk::Walk;
+use crate::plan::roads::{Road, Roads};
 use std::collections::BTreeMap;
 
 /// Price of a rad or size of joint motion, root of squares, in the unit of mean f.
@@ -18,15 +17,14 @@ pub(super) const UNCERTIFIED: f64 = 0.05;
 const TRIES: usize = 6;
 
 /// How a slot's node is reached from one of the slot before.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 enum By {
     /// Along their branch.
     Branch,
     /// By a walk of its own.
     Walk,
-    /// Along the branch to a known walk between the two branches and along the other to the slot; `back`: that walk the
-    /// other way round.
-    Crossing { number: usize, back: bool },
+    /// By known walks and along the branches between them, while the goal stands.
+    Road(Road),
 }
 
 /// What tells a way from others.
@@ -135,16 +133,12 @@ impl Route {
     fn cheapest(&self, branches: &Branches) -> Option<(Vec<usize>, Vec<By>)> {
         let slots = branches.slots();
         let share = 1.0 / (slots - 1) as f64;
-        let mut between: BTreeMap<[usize; 2], Vec<(usize, bool)>> = BTreeMap::new();
-        for (number, crossing) in branches.crossings.iter().enumerate() {
-            let [a, b] = crossing.branches;
-            between.entry([a, b]).or_default().push((number, false));
-            between.entry([b, a]).or_default().push((number, true));
-        }
+        let roads = Roads::new(branches, PRICE);
         let mut before = vec![0.0];
         let mut from: Vec<Vec<(usize, By)>> = vec![vec![(0, By::Branch)]];
         for slot in 1..slots {
             let nodes = &branches.nodes[slot];
+            let reached = roads.reach(slot - 1, &before);
             let mut costs = Vec::with_capacity(nodes.len());
             let mut own = Vec::with_capacity(nodes.len());
             for (k, node) in nodes.iter().enumerate() {
@@ -174,19 +168,12 @@ impl Route {
                         None => branches.straight(&other.theta, &node.theta),
                     };
                     least = take(before[l] + PRICE * length, l, By::Walk);
-                    for &(number, back) in between.get(&pair).into_iter().flatten() {
-                        let crossing = &branches.crossings[number];
-                        let other = &branches.list[other.branch];
-                        if other.node(crossing.slot).is_none() || list.node(crossing.slot).is_none()
-                        {
-                            continue;
-                        }
-                        let length = other.way(slot - 1, crossing.slot)
-                            + crossing.edge.walk.length
-                            + list.way(crossing.slot, slot);
-                        let cost = before[l] + PRICE * length;
-                        least = take(cost, l, By::Crossing { number, back });
-                    }
+                }
+                if let Some((cost, stop)) = roads.least(&reached, node.branch, slot)
+                    && cost < least
+                {
+                    let (l, road) = roads.road(&reached, stop);
+                    take(cost, l, By::Road(road));
                 }
                 let uncertified = if node.solved.end.is_minimum() {
                     0.0
@@ -206,7 +193,7 @@ impl Route {
         let (mut nodes, mut by) = (vec![0; slots], vec![By::Branch; slots]);
         for slot in (0..slots).rev() {
             nodes[slot] = node;
-            (node, by[slot]) = from[slot][node];
+            (node, by[slot]) = from[slot][node].clone();
         }
         Some((nodes, by))
     }
@@ -214,31 +201,15 @@ impl Route {
     /// The walks into a slot, in order, each from where the one before ends.
     pub fn edges(&self, branches: &Branches, slot: usize) -> Vec<Edge> {
         let (from, to) = (self.nodes[slot - 1], self.nodes[slot]);
-        match self.by[slot] {
+        match &self.by[slot] {
             By::Branch => vec![branches.along(slot, from, to)],
             By::Walk => {
                 let walk = self.walks.get(&(slot, from, to)).cloned().flatten();
                 vec![walk.expect("the walks of a way that was found")]
             }
-            By::Crossing { number, back } => {
-                let crossing = &branches.crossings[number];
-                let branch = |slot: usize, node: usize| branches.nodes[slot][node].branch;
-                let along = |branch: usize, from: usize, to: usize| Edge {
-                    walk: branches.walk_along(branch, from, to),
-                    form: Form::same(branches.nodes[0][0].theta.len()),
-                };
-                let mut edges = vec![along(branch(slot - 1, from), slot - 1, crossing.slot)];
-                edges.push(if back {
-                    reversed(&crossing.edge, {
-                        let list = &branches.list[crossing.branches[0]];
-                        let node = list.node(crossing.slot).expect("joined there");
-                        &branches.nodes[crossing.slot][node].theta
-                    })
-                } else {
-                    crossing.edge.clone()
-                });
-                edges.push(along(branch(slot, to), crossing.slot, slot));
-                edges
+            By::Road(road) => {
+                let branch = branches.nodes[slot - 1][from].branch;
+                road.edges(branches, (branch, slot - 1), slot)
             }
         }
     }
@@ -255,19 +226,5 @@ impl Route {
     /// Whether the way changes its branch before a slot.
     pub fn changes(&self, slot: usize) -> bool {
         self.by[slot] != By::Branch
-    }
-}
-
-/// The walk of an edge, which begins at `start`, in the other direction.
-fn reversed(edge: &Edge, start: &[f64]) -> Edge {
-    let form = edge.form.inverse();
-    let Walk { points, length } = edge.walk.reversed(start);
-    let written = |point: &Vec<f64>| Form::apply(&form, point);
-    Edge {
-        walk: Walk {
-            points: points.iter().map(written).collect(),
-            length,
-        },
-        form,
     }
 }

@@ -9,6 +9,8 @@ use std::f64::consts::PI;
 
 /// Lengths of the ways that a start wanders, root of the joints' squared motions, rad and sizes.
 const LENGTHS: [f64; 4] = [0.4, 0.8, 1.6, 3.2];
+/// Share of the starts whose way leads downhill to a goal at random instead.
+const AIMED: f64 = 0.5;
 /// Walks that are tried to a pose that is no closer than those that are known.
 const FEW_TRIES: usize = 3;
 /// Poses that are tried again at a time, with so many ways at random from each.
@@ -21,7 +23,15 @@ impl Branches {
         let pick = index(self.random.unit(), self.nodes[slot].len());
         let length = LENGTHS[index(self.random.unit(), LENGTHS.len())];
         let from = self.nodes[slot][pick].clone();
-        let way = walk::wander(&mut self.solver, &from.theta, length, &mut self.random);
+        let goal = *self.goal(slot);
+        let way = if self.random.unit() < AIMED {
+            let aim = walk::random_goal(&self.solver, &goal, &mut self.random);
+            let (end, _, mut passed) = walk::fall(&mut self.solver, &from.theta, &aim);
+            passed.push(end);
+            passed
+        } else {
+            walk::wander(&mut self.solver, &from.theta, length, &mut self.random)
+        };
         let Some(at) = way.last().cloned() else {
             return;
         };
@@ -31,7 +41,6 @@ impl Branches {
             points: way.clone(),
         });
         self.starts += 1;
-        let goal = *self.goal(slot);
         let (end, solved, passed) = walk::fall(&mut self.solver, &at, &goal);
         if !self.is_answer(&end, &solved, &goal) {
             return;
