@@ -108,7 +108,15 @@ export function openModes({ root, find, store, player, scene, say, signal }, fir
     }
     dialog.close();
     store.edit((present) => takeStarts(present, JSON.parse(text.value).chains));
-    say(`The motion starts from way ${number} now.`, { label: 'Undo', act: () => store.undo(), until: (end) => store.subscribe('document', end) });
+    say(`The motion starts from way ${number} now.`, { label: 'Undo', act: () => store.undo(), until: untilEdited });
+  }
+
+  /** The next edit, or an undo by keyboard, ends what was said. @param {() => void} end */
+  function untilEdited(end) {
+    const unsubscribe = store.subscribe('document', () => {
+      unsubscribe();
+      end();
+    });
   }
 
   const keyName = (/** @type {number} */ index) => keyFramesOf(doc)[index].name || `key frame ${index + 1}`;
