@@ -47,12 +47,14 @@ test('the bound, the verdict and a switch are told as they are', () => {
   assert.equal(verdict(best), 'A motion with 1 switch to another branch is closer on average by 35 %.');
   assert.match(verdict({ ...best, best: best.followed, switches: [] }), /is the best one over the 4 branches found/);
   assert.equal(verdict({ ...best, best: best.followed, progress: 0.5 }), '', 'nothing is claimed before the end');
+  assert.equal(verdict({ ...best, best: best.followed, branches: [], switches: [], starts: 0 }), 'Every frame reaches its goal: nothing can be closer.');
+  assert.match(verdict({ ...best, best: best.followed, branches: [best.branches[0]], switches: [] }), /^No other branch was found/);
   assert.equal(switchSentence(best.switches[0], motionOf('rad')), 'Before frame 2: from the followed branch to branch 2, joint motion 90°, at most 0.08 from the goal on the way.');
   assert.match(switchSentence({ ...best.switches[0], frame: 0 }, motionOf('length')), /^At the start: .* joint motion 1\.571,/);
   assert.deepEqual([branchName(0), branchName(3)], ['followed', 'branch 4']);
   assert.equal(jointMotion(0.5, motionOf('length')), '0.5');
   assert.equal(calmWords(best.curve[0], motionOf('length')), 'mean distance 0.03, largest joint step 0.3');
-  assert.deepEqual([0.0172, 0.036, 1.5e-7, 0].map(distance), ['0.0172', '0.036', '1.5e−7', '0']);
+  assert.deepEqual([0.0172, 0.036, 1.5e-7, 1.1e-12, 9e-13, -3e-31, 0].map(distance), ['0.0172', '0.036', '1.5e−7', '1.1e−12', '0', '0', '0']);
   assert.ok(isCloser(0.0172, 0.036) && !isCloser(0.036 - 1e-8, 0.036) && !isCloser(0, 5e-7));
   assert.equal(statusWords('passing').word, 'Passing');
 });
@@ -62,6 +64,8 @@ test('lanes: the followed branch, those of the best motion, then the closest oth
   const { lanes, more, top } = lanesOf(best);
   assert.deepEqual(lanes.map(({ branch, first, last, used }) => [branch, first, last, used]), [[0, 0, 4, true], [1, 1, 2, true], [3, 0, 0, false], [2, 2, 4, false]]);
   assert.deepEqual([more, top], [0, 0.5]);
+  const rounded = { branches: [{ first: 0, metric: Float64Array.of(0, 4e-28) }], lane: Int32Array.of(0, 0) };
+  assert.equal(lanesOf(rounded).top, 0, 'what is rounding is not drawn');
   const many = { ...best, branches: [...best.branches, ...Array.from({ length: 30 }, () => best.branches[2])] };
   assert.deepEqual([lanesOf(many).lanes.length, lanesOf(many).more], [8, 26]);
 });

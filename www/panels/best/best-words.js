@@ -15,8 +15,14 @@ export const isCloser = (one, other) => one < other - CLOSER.least - CLOSER.shar
 /** Below this a distance is told in powers of ten. */
 const SMALL = 1e-4;
 
+/** A distance below is one of rounding. */
+const ROUNDING = 1e-12;
+
+/** Whether a distance is none but for rounding. @param {number} value */
+export const isNothing = (value) => Math.abs(value) < ROUNDING;
+
 /** A distance ½‖q − g‖² with three digits, so that two that are close are told apart. @param {number} value */
-export const distance = (value) => (value >= SMALL && value < 1000 ? String(Number(value.toPrecision(3))) : scientific(value));
+export const distance = (value) => (isNothing(value) ? '0' : value >= SMALL && value < 1000 ? String(Number(value.toPrecision(3))) : scientific(value));
 
 /** Above this share a part of a hundred reads better than one in so many. */
 const OFTEN = 0.3;
@@ -45,13 +51,15 @@ export function unseenSentence({ starts, unseen, unseen_bound }, thing) {
 export function boundSentence({ best, lower_bound: bound }) {
   const above = best.mean - bound;
   const least = `No motion over the branches known is closer on average than ${distance(bound)}`;
-  return above > 1e-12 + 1e-6 * bound ? `${least}; this one is ${distance(above)} above it, the price of switching.` : `${least}, and this one is as close.`;
+  return above > ROUNDING + 1e-6 * bound ? `${least}; this one is ${distance(above)} above it, the price of switching.` : `${least}, and this one is as close.`;
 }
 
 /** The result of the search in a sentence. @param {Best} best */
-export function verdict({ followed, best, branches, switches, progress }) {
+export function verdict({ followed, best, branches, switches, progress, starts }) {
   if (progress < 1 && !isCloser(best.mean, followed.mean)) return '';
   if (!isCloser(best.mean, followed.mean)) {
+    // None is looked for where there is nothing to gain.
+    if (starts === 0) return 'Every frame reaches its goal: nothing can be closer.';
     return branches.length > 1
       ? `The motion that the planner follows is the best one over the ${branches.length} branches found.`
       : 'No other branch was found: the motion that the planner follows is the best one known.';
