@@ -109,7 +109,7 @@ export function createBestPanel({ root, find, store, player, signal, keys, inter
     const used = new Set(best.lane);
     const jump = (/** @type {number} */ frame) => html`<button class="link" aria-label=${`To frame ${frame + 1}`} @click=${() => goTo(frame)}>${frame + 1}</button>`;
     const mean = (/** @type {Float64Array} */ metric) => distance(metric.reduce((sum, value) => sum + value, 0) / metric.length);
-    return html`<div class="rows" tabindex="0" role="region" aria-label="Branches, switches and calmer motions">
+    return html`<div class="best-tables" role="region" aria-label="Branches, switches and calmer motions">
       <table class="plain"><caption>Branches</caption>
         <thead><tr><th scope="col">branch</th><th scope="col">from frame</th><th scope="col">to</th><th scope="col">mean distance</th><th scope="col">in the best motion</th></tr></thead>
         <tbody>${best.branches.map(({ first, metric }, branch) => html`<tr><th scope="row">${branchName(branch)}</th><td>${jump(first)}</td><td>${first + metric.length}</td><td>${mean(metric)}</td><td>${used.has(branch) ? 'yes' : 'no'}</td></tr>`)}</tbody>
