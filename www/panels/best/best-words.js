@@ -4,7 +4,7 @@
  * @typedef {import('../../core/types.js').Best} Best
  * @typedef {import('../../core/types.js').Motion} Motion
  */
-import { angle, plural, scientific, short } from '../../core/format.js';
+import { angle, degrees, plural, scientific, short } from '../../core/format.js';
 
 /** By how much a pose must be closer to be told as a better one: absolutely, and as a share of the other's distance. */
 const CLOSER = { least: 1e-6, share: 1e-3 };
@@ -21,8 +21,11 @@ const ROUNDING = 1e-12;
 /** Whether a distance is none but for rounding. @param {number} value */
 export const isNothing = (value) => Math.abs(value) < ROUNDING;
 
+/** With three digits; what is above 1000 or very small in powers of ten. @param {number} value */
+const threeDigits = (value) => (isNothing(value) ? '0' : value >= SMALL && value < 1000 ? String(Number(value.toPrecision(3))) : scientific(value));
+
 /** A distance ½‖q − g‖² with three digits, so that two that are close are told apart. @param {number} value */
-export const distance = (value) => (isNothing(value) ? '0' : value >= SMALL && value < 1000 ? String(Number(value.toPrecision(3))) : scientific(value));
+export const distance = threeDigits;
 
 /** Above this share a part of a hundred reads better than one in so many. */
 const OFTEN = 0.3;
@@ -75,6 +78,9 @@ const isByAngles = (motion) => motion?.report.chains.every(({ variables }) => va
 /** A joint motion: degrees where all joints turn. @param {number} value rad or sizes @param {Motion | null} motion */
 export const jointMotion = (value, motion) => (isByAngles(motion) ? angle(value) : short(value, 3));
 
+/** The largest joint motion from frame to frame: a small one with three digits, so that two are told apart. @param {number} value rad or sizes @param {Motion | null} motion */
+export const jointStep = (value, motion) => (isByAngles(motion) ? `${threeDigits(degrees(value))}°` : threeDigits(value));
+
 /** What such a number means. @param {Motion | null} motion */
 export const jointUnit = (motion) => (isByAngles(motion) ? '' : 'rad or sizes');
 
@@ -91,4 +97,4 @@ export function switchSentence({ frame, from, to, length, largest }, motion) {
 }
 
 /** A point of the curve from closer to calmer. @param {{mean: number, largest_step: number}} point @param {Motion | null} motion */
-export const calmWords = ({ mean, largest_step }, motion) => `mean distance ${distance(mean)}, largest joint step ${jointMotion(largest_step, motion)}`;
+export const calmWords = ({ mean, largest_step }, motion) => `mean distance ${distance(mean)}, largest joint step ${jointStep(largest_step, motion)}`;

@@ -10,7 +10,7 @@ import { recall, remember } from '../../ui/kept-layout.js';
 import { wear } from '../../ui/style-sheets.js';
 import look from '../../style/best.css?inline';
 import { isApplet } from './at-rest.js';
-import { boundSentence, branchName, distance, jointMotion, jointUnit, unseenSentence, verdict } from './best-words.js';
+import { boundSentence, branchName, distance, jointMotion, jointStep, jointUnit, unseenSentence, verdict } from './best-words.js';
 import { calmSlider, pointsOf } from './calm.js';
 import { createLanesPicture } from './lanes-picture.js';
 
@@ -84,7 +84,7 @@ export function createBestPanel({ root, find, store, player, signal, keys, inter
     const rows = [
       ['mean distance', ({ mean }) => distance(mean)],
       ['largest distance', ({ largest }) => distance(largest)],
-      ['largest joint step', ({ largest_step }) => jointMotion(largest_step, now)],
+      ['largest joint step', ({ largest_step }) => jointStep(largest_step, now)],
     ];
     const { choice } = search.now;
     const calm = choice > 0 ? best.curve[choice - 1] : null;
@@ -120,7 +120,7 @@ export function createBestPanel({ root, find, store, player, signal, keys, inter
       </table>` : nothing}
       ${best.curve.length ? html`<table class="plain"><caption>From closer to calmer</caption>
         <thead><tr><th scope="col">position</th><th scope="col">mean distance</th><th scope="col">largest distance</th><th scope="col">largest joint step</th></tr></thead>
-        <tbody>${pointsOf(best).map((point, index) => html`<tr><th scope="row">${index + 1}</th><td>${distance(point.mean)}</td><td>${distance(point.largest)}</td><td>${jointMotion(point.largest_step, motion)}</td></tr>`)}</tbody>
+        <tbody>${pointsOf(best, motion).map(({ point }, index) => html`<tr><th scope="row">${index + 1}</th><td>${distance(point.mean)}</td><td>${distance(point.largest)}</td><td>${jointStep(point.largest_step, motion)}</td></tr>`)}</tbody>
       </table>` : nothing}
     </div>`;
   }
