@@ -10,6 +10,7 @@ import { differing, spanOf } from '../../www/panels/best/mode-framing.js';
 import { jointLines } from '../../www/panels/best/mode-joints.js';
 import { bestMode, ordered } from '../../www/panels/best/mode-order.js';
 import { bestMotions } from '../../www/core/best-motions.js';
+import { shownName } from '../../www/export/shown-name.js';
 import { createStore } from '../../www/core/store.js';
 import { statusWords } from '../../www/core/status-words.js';
 import { DocumentFault, Superseded } from '../../www/planner/errors.js';
@@ -47,7 +48,7 @@ test('the bound, the verdict and a switch are told as they are', () => {
   assert.equal(verdict(best), 'A motion with 1 switch to another branch is closer on average by 35 %.');
   assert.match(verdict({ ...best, best: best.followed, switches: [] }), /is the best one over the 4 branches found/);
   assert.equal(verdict({ ...best, best: best.followed, progress: 0.5 }), '', 'nothing is claimed before the end');
-  assert.equal(verdict({ ...best, best: best.followed, branches: [], switches: [], starts: 0 }), 'Every frame reaches its goal: nothing can be closer.');
+  assert.equal(verdict({ ...best, best: best.followed, branches: [best.branches[0]], switches: [], starts: 0 }), 'Every frame reaches its goal: nothing can be closer.');
   assert.match(verdict({ ...best, best: best.followed, branches: [best.branches[0]], switches: [] }), /^No other branch was found/);
   assert.equal(switchSentence(best.switches[0], motionOf('rad')), 'Before frame 2: from the followed branch to branch 2, joint motion 90°, at most 0.08 from the goal on the way.');
   assert.match(switchSentence({ ...best.switches[0], frame: 0 }, motionOf('length')), /^At the start: .* joint motion 1\.571,/);
@@ -176,6 +177,10 @@ test('partial results are there at once; the best motion takes the followed one�
   assert.deepEqual([store.result.motion.price, state.now.choice, state.now.which], [1, 2, 'best']);
   assert.deepEqual(JSON.parse(await bestMotions.get(store.result.motion).write('csv', {})).slice(1), ['csv', {}, 1], 'written as it is shown');
   assert.deepEqual([bestMotions.get(store.result.motion).switches, bestMotions.get(closer).switches, bestMotions.has(followed)], [0, 1, false]);
+  assert.equal(bestMotions.get(store.result.motion).words, 'A calmer motion is shown: mean 1 (best 0.026), largest joint step 5.73° (best 34.4°)');
+  assert.equal(bestMotions.get(closer).words, 'The best motion is shown');
+  assert.deepEqual([store.result.motion, closer, followed].map((motion) => shownName({ doc: { name: '3-PRS' }, motion }, 'csv')), ['3-prs-calmer.csv', '3-prs-best.csv', '3-prs.csv']);
+  assert.equal(shownName({ doc: {}, motion: closer }, 'csv'), 'linkage-best.csv');
   state.show('followed');
   assert.equal(store.result.motion, followed);
   await state.choose(0);

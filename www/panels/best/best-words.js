@@ -61,8 +61,8 @@ export function boundSentence({ best, lower_bound: bound }) {
 export function verdict({ followed, best, branches, switches, progress, starts }) {
   if (progress < 1 && !isCloser(best.mean, followed.mean)) return '';
   if (!isCloser(best.mean, followed.mean)) {
-    // None is looked for where there is nothing to gain.
-    if (starts === 0) return 'Every frame reaches its goal: nothing can be closer.';
+    // No other branch is looked for where there is nothing to gain.
+    if (starts === 0 && branches.length > 0) return 'Every frame reaches its goal: nothing can be closer.';
     return branches.length > 1
       ? `The motion that the planner follows is the best one over the ${branches.length} branches found.`
       : 'No other branch was found: the motion that the planner follows is the best one known.';
@@ -98,3 +98,12 @@ export function switchSentence({ frame, from, to, length, largest }, motion) {
 
 /** A point of the curve from closer to calmer. @param {{mean: number, largest_step: number}} point @param {Motion | null} motion */
 export const calmWords = ({ mean, largest_step }, motion) => `mean distance ${distance(mean)}, largest joint step ${jointStep(largest_step, motion)}`;
+
+/**
+ * That a motion is shown in place of the followed one; of a calmer one beside what the best one costs.
+ * @param {import('../../core/types.js').MotionCost | null} calmer null for the best one itself @param {import('../../core/types.js').MotionCost} best @param {Motion | null} motion
+ */
+export const shownWords = (calmer, best, motion) =>
+  calmer
+    ? `A calmer motion is shown: mean ${distance(calmer.mean)} (best ${distance(best.mean)}), largest joint step ${jointStep(calmer.largest_step, motion)} (best ${jointStep(best.largest_step, motion)})`
+    : 'The best motion is shown';
