@@ -154,7 +154,8 @@ test('in the applet it is looked for by itself, when all rests', async () => {
   const { page, problems } = await openGolden({ ...DESK, search: true });
   await scrubTo(page, 16);
   await better(page).filter({ hasText: 'A better pose exists' }).waitFor({ timeout: 180_000 });
-  assert.equal(await ghost(page), '', 'nothing is shown that was not asked for');
+  // What draws it may not be there yet.
+  assert.ok(!(await ghost(page)), 'nothing is shown that was not asked for');
   assert.deepEqual(problems, []);
 });
 
