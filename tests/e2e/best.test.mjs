@@ -106,6 +106,14 @@ test('lanes, switches and the slider go by keyboard, and are a table too', async
   await panel(page).locator('output[aria-busy="false"]').waitFor();
   await panel(page).getByRole('columnheader', { name: 'calmer' }).waitFor();
   await shown(page, 'best').check();
+  // A calmer motion is not called the best one, and there is a way back to that.
+  const pill = page.locator('#best-shown');
+  await pill.filter({ hasText: /^A calmer motion is shown: mean [\d.e−]+ \(best [\d.e−]+\), largest joint step [\d.]+°? \(best [\d.]+°?\)\. Show the best one Back to the followed one$/ }).waitFor();
+  await pill.getByRole('button', { name: 'Show the best one' }).click();
+  await pill.filter({ hasText: 'The best motion is shown.' }).waitFor();
+  await slider.focus();
+  await page.keyboard.press('ArrowRight');
+  await pill.filter({ hasText: 'A calmer motion' }).waitFor();
   await page.keyboard.press('Tab');
   await panel(page).locator('summary').filter({ hasText: 'Table' }).click();
   const tables = panel(page).getByRole('region', { name: 'Branches, switches and calmer motions' });
@@ -146,7 +154,8 @@ test('in the applet it is looked for by itself, when all rests', async () => {
   const { page, problems } = await openGolden({ ...DESK, search: true });
   await scrubTo(page, 16);
   await better(page).filter({ hasText: 'A better pose exists' }).waitFor({ timeout: 180_000 });
-  assert.equal(await ghost(page), '', 'nothing is shown that was not asked for');
+  // What draws it may not be there yet.
+  assert.ok(!(await ghost(page)), 'nothing is shown that was not asked for');
   assert.deepEqual(problems, []);
 });
 
@@ -158,6 +167,15 @@ test('on a phone, in the dark, all of it is there', async () => {
   const width = await page.evaluate(() => document.documentElement.scrollWidth);
   assert.ok(width <= 390, `no wider than the screen: ${width}`);
   for (const name of await panel(page).locator('.lane-names button').all()) assert.ok((await name.boundingBox()).x >= 0, 'its name is seen');
+  for (const button of await panel(page).locator('.lanes button').all()) {
+    const { width: wide, height } = await button.boundingBox();
+    assert.ok(wide >= 32 && height >= 32, `${wide} by ${height}`);
+  }
+  await panel(page).locator('summary').filter({ hasText: 'Table' }).tap();
+  for (const table of await panel(page).locator('.best-tables table').all()) {
+    const { x, width: wide } = await table.boundingBox();
+    assert.ok(x >= 0 && x + wide <= 390, `a table from ${x}, ${wide} wide`);
+  }
   await shown(page, 'both').tap();
   await page.locator('#canvas[data-best]:not([data-best=""])').waitFor();
   assert.deepEqual(problems, []);

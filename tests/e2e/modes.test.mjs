@@ -65,6 +65,15 @@ test('a way becomes the start, an edit that undo takes back', async () => {
   assert.notEqual(await start(page), before);
   await notice(page, /starts from way/).getByRole('button', { name: 'Undo' }).click();
   await page.waitForFunction((old) => JSON.stringify(document.querySelector('synthetica-linkage').document.chains.map((chain) => chain.start)) === old, before);
+  // By keyboard too: the notice goes with what it tells.
+  await page.keyboard.press('Control+y');
+  await page.waitForFunction((old) => JSON.stringify(document.querySelector('synthetica-linkage').document.chains.map((chain) => chain.start)) !== old, before);
+  await doTo(page, 'key frame 1', 'Ways to assemble…');
+  await isComplete(page);
+  await ways(page).filter({ hasNotText: 'the document’s start' }).last().getByRole('button', { name: /^Start from this/ }).click();
+  await notice(page, /starts from way/).waitFor();
+  await page.keyboard.press('Control+z');
+  await notice(page, /starts from way/).waitFor({ state: 'detached', timeout: 4000 });
   assert.deepEqual(problems, []);
 });
 

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { Vector3 } from 'three';
-import { boundSentence, branchName, calmWords, distance, isCloser, jointMotion, oneIn, switchSentence, unseenSentence, verdict } from '../../www/panels/best/best-words.js';
+import { boundSentence, branchName, calmWords, distance, isCloser, jointMotion, jointStep, oneIn, switchSentence, unseenSentence, verdict } from '../../www/panels/best/best-words.js';
 import { lanesOf, outlineOf, runsOf } from '../../www/panels/best/lanes.js';
 import { getsCalmer, placesOf, pointsOf } from '../../www/panels/best/calm.js';
 import { createSearchState } from '../../www/panels/best/search-state.js';
@@ -10,6 +10,7 @@ import { differing, spanOf } from '../../www/panels/best/mode-framing.js';
 import { jointLines } from '../../www/panels/best/mode-joints.js';
 import { bestMode, ordered } from '../../www/panels/best/mode-order.js';
 import { bestMotions } from '../../www/core/best-motions.js';
+import { shownName } from '../../www/export/shown-name.js';
 import { createStore } from '../../www/core/store.js';
 import { statusWords } from '../../www/core/status-words.js';
 import { DocumentFault, Superseded } from '../../www/planner/errors.js';
@@ -47,12 +48,16 @@ test('the bound, the verdict and a switch are told as they are', () => {
   assert.equal(verdict(best), 'A motion with 1 switch to another branch is closer on average by 35 %.');
   assert.match(verdict({ ...best, best: best.followed, switches: [] }), /is the best one over the 4 branches found/);
   assert.equal(verdict({ ...best, best: best.followed, progress: 0.5 }), '', 'nothing is claimed before the end');
+  assert.equal(verdict({ ...best, best: best.followed, branches: [best.branches[0]], switches: [], starts: 0 }), 'Every frame reaches its goal: nothing can be closer.');
+  assert.match(verdict({ ...best, best: best.followed, branches: [best.branches[0]], switches: [] }), /^No other branch was found/);
   assert.equal(switchSentence(best.switches[0], motionOf('rad')), 'Before frame 2: from the followed branch to branch 2, joint motion 90°, at most 0.08 from the goal on the way.');
   assert.match(switchSentence({ ...best.switches[0], frame: 0 }, motionOf('length')), /^At the start: .* joint motion 1\.571,/);
   assert.deepEqual([branchName(0), branchName(3)], ['followed', 'branch 4']);
   assert.equal(jointMotion(0.5, motionOf('length')), '0.5');
+  assert.deepEqual([0.00031234, Math.PI / 2, 0].map((value) => jointStep(value, motionOf('rad'))), ['0.0179°', '90°', '0°']);
+  assert.equal(jointStep(0.00031234, motionOf('length')), '0.000312');
   assert.equal(calmWords(best.curve[0], motionOf('length')), 'mean distance 0.03, largest joint step 0.3');
-  assert.deepEqual([0.0172, 0.036, 1.5e-7, 0].map(distance), ['0.0172', '0.036', '1.5e−7', '0']);
+  assert.deepEqual([0.0172, 0.036, 1.5e-7, 1.1e-12, 9e-13, -3e-31, 0].map(distance), ['0.0172', '0.036', '1.5e−7', '1.1e−12', '0', '0', '0']);
   assert.ok(isCloser(0.0172, 0.036) && !isCloser(0.036 - 1e-8, 0.036) && !isCloser(0, 5e-7));
   assert.equal(statusWords('passing').word, 'Passing');
 });
@@ -62,6 +67,8 @@ test('lanes: the followed branch, those of the best motion, then the closest oth
   const { lanes, more, top } = lanesOf(best);
   assert.deepEqual(lanes.map(({ branch, first, last, used }) => [branch, first, last, used]), [[0, 0, 4, true], [1, 1, 2, true], [3, 0, 0, false], [2, 2, 4, false]]);
   assert.deepEqual([more, top], [0, 0.5]);
+  const rounded = { branches: [{ first: 0, metric: Float64Array.of(0, 4e-28) }], lane: Int32Array.of(0, 0) };
+  assert.equal(lanesOf(rounded).top, 0, 'what is rounding is not drawn');
   const many = { ...best, branches: [...best.branches, ...Array.from({ length: 30 }, () => best.branches[2])] };
   assert.deepEqual([lanesOf(many).lanes.length, lanesOf(many).more], [8, 26]);
 });
@@ -75,8 +82,10 @@ test('a lane’s outline: roots as heights, the largest of each piece, and what 
 });
 
 test('the slider goes over the best motion and the points of the curve; the picture holds them all', () => {
-  const points = pointsOf(best);
+  const points = pointsOf(best, null).map(({ point }) => point);
   assert.deepEqual(points.map(({ mean }) => mean), [0.026, 0.03, 0.05]);
+  const near = { ...best, curve: [{ ...cost(0.026001, 0.60001) }, ...best.curve, { ...cost(0.05, 0.050001) }] };
+  assert.deepEqual(pointsOf(near, null).map(({ choice }) => choice), [0, 2, 3], 'what reads like the one before is left out');
   const places = placesOf(points, best.followed);
   assert.ok(places.points[0].x > places.points[1].x && places.points[1].x > places.points[2].x, 'calmer is to the left');
   assert.ok(places.points[0].y > places.points[1].y && places.points[1].y > places.points[2].y, 'closer is below');
@@ -85,11 +94,11 @@ test('the slider goes over the best motion and the points of the curve; the pict
   assert.ok(Number.isFinite(still.points[0].x) && Number.isFinite(still.points[0].y));
 });
 
-test('the slider is there where a point of the curve is calmer by 1 % or more', () => {
+test('the slider is there where a point of the curve is calmer by 10 % or more', () => {
   assert.ok(getsCalmer(best));
   const flat = (...steps) => ({ ...best, curve: steps.map((step) => ({ price: step, ...cost(0.03, step) })) });
-  assert.ok(!getsCalmer(flat(0.6, 0.595, 0.7)));
-  assert.ok(getsCalmer(flat(0.6, 0.59)));
+  assert.ok(!getsCalmer(flat(0.6, 0.545, 0.7)));
+  assert.ok(getsCalmer(flat(0.6, 0.539)));
   assert.ok(!getsCalmer({ ...flat(0), best: cost(0.01, 0) }), 'what stands still');
 });
 
@@ -168,6 +177,10 @@ test('partial results are there at once; the best motion takes the followed one�
   assert.deepEqual([store.result.motion.price, state.now.choice, state.now.which], [1, 2, 'best']);
   assert.deepEqual(JSON.parse(await bestMotions.get(store.result.motion).write('csv', {})).slice(1), ['csv', {}, 1], 'written as it is shown');
   assert.deepEqual([bestMotions.get(store.result.motion).switches, bestMotions.get(closer).switches, bestMotions.has(followed)], [0, 1, false]);
+  assert.equal(bestMotions.get(store.result.motion).words, 'A calmer motion is shown: mean 1 (best 0.026), largest joint step 5.73° (best 34.4°)');
+  assert.equal(bestMotions.get(closer).words, 'The best motion is shown');
+  assert.deepEqual([store.result.motion, closer, followed].map((motion) => shownName({ doc: { name: '3-PRS' }, motion }, 'csv')), ['3-prs-calmer.csv', '3-prs-best.csv', '3-prs.csv']);
+  assert.equal(shownName({ doc: {}, motion: closer }, 'csv'), 'linkage-best.csv');
   state.show('followed');
   assert.equal(store.result.motion, followed);
   await state.choose(0);

@@ -1,8 +1,9 @@
 /**
  * The motions that were found by the search for the best one: shown like any other, and not what the planner plans by itself.
- * What is known of each: what writes it for other programs, and how often it changes its branch while a frame stands.
+ * What is known of each: what writes it for other programs, how often it changes its branch while a frame stands, what
+ * it is called in a file's name, and words that say that it is shown.
  *
- * @typedef {{write: (format: 'csv' | 'json' | 'mjcf', options: import('./types.js').ExportOptions) => Promise<string>, switches: number}} BestMotion
+ * @typedef {{name: 'best' | 'calmer', words: string, write: (format: 'csv' | 'json' | 'mjcf', options: import('./types.js').ExportOptions) => Promise<string>, switches: number}} BestMotion
  * @type {WeakMap<import('./types.js').Motion, BestMotion>}
  */
 export const bestMotions = new WeakMap();

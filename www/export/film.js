@@ -5,7 +5,8 @@
  */
 import '../style/export.css';
 import { element, setText } from '../ui/dom.js';
-import { fileName, saveFile } from './save.js';
+import { saveFile } from './save.js';
+import { shownName } from './shown-name.js';
 import { frameAt } from '../core/playhead.js';
 import { shown } from '../core/shown.js';
 import { openDialog } from '../ui/dialog.js';
@@ -58,7 +59,7 @@ export async function exportFilm({ store, scene, player, say }) {
     if (typeof film === 'string') return say(film);
     if (cancelled || !film) return say('The film was cancelled.');
     await checkFilm(film, seconds);
-    const name = fileName(doc, 'webm');
+    const name = shownName(result, 'webm');
     saveFile(name, new Blob([film], { type: 'video/webm' }));
     say(`Saved ${name}.`);
   } finally {

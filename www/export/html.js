@@ -3,14 +3,15 @@
  */
 import { script, style } from '../player-page/main.js?bundle';
 import { pack } from '../player-page/pack.js';
-import { fileName, saveFile } from './save.js';
+import { saveFile } from './save.js';
+import { shownName } from './shown-name.js';
 import { inert } from './inert.js';
 
 /** @param {import('../element/workbench.js').App} app */
 export async function exportHtml({ store, say }) {
   const { motion, doc, plain } = store.result;
   if (!motion || !doc || !plain) return;
-  const name = fileName(doc, 'html');
+  const name = shownName(store.result, 'html');
   saveFile(name, new Blob([await page(doc, await pack(motion, doc, plain))], { type: 'text/html' }));
   say(`Saved ${name}: it plays in any browser, also without a network.`);
 }

@@ -40,7 +40,7 @@ export function exportItems(app) {
   const seen = (/** @type {string} */ hint) => (why ? `${hint}. ${why}` : hint);
   // Text is of the motion that is shown too.
   const best = store.result.motion && bestMotions.get(store.result.motion);
-  const of = (/** @type {string} */ hint) => (best ? `Of the best motion, which is shown. ${hint}` : hint);
+  const of = (/** @type {string} */ hint) => (best ? `${best.words}. ${hint}` : hint);
   const jumps = best?.switches ? 'The best motion switches while a frame stands: choose a calmer one, or show the followed one' : '';
   return [
     item('Picture (PNG) …', seen('The linkage whole, or the view; with its legend, on white or clear'), unseen || nothing, attempt(dialog, ({ openPicture }) => openPicture(app, 'png'))),

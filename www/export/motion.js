@@ -4,7 +4,8 @@
 import { ask } from '../core/ask.js';
 import { bestMotions } from '../core/best-motions.js';
 import { textOf } from '../core/document-text.js';
-import { fileName, saveFile } from './save.js';
+import { saveFile } from './save.js';
+import { shownName } from './shown-name.js';
 
 const FILES = {
   csv: { ending: 'csv', type: 'text/csv' },
@@ -24,7 +25,7 @@ export async function exportMotion({ store, planner, say }, format, options) {
   if (text.is === 'late') return;
   if (text.is !== 'answer') return say(`The file could not be made. ${text.message}`, { stays: true });
   const { ending, type } = FILES[format];
-  const name = fileName(doc, ending);
+  const name = shownName({ doc, motion }, ending);
   saveFile(name, new Blob([text.value], { type }));
-  say(`Saved ${name}.${best ? ` It has the best motion, which is shown${best.switches ? ', with all points of its path at a switch' : ''}.` : ''}`);
+  say(`Saved ${name}.${best ? ` ${best.words}${best.switches ? ': the file has all points of its path at a switch' : ''}.` : ''}`);
 }

@@ -9,7 +9,8 @@ import { openDialog } from '../ui/dialog.js';
 import { element } from '../ui/dom.js';
 import { legendLines } from './legend.js';
 import { dressed, drawPicture } from './picture.js';
-import { fileName, saveFile } from './save.js';
+import { saveFile } from './save.js';
+import { shownName } from './shown-name.js';
 
 /** Room for the preview, in CSS pixels. */
 const PREVIEW = { width: 440, height: 280 };
@@ -78,7 +79,7 @@ export async function openPicture({ store, scene, say }, kind) {
   async function save() {
     if (!scene) return;
     const content = await (kind === 'svg' ? drawn() : painted());
-    const name = fileName(store.result.doc, kind);
+    const name = shownName(store.result, kind);
     if (content) saveFile(name, content);
     dialog.close();
     say(content ? `Saved ${name}.` : 'The browser has no room for a picture of this size. Choose a smaller one.');

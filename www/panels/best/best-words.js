@@ -4,7 +4,7 @@
  * @typedef {import('../../core/types.js').Best} Best
  * @typedef {import('../../core/types.js').Motion} Motion
  */
-import { angle, plural, scientific, short } from '../../core/format.js';
+import { angle, degrees, plural, scientific, short } from '../../core/format.js';
 
 /** By how much a pose must be closer to be told as a better one: absolutely, and as a share of the other's distance. */
 const CLOSER = { least: 1e-6, share: 1e-3 };
@@ -15,8 +15,17 @@ export const isCloser = (one, other) => one < other - CLOSER.least - CLOSER.shar
 /** Below this a distance is told in powers of ten. */
 const SMALL = 1e-4;
 
+/** A distance below is one of rounding. */
+const ROUNDING = 1e-12;
+
+/** Whether a distance is none but for rounding. @param {number} value */
+export const isNothing = (value) => Math.abs(value) < ROUNDING;
+
+/** With three digits; what is above 1000 or very small in powers of ten. @param {number} value */
+const threeDigits = (value) => (isNothing(value) ? '0' : value >= SMALL && value < 1000 ? String(Number(value.toPrecision(3))) : scientific(value));
+
 /** A distance ½‖q − g‖² with three digits, so that two that are close are told apart. @param {number} value */
-export const distance = (value) => (value >= SMALL && value < 1000 ? String(Number(value.toPrecision(3))) : scientific(value));
+export const distance = threeDigits;
 
 /** Above this share a part of a hundred reads better than one in so many. */
 const OFTEN = 0.3;
@@ -45,13 +54,15 @@ export function unseenSentence({ starts, unseen, unseen_bound }, thing) {
 export function boundSentence({ best, lower_bound: bound }) {
   const above = best.mean - bound;
   const least = `No motion over the branches known is closer on average than ${distance(bound)}`;
-  return above > 1e-12 + 1e-6 * bound ? `${least}; this one is ${distance(above)} above it, the price of switching.` : `${least}, and this one is as close.`;
+  return above > ROUNDING + 1e-6 * bound ? `${least}; this one is ${distance(above)} above it, the price of switching.` : `${least}, and this one is as close.`;
 }
 
 /** The result of the search in a sentence. @param {Best} best */
-export function verdict({ followed, best, branches, switches, progress }) {
+export function verdict({ followed, best, branches, switches, progress, starts }) {
   if (progress < 1 && !isCloser(best.mean, followed.mean)) return '';
   if (!isCloser(best.mean, followed.mean)) {
+    // No other branch is looked for where there is nothing to gain.
+    if (starts === 0 && branches.length > 0) return 'Every frame reaches its goal: nothing can be closer.';
     return branches.length > 1
       ? `The motion that the planner follows is the best one over the ${branches.length} branches found.`
       : 'No other branch was found: the motion that the planner follows is the best one known.';
@@ -66,6 +77,9 @@ const isByAngles = (motion) => motion?.report.chains.every(({ variables }) => va
 
 /** A joint motion: degrees where all joints turn. @param {number} value rad or sizes @param {Motion | null} motion */
 export const jointMotion = (value, motion) => (isByAngles(motion) ? angle(value) : short(value, 3));
+
+/** The largest joint motion from frame to frame: a small one with three digits, so that two are told apart. @param {number} value rad or sizes @param {Motion | null} motion */
+export const jointStep = (value, motion) => (isByAngles(motion) ? `${threeDigits(degrees(value))}°` : threeDigits(value));
 
 /** What such a number means. @param {Motion | null} motion */
 export const jointUnit = (motion) => (isByAngles(motion) ? '' : 'rad or sizes');
@@ -83,4 +97,13 @@ export function switchSentence({ frame, from, to, length, largest }, motion) {
 }
 
 /** A point of the curve from closer to calmer. @param {{mean: number, largest_step: number}} point @param {Motion | null} motion */
-export const calmWords = ({ mean, largest_step }, motion) => `mean distance ${distance(mean)}, largest joint step ${jointMotion(largest_step, motion)}`;
+export const calmWords = ({ mean, largest_step }, motion) => `mean distance ${distance(mean)}, largest joint step ${jointStep(largest_step, motion)}`;
+
+/**
+ * That a motion is shown in place of the followed one; of a calmer one beside what the best one costs.
+ * @param {import('../../core/types.js').MotionCost | null} calmer null for the best one itself @param {import('../../core/types.js').MotionCost} best @param {Motion | null} motion
+ */
+export const shownWords = (calmer, best, motion) =>
+  calmer
+    ? `A calmer motion is shown: mean ${distance(calmer.mean)} (best ${distance(best.mean)}), largest joint step ${jointStep(calmer.largest_step, motion)} (best ${jointStep(best.largest_step, motion)})`
+    : 'The best motion is shown';

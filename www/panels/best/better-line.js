@@ -2,6 +2,7 @@
  * In the info panel: that a better pose exists in the shown frame, or a finite one where the planner lost its way, with a button
  * that shows it. Over the view: that the best motion is shown in place of the followed one.
  */
+import { bestMotions } from '../../core/best-motions.js';
 import { statusName } from '../../core/status-words.js';
 import { element } from '../../ui/dom.js';
 import { html, nothing, render } from '../../ui/render.js';
@@ -20,13 +21,24 @@ export function createBetterLine({ find, store }, search) {
     root.focus();
   };
 
+  /** From a calmer motion to the best one itself. */
+  function showBest() {
+    search.choose(0);
+    root.focus();
+  }
+
+  /** What is known of the motion that takes the followed one's place: the best one, or a calmer one. */
+  const other = () => search.now.motion && bestMotions.get(search.now.motion);
+  /** A way back from a calmer motion. */
+  const toBest = () => (other()?.name === 'calmer' ? html`<button class="link" @click=${showBest}>Show the best one</button> ` : nothing);
+
   /** What is said of the shown frame. */
   function line() {
     const { frame, posture } = store.view;
     const { which } = search.now;
     if (posture || store.result.doc !== search.now.doc) return nothing;
     const better = search.betterAt(frame);
-    if (which === 'best') return html`This is the best motion${better ? `: ${distance(better.best)} here instead of ${distance(better.now)}` : ''}. <button class="link" @click=${show('followed')}>Show the followed one</button>`;
+    if (which === 'best') return html`${other()?.name === 'calmer' ? other()?.words : 'This is the best motion'}${better ? `: ${distance(better.best)} here instead of ${distance(better.now)}` : ''}. ${toBest()}<button class="link" @click=${show('followed')}>Show the followed one</button>`;
     const more = which === 'both' ? html`<button class="link" @click=${show('followed')}>Hide it</button>` : html`<button class="link" @click=${show('both')}>Show it</button>`;
     if (search.isFoundWhereLost(frame)) return html`${lost(frame)} here; a finite closest pose was found. ${more}`;
     return better ? html`A better pose exists: ${distance(better.best)} instead of ${distance(better.now)}. ${more}` : nothing;
@@ -41,7 +53,7 @@ export function createBetterLine({ find, store }, search) {
   function draw() {
     const { which } = search.now;
     note.hidden = which !== 'best' || store.view.posture !== null;
-    if (!note.hidden) render(html`The best motion is shown. <button class="link" @click=${show('followed')}>Back to the followed one</button>`, note);
+    if (!note.hidden) render(html`${other()?.words}. ${toBest()}<button class="link" @click=${show('followed')}>Back to the followed one</button>`, note);
     // While the motion plays, a line that comes and goes would move all that is below.
     if (store.view.playing) return;
     const said = line();

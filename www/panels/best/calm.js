@@ -7,15 +7,25 @@
  * @typedef {import('../../core/types.js').Motion} Motion
  */
 import { html, live, nothing, svg } from '../../ui/render.js';
-import { calmWords, distance, jointMotion } from './best-words.js';
+import { calmWords, distance, jointStep } from './best-words.js';
 
 /** Of the picture, in pixels, with the room for its scales. */
 const WIDTH = 260;
 const HEIGHT = 112;
 const ROOM = { left: 62, right: 12, top: 8, bottom: 28 };
 
-/** The points of the slider: the best motion itself, then the curve. @param {Best} best @returns {MotionCost[]} */
-export const pointsOf = ({ best, curve }) => [best, ...curve];
+/** What is printed of a point. @param {MotionCost} point @param {Motion | null} motion */
+const printed = ({ mean, largest, largest_step }, motion) => [distance(mean), distance(largest), jointStep(largest_step, motion)].join();
+
+/**
+ * The points of the slider: the best motion itself, then those of the curve whose printed numbers differ from the one before.
+ * @param {Pick<Best, 'best' | 'curve'>} best @param {Motion | null} motion
+ * @returns {{point: MotionCost, choice: number}[]} each with its choice: 0, or its place in the curve from 1
+ */
+export function pointsOf({ best, curve }, motion) {
+  const all = [best, ...curve];
+  return all.flatMap((point, choice) => (choice > 0 && printed(point, motion) === printed(all[choice - 1], motion) ? [] : [{ point, choice }]));
+}
 
 /**
  * Where the points are in the picture: joint motion to the right, distance upwards, both from 0.
@@ -32,7 +42,7 @@ export function placesOf(points, followed) {
 }
 
 /** Share by which the largest joint step must fall for a motion to be calmer. */
-const CALMER = 0.01;
+const CALMER = 0.1;
 
 /** Whether the curve leads to a calmer motion. @param {Best} best */
 export const getsCalmer = ({ best, curve }) => curve.some(({ largest_step }) => largest_step < (1 - CALMER) * best.largest_step);
@@ -48,7 +58,7 @@ function picture(points, followed, chosen, motion, choose) {
     <path class="followed" d=${`M${other.x - 4} ${other.y - 4}l8 8m0 -8l-8 8`}><title>the followed motion</title></path>
     <text x=${ROOM.left - 5} y=${ROOM.top + 8} text-anchor="end">${distance(high)}</text>
     <text x=${ROOM.left - 5} y=${bottom + 3} text-anchor="end">0</text>
-    <text x=${right} y=${bottom + 12} text-anchor="end">${jointMotion(wide, motion)}</text>
+    <text x=${right} y=${bottom + 12} text-anchor="end">${jointStep(wide, motion)}</text>
     <text x=${(ROOM.left + right) / 2} y=${HEIGHT - 4} text-anchor="middle">largest joint step</text>
     <text transform=${`translate(10 ${(ROOM.top + bottom) / 2}) rotate(-90)`} text-anchor="middle">mean distance</text>
   </svg>`;
@@ -60,15 +70,19 @@ function picture(points, followed, chosen, motion, choose) {
 export function calmSlider({ best, motion, choice, waiting }, choose) {
   if (!best) return nothing;
   if (best.curve.length === 0) return best.progress < 1 ? html`<section class="calm"><h2>Closer – calmer</h2><p class="muted">When the search is complete.</p></section>` : nothing;
-  if (!getsCalmer(best)) return html`<section class="calm"><h2>Closer – calmer</h2><p class="muted">There is no calmer motion to choose: giving up closeness makes the largest joint step smaller by less than 1 %.</p></section>`;
-  const points = pointsOf(best);
-  const words = calmWords(points[choice], motion);
-  const slide = (/** @type {Event} */ { target }) => choose(Number(/** @type {HTMLInputElement} */ (target).value));
+  if (!getsCalmer(best)) return html`<section class="calm"><h2>Closer – calmer</h2><p class="muted">There is no calmer motion to choose: giving up closeness makes the largest joint step smaller by less than 10 %.</p></section>`;
+  const offered = pointsOf(best, motion);
+  const points = offered.map(({ point }) => point);
+  // One that is not offered stands where the one before it does.
+  const at = offered.filter((one) => one.choice <= choice).length - 1;
+  const words = calmWords(points[at], motion);
+  const chooseAt = (/** @type {number} */ index) => choose(offered[index].choice);
+  const slide = (/** @type {Event} */ { target }) => chooseAt(Number(/** @type {HTMLInputElement} */ (target).value));
   return html`<section class="calm" aria-label="Closer – calmer">
     <h2>Closer – calmer</h2>
-    <label><span aria-hidden="true">closer</span><input type="range" min="0" max=${points.length - 1} step="1" .value=${live(String(choice))} aria-label="From closer to calmer" aria-valuetext=${words} @input=${slide} /><span aria-hidden="true">calmer</span></label>
+    <label><span aria-hidden="true">closer</span><input type="range" min="0" max=${points.length - 1} step="1" .value=${live(String(at))} aria-label="From closer to calmer" aria-valuetext=${words} @input=${slide} /><span aria-hidden="true">calmer</span></label>
     <output aria-busy=${String(waiting)} class=${waiting ? 'waiting' : ''}>${choice === 0 ? `The best motion itself${best.switches.length ? ': it switches while the goal stands' : ''}; ` : ''}${words}.</output>
-    ${picture(points, best.followed, choice, motion, choose)}
+    ${picture(points, best.followed, at, motion, chooseAt)}
     <p class="muted key">✕ the followed motion</p>
   </section>`;
 }

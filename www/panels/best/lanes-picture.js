@@ -11,10 +11,13 @@ import { html, nothing, render, svg } from '../../ui/render.js';
 import { branchName, distance, jointMotion, switchSentence } from './best-words.js';
 import { lanesOf, outlineOf, runsOf } from './lanes.js';
 
-/** Heights in pixels: of a lane, of the distance drawn in it, and of the row of switches above. */
-const LANE = 22;
+/** Heights in pixels: of a lane with its name and of the row of switches above, where there is a mouse and on a phone; and of the distance drawn in a lane. */
+const DESK = { lane: 24, above: 27 };
+const PHONE = { lane: 32, above: 35 };
 const HIGH = 15;
-const ABOVE = 20;
+
+/** The width of the workbench up to which it is one of a phone, as in its style sheets. */
+const NARROW = 759;
 
 /** Least room for the names of lanes, in pixels: beside the animation bar's buttons there is more. */
 const NAMES = 116;
@@ -31,6 +34,7 @@ export function createLanesPicture({ find, signal, goTo }) {
   /** @type {{best: Best, motion: import('../../core/types.js').Motion} | null} */
   let shown = null;
   let [left, width] = [NAMES, 300];
+  let { lane: laneHeight, above } = DESK;
   let frame = 0;
 
   /** In line with the track of the animation bar, where it stands above. */
@@ -40,8 +44,10 @@ export function createLanesPicture({ find, signal, goTo }) {
     const track = find('lane').getBoundingClientRect();
     const isBelow = root.closest('.dock') && track.width > 200 && track.left - own.left >= NAMES && own.right - track.right >= 0;
     const next = isBelow ? [track.left - own.left, track.width] : [NAMES, own.width - NAMES - 8];
-    if (next[0] === left && next[1] === width) return;
+    const heights = find('bench').clientWidth <= NARROW ? PHONE : DESK;
+    if (next[0] === left && next[1] === width && heights.lane === laneHeight) return;
     [left, width] = next;
+    ({ lane: laneHeight, above } = heights);
     draw();
   }
   const sizes = new ResizeObserver(measure);
@@ -67,7 +73,7 @@ export function createLanesPicture({ find, signal, goTo }) {
 
   /** A lane's line and its distances. @param {Lane} lane @param {number} row @param {number} top */
   function laneShape(lane, row, top) {
-    const base = ABOVE + LANE * (row + 1) - 3;
+    const base = above + laneHeight * (row + 1) - 3;
     const points = outlineOf(lane, top, 2 * width).map(({ frame: at, height }) => `${xOf(at).toFixed(1)} ${(base - HIGH * height).toFixed(1)}`);
     const [from, to] = [xOf(lane.first), xOf(lane.last)].map((x) => x.toFixed(1));
     return svg`<path class="distance" d=${`M${from} ${base}L${points.join('L')}L${to} ${base}Z`} />
@@ -79,12 +85,14 @@ export function createLanesPicture({ find, signal, goTo }) {
     const { best, motion } = shown;
     const { lanes, more, top } = lanesOf(best);
     const rowOf = new Map(lanes.map(({ branch }, row) => [branch, row]));
-    const y = (/** @type {number} */ branch) => ABOVE + LANE * ((rowOf.get(branch) ?? 0) + 1) - 3;
+    const y = (/** @type {number} */ branch) => above + laneHeight * ((rowOf.get(branch) ?? 0) + 1) - 3;
     const runs = runsOf(best.lane);
-    const height = ABOVE + LANE * lanes.length;
+    const height = above + laneHeight * lanes.length;
     let free = -Infinity;
     root.style.setProperty('--left', `${left}px`);
     root.style.setProperty('--width', `${width}px`);
+    root.style.setProperty('--lane', `${laneHeight}px`);
+    root.style.setProperty('--above', `${above}px`);
     const withNumbers = root.clientWidth - left - width > NUMBERS;
     render(
       html`<div class="lane-names">${lanes.map((lane) => {
@@ -96,7 +104,7 @@ export function createLanesPicture({ find, signal, goTo }) {
           <svg width=${width} height=${height} viewBox=${`0 0 ${width} ${height}`} role="img" aria-label=${`${plural(best.branches.length, 'branch', 'branches')} over the frames, ${plural(best.switches.length, 'switch', 'switches')} of the best motion; in numbers in the table below`}
             @pointerdown=${press} @pointermove=${drag}>
             ${lanes.map((lane, row) => laneShape(lane, row, top))}
-            ${best.switches.map(({ frame: at, from, to }) => svg`<path class="switch-line" d=${`M${xOf(Math.max(0, at - 0.5))} ${y(from)}V${y(to)}M${xOf(Math.max(0, at - 0.5))} ${ABOVE - 3}V${Math.min(y(from), y(to)) - HIGH}`} />`)}
+            ${best.switches.map(({ frame: at, from, to }) => svg`<path class="switch-line" d=${`M${xOf(Math.max(0, at - 0.5))} ${y(from)}V${y(to)}M${xOf(Math.max(0, at - 0.5))} ${above - 3}V${Math.min(y(from), y(to)) - HIGH}`} />`)}
             ${runs.map(({ branch, from, to }) => svg`<path class="best-line" d=${`M${xOf(Math.max(0, from - 0.5))} ${y(branch)}H${xOf(Math.min(last(), to + 0.5))}`} />`)}
           </svg>
           ${best.switches.map((one) => {

@@ -9,6 +9,7 @@
  * A run of the best motion on one branch.
  * @typedef {{branch: number, from: number, to: number}} Run
  */
+import { isNothing } from './best-words.js';
 
 /** At most so many lanes: more are no picture any more. The followed one and those of the best motion are among them in any case. */
 const MOST = 8;
@@ -41,8 +42,8 @@ export function lanesOf({ branches, lane }) {
   const others = all.filter(({ branch }) => !used.includes(branch)).sort((a, b) => a.mean - b.mean);
   const room = Math.max(0, MOST - used.length);
   const lanes = [...used.flatMap((branch) => all[branch] ?? []), ...others.slice(0, room)].filter(({ metric }) => metric.length > 0);
-  const top = lanes.reduce((most, { metric }) => metric.reduce((high, value) => (Number.isFinite(value) && value > high ? value : high), most), 0);
-  return { lanes, more: Math.max(0, others.length - room), top };
+  const highest = lanes.reduce((most, { metric }) => metric.reduce((high, value) => (Number.isFinite(value) && value > high ? value : high), most), 0);
+  return { lanes, more: Math.max(0, others.length - room), top: isNothing(highest) ? 0 : highest };
 }
 
 /**

@@ -18,13 +18,10 @@ import { openDialogIn } from '../../ui/dialog.js';
 import { element, setText } from '../../ui/dom.js';
 import { attach, html, live, nothing, render, renderRows, repeat } from '../../ui/render.js';
 import { wear } from '../../ui/style-sheets.js';
-import { distance, unseenSentence } from './best-words.js';
+import { distance, isNothing, unseenSentence } from './best-words.js';
 import { jointLines } from './mode-joints.js';
 import { bestMode, ordered } from './mode-order.js';
 import { createModePictures, PICTURE } from './mode-pictures.js';
-
-/** A distance below is one of rounding. */
-const NOTHING = 1e-12;
 
 /** How close a mode is at the key frame. @param {Mode} mode */
 const closeness = ({ reached, metric }) => (reached ? 'reaches the key frame' : `distance ${distance(metric)} from the key frame`);
@@ -32,7 +29,7 @@ const closeness = ({ reached, metric }) => (reached ? 'reaches the key frame' : 
 /** @param {Mode} mode @param {number} all starts that were made @param {number} frames of the motion */
 const facts = ({ starts, mean, largest = 0, certified }, all, frames) => [
   `found by ${starts} of ${plural(all, 'start')}`,
-  mean === undefined ? 'its motion is not planned yet' : largest < NOTHING ? 'motion from it: every frame reaches its goal' : `motion from it: mean distance ${distance(mean)}, largest ${distance(largest)}`,
+  mean === undefined ? 'its motion is not planned yet' : isNothing(largest) ? 'motion from it: every frame reaches its goal' : `motion from it: mean distance ${distance(mean)}, largest ${distance(largest)}`,
   ...(certified === undefined || certified >= frames ? [] : [`${plural(certified, 'frame')} of ${frames} certified`]),
 ];
 
@@ -108,7 +105,15 @@ export function openModes({ root, find, store, player, scene, say, signal }, fir
     }
     dialog.close();
     store.edit((present) => takeStarts(present, JSON.parse(text.value).chains));
-    say(`The motion starts from way ${number} now.`, { label: 'Undo', act: () => store.undo(), until: (end) => store.subscribe('document', end) });
+    say(`The motion starts from way ${number} now.`, { label: 'Undo', act: () => store.undo(), until: untilEdited });
+  }
+
+  /** The next edit, or an undo by keyboard, ends what was said. @param {() => void} end */
+  function untilEdited(end) {
+    const unsubscribe = store.subscribe('document', () => {
+      unsubscribe();
+      end();
+    });
   }
 
   const keyName = (/** @type {number} */ index) => keyFramesOf(doc)[index].name || `key frame ${index + 1}`;

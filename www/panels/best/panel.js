@@ -10,7 +10,7 @@ import { recall, remember } from '../../ui/kept-layout.js';
 import { wear } from '../../ui/style-sheets.js';
 import look from '../../style/best.css?inline';
 import { isApplet } from './at-rest.js';
-import { boundSentence, branchName, distance, jointMotion, jointUnit, unseenSentence, verdict } from './best-words.js';
+import { boundSentence, branchName, distance, jointMotion, jointStep, jointUnit, unseenSentence, verdict } from './best-words.js';
 import { calmSlider, pointsOf } from './calm.js';
 import { createLanesPicture } from './lanes-picture.js';
 
@@ -84,7 +84,7 @@ export function createBestPanel({ root, find, store, player, signal, keys, inter
     const rows = [
       ['mean distance', ({ mean }) => distance(mean)],
       ['largest distance', ({ largest }) => distance(largest)],
-      ['largest joint step', ({ largest_step }) => jointMotion(largest_step, now)],
+      ['largest joint step', ({ largest_step }) => jointStep(largest_step, now)],
     ];
     const { choice } = search.now;
     const calm = choice > 0 ? best.curve[choice - 1] : null;
@@ -109,7 +109,7 @@ export function createBestPanel({ root, find, store, player, signal, keys, inter
     const used = new Set(best.lane);
     const jump = (/** @type {number} */ frame) => html`<button class="link" aria-label=${`To frame ${frame + 1}`} @click=${() => goTo(frame)}>${frame + 1}</button>`;
     const mean = (/** @type {Float64Array} */ metric) => distance(metric.reduce((sum, value) => sum + value, 0) / metric.length);
-    return html`<div class="rows" tabindex="0" role="region" aria-label="Branches, switches and calmer motions">
+    return html`<div class="best-tables" role="region" aria-label="Branches, switches and calmer motions">
       <table class="plain"><caption>Branches</caption>
         <thead><tr><th scope="col">branch</th><th scope="col">from frame</th><th scope="col">to</th><th scope="col">mean distance</th><th scope="col">in the best motion</th></tr></thead>
         <tbody>${best.branches.map(({ first, metric }, branch) => html`<tr><th scope="row">${branchName(branch)}</th><td>${jump(first)}</td><td>${first + metric.length}</td><td>${mean(metric)}</td><td>${used.has(branch) ? 'yes' : 'no'}</td></tr>`)}</tbody>
@@ -120,7 +120,7 @@ export function createBestPanel({ root, find, store, player, signal, keys, inter
       </table>` : nothing}
       ${best.curve.length ? html`<table class="plain"><caption>From closer to calmer</caption>
         <thead><tr><th scope="col">position</th><th scope="col">mean distance</th><th scope="col">largest distance</th><th scope="col">largest joint step</th></tr></thead>
-        <tbody>${pointsOf(best).map((point, index) => html`<tr><th scope="row">${index + 1}</th><td>${distance(point.mean)}</td><td>${distance(point.largest)}</td><td>${jointMotion(point.largest_step, motion)}</td></tr>`)}</tbody>
+        <tbody>${pointsOf(best, motion).map(({ point }, index) => html`<tr><th scope="row">${index + 1}</th><td>${distance(point.mean)}</td><td>${distance(point.largest)}</td><td>${jointStep(point.largest_step, motion)}</td></tr>`)}</tbody>
       </table>` : nothing}
     </div>`;
   }

@@ -16,7 +16,7 @@ import { bestMotions } from '../../core/best-motions.js';
 import { textOf } from '../../core/document-text.js';
 import { drivesJoints } from '../../core/driven.js';
 import { Search } from '../../planner/search.js';
-import { isCloser } from './best-words.js';
+import { isCloser, shownWords } from './best-words.js';
 
 /** Least pause between two motions that are fetched while the search goes on, in milliseconds: a long one is large. */
 const FETCH_EVERY = 1000;
@@ -81,12 +81,18 @@ export function createSearchState({ store, signal }, search = new Search()) {
     take(got.value, best.best, 0);
   }
 
-  /** @param {Motion} motion @param {State['cost']} cost @param {number} choice */
+  /** @param {Motion} motion @param {import('../../core/types.js').MotionCost} cost @param {number} choice */
   function take(motion, cost, choice) {
     const { best } = state;
     const text = textOf(/** @type {object} */ (state.doc));
     const price = best?.curve[choice - 1]?.price;
-    bestMotions.set(motion, { write: (format, options) => search.exportBest(text, format, options, price), switches: choice > 0 ? 0 : best?.switches.length ?? 0 });
+    const isCalmer = choice > 0;
+    bestMotions.set(motion, {
+      name: isCalmer ? 'calmer' : 'best',
+      words: shownWords(isCalmer ? cost : null, best?.best ?? cost, motion),
+      write: (format, options) => search.exportBest(text, format, options, price),
+      switches: isCalmer ? 0 : best?.switches.length ?? 0,
+    });
     const isShown = store.result.motion === state.motion && state.motion !== null;
     set({ motion, cost, choice, waiting: false });
     if (isShown || state.which === 'best') show(state.which);
