@@ -19,32 +19,23 @@ const FRAMES: usize = 17;
 /// What rounding leaves of a gradient, as a share of what counts as stationary.
 const ROUNDING: f64 = 1e-5;
 
-#[derive(Default)]
-struct Tally {
-    frames: usize,
-    /// Of projected gradients to the bounds that were published for them, the largest.
-    gradient: f64,
-    /// Of least pivots to what counts as flat, the smallest.
-    curvature: f64,
-}
-
-/// Follows the goals as a plan does, and factors anew at each frame that was certified on the direct way.
+/// Follows the goals as a plan does, and factors anew at each frame that was certified on the direct
+/// way: how many there are.
 fn follow(
     case: &str,
     mechanism: &Mechanism,
     start: &[f64],
     goals: &[Goal],
     settings: &Settings,
-    tally: &mut Tally,
-) {
+) -> usize {
     let mut solver = settings.solver(mechanism, extent(goals));
     let (mut joints, mut predicted) = (start.to_vec(), start.to_vec());
-    let mut history = Vec::new();
+    let (mut history, mut certified) = (Vec::new(), 0);
     if !solver
         .close_start(&mut joints, settings.dimension_tolerance)
         .is_closed()
     {
-        return;
+        return 0;
     }
     for (frame, goal) in goals.iter().enumerate() {
         let before = joints.clone();
@@ -60,17 +51,15 @@ fn follow(
             let case = format!("{case}, frame {frame}");
             let bound = solved.projected_gradient;
             assert!(bound <= stationary, "{case}: {bound:e}");
-            let share = gradient / (bound + ROUNDING * stationary);
             assert!(
-                share <= 1.0,
+                gradient <= bound + ROUNDING * stationary,
                 "{case}: gradient {gradient:e}, bound {bound:e}"
             );
             assert!(curvature > flat, "{case}: curvature {curvature:e}");
-            tally.frames += 1;
-            tally.gradient = tally.gradient.max(share);
-            tally.curvature = tally.curvature.min(curvature / flat);
+            certified += 1;
         }
     }
+    certified
 }
 
 /// The projected gradient at a position and the least curvature there, by factors made there. Both per unit of twist and
@@ -110,11 +99,8 @@ fn anew(solver: &mut Solver, goal: &Goal, before: &[f64], joints: &[f64]) -> (f6
 }
 
 /// Each chain type once a seed, with random partners: towards goals off the workspace, in both metrics.
-fn random(seeds: Range<u64>) -> Tally {
-    let mut tally = Tally {
-        curvature: f64::INFINITY,
-        ..Tally::default()
-    };
+fn random(seeds: Range<u64>) -> usize {
+    let mut frames = 0;
     for seed in seeds {
         let mut random = Random(seed);
         for kinds in assemblies(&mut random) {
@@ -122,28 +108,18 @@ fn random(seeds: Range<u64>) -> Tally {
             let goals = goals(&linkage, FRAMES, &mut random);
             for settings in [Settings::PAPER, Settings::default()] {
                 let case = format!("seed {seed}, {kinds:?}, {:?}", settings.metric);
-                follow(
-                    &case,
-                    &linkage.mechanism,
-                    &linkage.home,
-                    &goals,
-                    &settings,
-                    &mut tally,
-                );
+                frames += follow(&case, &linkage.mechanism, &linkage.home, &goals, &settings);
             }
         }
     }
-    println!(
-        "{} frames: gradient / bound at most {:.2}, curvature / flat at least {:.1}",
-        tally.frames, tally.gradient, tally.curvature
-    );
-    tally
+    println!("{frames} frames");
+    frames
 }
 
 #[test]
 fn random_linkages() {
-    // 5,690 of them; only that the test looks at most.
-    assert!(random(0..1).frames > 4000);
+    // 5,690 today: most must be looked at.
+    assert!(random(0..1) > 4000);
 }
 
 #[test]
@@ -154,27 +130,25 @@ fn many_random_linkages() {
 
 #[test]
 fn golden_motions_and_samples() {
-    let mut tally = Tally::default();
+    let mut frames = 0;
     for task in common::golden::tasks() {
-        follow(
+        frames += follow(
             &task.name,
             &task.mechanism,
             &task.start,
             &task.goals,
             &Settings::PAPER,
-            &mut tally,
         );
     }
     for text in fixtures::SAMPLES {
         let problem = fixtures::problem(&text::parse(text).expect("a sample"));
-        follow(
+        frames += follow(
             "sample",
             &problem.mechanism,
             &problem.find_start(),
             &problem.goals,
             &problem.settings,
-            &mut tally,
         );
     }
-    assert!(tally.frames > 100);
+    assert!(frames > 100);
 }

@@ -1,10 +1,14 @@
-// Parts that are loaded when they are needed: their style sheets first. Vite's own wrap of such a load also begins with the
-// scripts that its script imports; most are there already, and it is 2 kB of the first load.
+// Replaces Vite's wrapper of dynamic imports: it loads a part's style sheets, then the part. Vite's own also preloads scripts,
+// which mostly are there already, and is 2 kB more of the first load.
 
-/** Vite's name for what it wraps such a load in. */
-const WRAP = '\0vite/preload-helper.js';
+/** Vite's name of it. */
+const WRAPPER = '\0vite/preload-helper.js';
 
-/** The wrap: `load` is called once the style sheets at `addresses`, from `base`, are in the page. One that fails is taken out: the next time it is loaded again. */
+/**
+ * The wrapper, in the page: calls `load` once the style sheets are there. One that fails is taken out, and loaded again the next
+ * time.
+ * @template T @param {() => T} load @param {string[] | undefined} addresses of style sheets @param {string} base what they are relative to
+ */
 export function withStyles(load, addresses, base) {
   const sheet = (address) =>
     new Promise((resolve, reject) => {
@@ -22,13 +26,23 @@ export function withStyles(load, addresses, base) {
   return Promise.all((addresses ?? []).map(sheet)).then(load);
 }
 
-/** For `build.modulePreload`. */
+/** For `build.modulePreload.resolveDependencies`. @param {string} _ @param {string[]} files */
 export const onlyStyles = (_, files) => files.filter((file) => file.endsWith('.css'));
 
-/** Vite's plugin. */
-export const styleLoads = () => ({
-  name: 'style-loads',
-  apply: 'build',
-  enforce: 'pre',
-  load: (id) => (id === WRAP ? `export const __vitePreload = ${withStyles};` : null),
-});
+/** Vite's plugin; a Vite that has another wrapper is a fault of the build. */
+export const styleLoads = () => {
+  let isReplaced = false;
+  return {
+    name: 'style-loads',
+    apply: 'build',
+    enforce: 'pre',
+    load(/** @type {string} */ id) {
+      if (id !== WRAPPER) return null;
+      isReplaced = true;
+      return `export const __vitePreload = ${withStyles};`;
+    },
+    generateBundle() {
+      if (!isReplaced) throw new Error(`Vite has no ${JSON.stringify(WRAPPER)} any more: see tools/style-loads.js`);
+    },
+  };
+};

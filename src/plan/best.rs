@@ -64,7 +64,7 @@ pub struct Search {
     pub(super) settled: usize,
     /// Those of each price of the curve.
     pub(super) calmed: Vec<Vec<Calming>>,
-    /// How far the search was when it was last asked: rounds that follow do not take it back.
+    /// Share of the search that is done, 0 to 1; rounds that follow do not lower it.
     told: f64,
     pub(super) curve: Vec<(f64, Cost)>,
     pub(super) done: bool,
@@ -113,7 +113,7 @@ impl Search {
             self.search();
             return true;
         }
-        let price = FIRST_PRICE * self.curve.iter().map(|_| NEXT_PRICE).product::<f64>();
+        let price = (self.curve.last()).map_or(FIRST_PRICE, |(price, _)| price * NEXT_PRICE);
         if let Some(cost) = self.advance_calm(price) {
             // Between slots, and where a calm form leaves the branches that are known, it may be closer than all of them.
             if let Some(found) = &mut self.found {
@@ -245,7 +245,7 @@ impl Search {
         if self.done { 1.0 } else { self.told }
     }
 
-    /// How far the search is by the rounds that are sure.
+    /// The share that is done, as if there were [`ROUNDS`] rounds.
     fn measure(&mut self) {
         let Some(branches) = &self.branches else {
             return;

@@ -6,7 +6,7 @@ use crate::motion::goal::Goal;
 use crate::motion::trajectory::Trajectory;
 use crate::plan::between::Passed;
 use crate::plan::branches::Branches;
-use crate::plan::found::{Cost, Found, Known, Point, Switch, lane_of};
+use crate::plan::found::{Cost, Found, Point, Switch, lane_of};
 use crate::plan::places::Form;
 use crate::plan::record::{Singularity, begin, record, warn_of_rounded};
 use crate::plan::route::Route;
@@ -107,50 +107,42 @@ impl Building {
             self.arrive(task, branches, &passed, lanes[1]);
             return self.is_sound(branches).then(|| slot + 1 < branches.slots());
         }
-        // Back to the slot before, over to the one behind, and back from there to the first frame behind the change.
-        let first = passage.home.last().map_or(frame, |passed| passed.frame);
+        // Back to the slot before, over to the next slot, and back from there to the first frame after the change.
+        let mut after = vec![own(Walk::default())];
+        after.extend(passage.home);
+        let first = &after[after.len() - 1];
         let (before, mut length) = (self.path.len(), 0.0);
-        let back = joined(passage.out.iter()).reversed(&start);
         if !passage.out.is_empty() {
+            let back = joined(passage.out.iter()).reversed(&start);
             length += back.length;
-            self.go(task, branches, first, &back);
+            self.go(task, branches, first.frame, &back);
         }
         for edge in route.edges(branches, slot) {
             length += edge.walk.length;
-            self.go(task, branches, first, &edge.walk);
+            self.go(task, branches, first.frame, &edge.walk);
             self.form = self.form.of(&edge.form);
         }
-        for passed in &passage.home {
+        for passed in &after {
             length += passed.walk.length;
-            self.go(task, branches, first, &passed.walk);
+            self.go(task, branches, first.frame, &passed.walk);
         }
-        let arrived = (passage.home.last().cloned()).unwrap_or_else(|| own(Walk::default()));
-        self.arrive(task, branches, &arrived, lanes[1]);
+        self.arrive(task, branches, first, lanes[1]);
         if changes {
-            let way = &self.path[before..];
+            let points = &self.path[before..];
             self.switches.push(Switch {
-                frame: first,
+                frame: first.frame,
                 from: lanes[0],
                 to: lanes[1],
                 length,
-                largest: way.iter().map(|p| p.value).fold(0.0, f64::max),
-                points: way.len(),
+                largest: points.iter().map(|p| p.value).fold(0.0, f64::max),
+                points: points.len(),
             });
         }
         // Forwards again.
-        for later in (0..passage.home.len()).rev() {
-            let passed = match later {
-                0 => own(passage.home[0].walk.reversed(&end)),
-                _ => {
-                    let to = &passage.home[later - 1];
-                    Passed {
-                        walk: passage.home[later].walk.reversed(&to.theta),
-                        ..to.clone()
-                    }
-                }
-            };
-            self.go(task, branches, passed.frame, &passed.walk);
-            self.arrive(task, branches, &passed, lanes[1]);
+        for pair in after.windows(2).rev() {
+            let (to, from) = (&pair[0], &pair[1]);
+            self.go(task, branches, to.frame, &from.walk.reversed(&to.theta));
+            self.arrive(task, branches, to, lanes[1]);
         }
         self.is_sound(branches).then(|| slot + 1 < branches.slots())
     }
@@ -229,19 +221,20 @@ impl Building {
         let followed = task.followed;
         let certified = |t: &Trajectory, frame: usize| t.status[frame].is_certified();
         let lost = (0..t.frames()).filter(|&i| certified(&t, i) && !certified(followed, i));
-        let Known { lanes, lower_bound } = Known::new(followed, branches, route, &t);
         let scaled = branches.solver.scaled();
-        Found {
+        let mut found = Found {
             cost: Cost::of(&t, scaled),
             followed: Cost::of(followed, scaled),
-            lower_bound,
-            lanes,
+            lower_bound: 0.0,
+            lanes: Vec::new(),
             lane,
             switches,
             found_where_lost: lost.collect(),
             path,
             motion: t,
-        }
+        };
+        found.know(followed, branches, route);
+        found
     }
 }
 

@@ -61,22 +61,8 @@ impl Search {
             return None;
         }
         self.settled = 0;
-        let calming = std::mem::take(&mut self.calming);
-        let theta = self.closest(&calming);
-        self.calming = calming;
+        let theta = closest(branches, &self.calming);
         Some(self.cost(&theta))
-    }
-
-    /// Of calm forms the one whose slots are closest to their goals: the positions of all frames.
-    fn closest(&mut self, calming: &[Calming]) -> Vec<Vec<f64>> {
-        let Some(branches) = self.branches.as_mut() else {
-            return Vec::new();
-        };
-        let goals = slot_goals(branches);
-        let far = |calming: &Calming| calming.cost(&mut branches.solver, &goals, 0.0);
-        let far: Vec<f64> = calming.iter().map(far).collect();
-        let best = (0..far.len()).min_by(|&a, &b| far[a].total_cmp(&far[b]));
-        best.map_or_else(Vec::new, |best| fill(branches, calming[best].theta()))
     }
 
     /// How close positions of all frames come.
@@ -148,7 +134,7 @@ impl Search {
             step = price.min(step * NEXT_PRICE);
             self.settle(&mut from, step);
         }
-        let theta = self.closest(&from);
+        let theta = closest(self.branches.as_mut()?, &from);
         let motion = self.published(&theta)?;
         let scaled = self.branches.as_ref()?.solver.scaled();
         let cost = Cost::of(&motion, scaled);
@@ -191,6 +177,15 @@ impl Search {
         }
         Some(best)
     }
+}
+
+/// Of calm forms the one whose slots are closest to their goals: the positions of all frames.
+fn closest(branches: &mut Branches, calming: &[Calming]) -> Vec<Vec<f64>> {
+    let goals = slot_goals(branches);
+    let far = |calming: &Calming| calming.cost(&mut branches.solver, &goals, 0.0);
+    let far: Vec<f64> = calming.iter().map(far).collect();
+    let best = (0..far.len()).min_by(|&a, &b| far[a].total_cmp(&far[b]));
+    best.map_or_else(Vec::new, |best| fill(branches, calming[best].theta()))
 }
 
 /// The goals of the slots.

@@ -64,9 +64,9 @@ impl Runaway {
     }
 }
 
-/// Walks, and positions on each from which a minimum is looked for. On every third walk a position is where the linkage falls
-/// to a goal at random, on the others it is straight on: out on a slider that runs away only goals bring the linkage
-/// back, and where it is well only straight walks leave the surroundings of a minimum.
+/// Walks, and positions on each from which a minimum is looked for. On every third walk a position is the minimum for a random
+/// goal, on the others the end of a straight walk: only goals bring a slider back that has run far, and only straight
+/// walks leave the neighbourhood of a minimum.
 const WALKS: u64 = 12;
 const POSITIONS: usize = 24;
 /// Steps straight on from one position to the next: 4 rad, or sizes, across the workspace.

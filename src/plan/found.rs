@@ -19,9 +19,9 @@ pub struct Point {
     pub joints: Vec<f64>,
     /// f against that goal.
     pub value: f64,
-    /// Closure error and misfit of rounded dimensions, as published of frames.
+    /// Closure error, as frames have it.
     pub closure: f64,
-    /// The misfit.
+    /// Misfit of rounded dimensions, as frames have it.
     pub misfit: f64,
 }
 
@@ -100,20 +100,15 @@ pub struct Found {
     pub found_where_lost: Vec<usize>,
 }
 
-/// What is known beside the motion itself, and better after each round of starts.
-#[derive(Clone, Debug)]
-pub(super) struct Known {
-    pub lanes: Vec<Lane>,
-    pub lower_bound: f64,
-}
+impl Found {
+    /// What a motion is chosen by: mean f, with the price of frames that are not certified.
+    pub(super) fn cost_of_frames(&self) -> f64 {
+        let uncertified = self.motion.status.iter().filter(|s| !s.is_certified());
+        self.cost.mean + UNCERTIFIED * uncertified.count() as f64 / self.motion.frames() as f64
+    }
 
-impl Known {
-    pub fn new(
-        followed: &Trajectory,
-        branches: &Branches,
-        route: &Route,
-        motion: &Trajectory,
-    ) -> Self {
+    /// Fills in what is known beside the motion itself, and better after each round of starts: the lanes and the lower bound.
+    pub(super) fn know(&mut self, followed: &Trajectory, branches: &Branches, route: &Route) {
         let joined = route.joined(branches);
         let least = |slot: usize| {
             let nodes = branches.nodes[slot].iter();
@@ -125,32 +120,16 @@ impl Known {
         let values: Vec<f64> = (1..branches.slots()).map(least).collect();
         let all = of_frames(&branches.frames, &values);
         let least = all.iter().enumerate().map(|(frame, least)| {
-            // Where the way passes a pose that no walk joins to the start, it is known all the same.
-            let known = least.min(motion.metric[frame]);
+            // Where the route passes a pose that no walk joins to the start, it is known all the same.
+            let known = least.min(self.motion.metric[frame]);
             match branches.frames.binary_search(&frame) {
                 Ok(_) => known,
                 // Between slots `all` is an estimate.
                 Err(_) => known.min(followed.metric[frame]),
             }
         });
-        Self {
-            lower_bound: least.sum::<f64>() / motion.frames() as f64,
-            lanes: lanes(branches, followed),
-        }
-    }
-}
-
-impl Found {
-    /// What a motion is chosen by: mean f, with the price of frames that are not certified.
-    pub(super) fn cost_of_frames(&self) -> f64 {
-        let uncertified = self.motion.status.iter().filter(|s| !s.is_certified());
-        self.cost.mean + UNCERTIFIED * uncertified.count() as f64 / self.motion.frames() as f64
-    }
-
-    /// Takes what is known by now, where the motion is the same.
-    pub(super) fn know(&mut self, followed: &Trajectory, branches: &Branches, route: &Route) {
-        let known = Known::new(followed, branches, route, &self.motion);
-        (self.lanes, self.lower_bound) = (known.lanes, known.lower_bound);
+        self.lower_bound = least.sum::<f64>() / self.motion.frames() as f64;
+        self.lanes = lanes(branches, followed);
     }
 }
 

@@ -22,7 +22,7 @@ pub fn predict(
     let last = (frame - 1) * n;
     let most = (POINTS - 1).min(frame - 1);
     // Through p frames a prediction errs by the backward difference of order p: of the newest frame, at its place below.
-    let mut missed = [0.0; POINTS];
+    let mut missed = [0.0_f64; POINTS];
     for (joint, &turns) in scaled.turns().iter().enumerate() {
         let mut differences = [0.0; POINTS];
         for back in 0..=most {
@@ -33,20 +33,12 @@ pub fn predict(
             for back in (order..=most).rev() {
                 differences[back] = differences[back - 1] - differences[back];
             }
-            let miss = scale * differences[order].abs();
-            if miss > missed[order] {
-                missed[order] = miss;
-            }
+            missed[order] = missed[order].max(scale * differences[order].abs());
         }
     }
-    let better = |best: usize, order: usize| {
-        if missed[order] < missed[best] {
-            order
-        } else {
-            best
-        }
-    };
-    let best = (1..=most).fold(1, better);
+    let best = (1..=most)
+        .min_by(|&a, &b| missed[a].total_cmp(&missed[b]))
+        .unwrap_or(1);
     // One more where each more was better.
     let points = if best == most { most + 1 } else { best.max(2) };
     predicted.fill(0.0);

@@ -72,7 +72,7 @@ impl Settings {
         max_iterations: None,
     };
 
-    /// The same with Newton's method: for what is no question of the planner.
+    /// The same with Newton's method, for what does not depend on the document's method.
     pub fn by_newton(&self) -> Self {
         Self {
             method: Method::Newton,
