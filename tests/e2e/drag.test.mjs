@@ -295,8 +295,9 @@ for (const [sample, count] of [['', 3], ['four-bar.json', 1]]) {
 }
 
 test('another document that comes while a key frame is dragged is not changed by the hand, nor by Escape', async () => {
-  await keyInHand();
   for (const key of ['', 'Escape']) {
+    // Anew: in the other document the names may lie one over the other.
+    await keyInHand();
     const from = await placeOf(KEY);
     await drag(from, 40, -30, { release: false });
     await page.evaluate(async (name) => {
@@ -310,7 +311,5 @@ test('another document that comes while a key frame is dragged is not changed by
     await page.mouse.up();
     const same = await page.evaluate(async () => (await document.querySelector('synthetica-linkage').workbench).store.doc === window.other);
     assert.ok(same, `after ${key || 'a move'}`);
-    await page.locator(`#labels [data-place="${KEY}"]`).click();
-    await settled();
   }
 });
