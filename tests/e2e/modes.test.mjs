@@ -61,19 +61,19 @@ test('a way becomes the start, an edit that undo takes back', async () => {
   const other = ways(page).filter({ hasNotText: 'the document’s start' }).first();
   await other.getByRole('button', { name: /^Start from this: way \d+$/ }).click();
   await dialog(page).waitFor({ state: 'detached' });
-  await notice(page, /The motion starts from way \d+ now/).waitFor();
+  await notice(page, /^Way \d+ was made the start/).waitFor();
   assert.notEqual(await start(page), before);
-  await notice(page, /starts from way/).getByRole('button', { name: 'Undo' }).click();
+  await notice(page, /was made the start/).getByRole('button', { name: 'Undo' }).click();
   await page.waitForFunction((old) => JSON.stringify(document.querySelector('synthetica-linkage').document.chains.map((chain) => chain.start)) === old, before);
-  // By keyboard too: the notice goes with what it tells.
+  // By keyboard too: the notice offers no other step then.
   await page.keyboard.press('Control+y');
   await page.waitForFunction((old) => JSON.stringify(document.querySelector('synthetica-linkage').document.chains.map((chain) => chain.start)) !== old, before);
   await doTo(page, 'key frame 1', 'Ways to assemble…');
   await isComplete(page);
   await ways(page).filter({ hasNotText: 'the document’s start' }).last().getByRole('button', { name: /^Start from this/ }).click();
-  await notice(page, /starts from way/).waitFor();
+  await notice(page, /was made the start/).waitFor();
   await page.keyboard.press('Control+z');
-  await notice(page, /starts from way/).waitFor({ state: 'detached', timeout: 4000 });
+  await notice(page, /was made the start/).getByRole('button', { name: 'Undo' }).waitFor({ state: 'detached', timeout: 4000 });
   assert.deepEqual(problems, []);
 });
 

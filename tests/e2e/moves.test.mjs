@@ -14,18 +14,29 @@ after(() => browser.close());
 
 /** In the page, before its scripts: counts questions, pictures, new buffers; no hand rests, and each picture waits for its answer, however slow the machine. */
 function count() {
-  const counts = (window.counts = { asked: {}, open: 0, buffers: 0, touched: new Set() });
+  // By worker and number: what comes before the page listens is told to it once more, see www/planner/start-worker.js.
+  const waiting = new Set();
+  let workers = 0;
+  const counts = (window.counts = {
+    asked: {},
+    get open() {
+      return waiting.size;
+    },
+    buffers: 0,
+    touched: new Set(),
+  });
   const Plain = Worker;
   globalThis.Worker = class extends Plain {
+    number = (workers += 1);
     constructor(...args) {
       super(...args);
       this.addEventListener('message', ({ data }) => {
-        if (['value', 'fault', 'failure', 'cancelled'].includes(data.kind)) counts.open -= 1;
+        if (['value', 'fault', 'failure', 'cancelled'].includes(data.kind)) waiting.delete(`${this.number} ${data.id}`);
       });
     }
     postMessage(message) {
       if (message.kind === 'ask') {
-        counts.open += 1;
+        waiting.add(`${this.number} ${message.id}`);
         counts.asked[message.call] = (counts.asked[message.call] ?? 0) + 1;
       }
       super.postMessage(message);

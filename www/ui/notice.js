@@ -11,7 +11,7 @@ const STAY_WITH_ACTION = 12000;
  * @typedef {object} NoticeAction
  * @property {string} [label] the button's
  * @property {() => void} [act]
- * @property {(end: () => void) => void} [until] is given what takes the notice away, for when it is no longer so
+ * @property {(end: () => void) => void} [until] is given what takes the button away, for when it would do something else
  * @property {boolean} [stays] until it is closed or clicked
  * @typedef {(text: string, action?: NoticeAction) => void} Say
  */
@@ -28,7 +28,7 @@ export function createNotices(place) {
       };
       const button = element('button', { class: 'link', click }, label);
       notice.append(button);
-      until?.(remove);
+      until?.(() => button.remove());
     }
     // The newest replaces what stands there, but for what must be read: a pile would cover the view.
     for (const other of [...place.children]) if (!other.matches('.stays') || other.textContent?.startsWith(text)) other.remove();

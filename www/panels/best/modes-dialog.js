@@ -11,6 +11,7 @@ import { takeStarts } from '../../core/edits.js';
 import { plural } from '../../core/format.js';
 import { keyFramesOf } from '../../core/key-frames.js';
 import { allTimes, keyFrameFrames } from '../../core/playhead.js';
+import { sayUndo } from '../../core/undo.js';
 import { Search } from '../../planner/search.js';
 import dialogLook from '../../style/dialog.css?inline';
 import look from '../../style/modes.css?inline';
@@ -105,15 +106,7 @@ export function openModes({ root, find, store, player, scene, say, signal }, fir
     }
     dialog.close();
     store.edit((present) => takeStarts(present, JSON.parse(text.value).chains));
-    say(`The motion starts from way ${number} now.`, { label: 'Undo', act: () => store.undo(), until: untilEdited });
-  }
-
-  /** The next edit, or an undo by keyboard, ends what was said. @param {() => void} end */
-  function untilEdited(end) {
-    const unsubscribe = store.subscribe('document', () => {
-      unsubscribe();
-      end();
-    });
+    sayUndo({ store, say }, doc, `Way ${number} was made the start.`);
   }
 
   const keyName = (/** @type {number} */ index) => keyFramesOf(doc)[index].name || `key frame ${index + 1}`;
