@@ -45,21 +45,25 @@ impl Branches {
         if !self.is_answer(&end, &solved, &goal) {
             return;
         }
-        self.arrived += 1;
         let axes = self.places.axes(&end);
         let found = self.find(slot, &end, &axes);
         let branch = found.map(|node| self.nodes[slot][node].branch);
         if let Some(branch) = branch {
+            self.arrived += 1;
             self.list[branch].starts += 1;
             if branch == from.branch || self.are_joined(slot, [from.branch, branch]) {
                 return;
             }
         } else if self.is_full() {
+            self.arrived += 1;
             self.lost += 1;
             return;
         }
         let Some(way) = self.way_by(&from.theta, way, passed, &end) else {
-            self.lost += usize::from(found.is_none());
+            // The steps downhill have leapt: the pose is one from anywhere.
+            if found.is_none() {
+                self.set_apart(slot, end, axes, solved);
+            }
             return;
         };
         let (branch, form) = if let Some(node) = found {
@@ -67,6 +71,7 @@ impl Branches {
             (node.branch, self.places.form_near(&end, &node.theta))
         } else {
             let branch = self.follow_from(slot, end.clone(), solved);
+            self.arrived += 1;
             self.list[branch].starts += 1;
             (branch, Form::same(end.len()))
         };
@@ -112,8 +117,7 @@ impl Branches {
             self.list[branch].starts += 1;
             return;
         }
-        let met = |apart: &Apart| apart.slot == slot && self.places.are_same(&apart.axes, &axes);
-        if self.is_full() || self.apart.iter().any(met) {
+        if self.is_full() || self.is_apart(slot, &axes) {
             return;
         }
         let least = self.nodes[slot].iter().map(|node| node.solved.value);
@@ -126,9 +130,21 @@ impl Branches {
             self.arrived += 1;
             self.list[branch].starts += 1;
         } else {
+            self.set_apart(slot, end, axes, solved);
+        }
+    }
+
+    fn is_apart(&self, slot: usize, axes: &[f64]) -> bool {
+        let met = |apart: &Apart| apart.slot == slot && self.places.are_same(&apart.axes, axes);
+        self.apart.iter().any(met)
+    }
+
+    /// Notes a closest pose that no walk was found to.
+    fn set_apart(&mut self, slot: usize, theta: Vec<f64>, axes: Vec<f64>, solved: Solved) {
+        if !self.is_apart(slot, &axes) {
             self.apart.push(Apart {
                 slot,
-                theta: end,
+                theta,
                 axes,
                 solved,
             });
