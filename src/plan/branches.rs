@@ -1,9 +1,9 @@
 //! The branches of a motion: at every frame the closest poses that closed walks join to the start, each followed through
 //! the frames as far as it goes.
 //!
-//! Starts: from a closest pose of a frame the linkage wanders over closed positions, and falls from there to a closest pose,
-//! which may be another one. It is then followed forwards and backwards. The way there joins the two branches. A frame is a
-//! *slot* here, counted from 1; slot 0 is the start.
+//! Starts: from a closest pose of a frame the linkage wanders over closed positions, or falls to a goal at random, and falls
+//! from there to a closest pose, which may be another one. It is then followed forwards and backwards. The way there joins
+//! the two branches. A frame is a *slot* here, counted from 1; slot 0 is the start.
 
 use crate::math::pose::Pose;
 use crate::math::random::Random;

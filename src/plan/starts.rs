@@ -9,7 +9,8 @@ use std::f64::consts::PI;
 
 /// Lengths of the ways that a start wanders, root of the joints' squared motions, rad and sizes.
 const LENGTHS: [f64; 4] = [0.4, 0.8, 1.6, 3.2];
-/// Share of the starts whose way leads downhill to a goal at random instead.
+/// Share of these starts whose way leads downhill to a goal at random instead. It is longer, and comes to branches that the
+/// others seldom find: of linkages with sliders they mostly follow the slider.
 const AIMED: f64 = 0.5;
 /// Walks that are tried to a pose that is no closer than those that are known.
 const FEW_TRIES: usize = 3;
@@ -18,7 +19,7 @@ const AGAIN: usize = 6;
 const BACK: usize = 2;
 
 impl Branches {
-    /// One start from a slot: wanders from one of its nodes, falls to a closest pose, and follows it where it is new.
+    /// One start from a slot: goes from one of its nodes at random, falls to a closest pose, and follows it where it is new.
     pub fn start_from(&mut self, slot: usize) {
         let pick = index(self.random.unit(), self.nodes[slot].len());
         let length = LENGTHS[index(self.random.unit(), LENGTHS.len())];
@@ -45,21 +46,25 @@ impl Branches {
         if !self.is_answer(&end, &solved, &goal) {
             return;
         }
-        self.arrived += 1;
         let axes = self.places.axes(&end);
         let found = self.find(slot, &end, &axes);
         let branch = found.map(|node| self.nodes[slot][node].branch);
         if let Some(branch) = branch {
+            self.arrived += 1;
             self.list[branch].starts += 1;
             if branch == from.branch || self.are_joined(slot, [from.branch, branch]) {
                 return;
             }
         } else if self.is_full() {
+            self.arrived += 1;
             self.lost += 1;
             return;
         }
         let Some(way) = self.way_by(&from.theta, way, passed, &end) else {
-            self.lost += usize::from(found.is_none());
+            // The steps downhill have leapt: the pose is one from anywhere.
+            if found.is_none() {
+                self.set_apart(slot, end, axes, solved);
+            }
             return;
         };
         let (branch, form) = if let Some(node) = found {
@@ -67,6 +72,7 @@ impl Branches {
             (node.branch, self.places.form_near(&end, &node.theta))
         } else {
             let branch = self.follow_from(slot, end.clone(), solved);
+            self.arrived += 1;
             self.list[branch].starts += 1;
             (branch, Form::same(end.len()))
         };
@@ -112,8 +118,7 @@ impl Branches {
             self.list[branch].starts += 1;
             return;
         }
-        let met = |apart: &Apart| apart.slot == slot && self.places.are_same(&apart.axes, &axes);
-        if self.is_full() || self.apart.iter().any(met) {
+        if self.is_full() || self.is_apart(slot, &axes) {
             return;
         }
         let least = self.nodes[slot].iter().map(|node| node.solved.value);
@@ -126,9 +131,21 @@ impl Branches {
             self.arrived += 1;
             self.list[branch].starts += 1;
         } else {
+            self.set_apart(slot, end, axes, solved);
+        }
+    }
+
+    fn is_apart(&self, slot: usize, axes: &[f64]) -> bool {
+        let met = |apart: &Apart| apart.slot == slot && self.places.are_same(&apart.axes, axes);
+        self.apart.iter().any(met)
+    }
+
+    /// Notes a closest pose that no walk was found to.
+    fn set_apart(&mut self, slot: usize, theta: Vec<f64>, axes: Vec<f64>, solved: Solved) {
+        if !self.is_apart(slot, &axes) {
             self.apart.push(Apart {
                 slot,
-                theta: end,
+                theta,
                 axes,
                 solved,
             });
