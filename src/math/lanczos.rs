@@ -2,7 +2,7 @@
 
 use crate::math::dot::dot;
 
-/// The residual that a result is left with, as a share of the eigenvalue: some eigenvalue is within
+/// The residual that a result is left with, as a share of the eigenvalue, for a shift of 0: some eigenvalue is within
 /// that distance of the result. It is small because of nearly equal ones: from a first vector with
 /// little of the largest one's in it the second is found for it as long as their distance, times that
 /// little, is below. With 1e-8, one in 7,000 nearly symmetric linkages was wrong by 1e-6; with this
@@ -43,9 +43,11 @@ pub struct Lanczos {
 }
 
 impl Lanczos {
-    /// The largest eigenvalue of the operator of order `order` ≥ 1 by which `apply` multiplies a
-    /// vector. The first vector is [`scatter`]'s.
-    pub fn largest(&mut self, order: usize, mut apply: impl FnMut(&mut [f64])) -> f64 {
+    /// The largest eigenvalue θ of the operator of order `order` ≥ 1 by which `apply` multiplies a
+    /// vector. The first vector is [`scatter`]'s. What is wanted is known as well as [`RESIDUAL`] says where it is
+    /// `shift` + 1 / θ: θ itself then less well, by that times θ.
+    pub fn largest(&mut self, order: usize, shift: f64, mut apply: impl FnMut(&mut [f64])) -> f64 {
+        let allowed = |theta: f64| RESIDUAL * (theta + shift * theta * theta);
         self.diagonal.clear();
         self.beside.clear();
         self.basis.clear();
@@ -87,10 +89,10 @@ impl Lanczos {
                 (alpha + above, beside * last)
             };
             let end = steps == STEPS * order;
-            if !(residual > GUESS * RESIDUAL * theta) || steps.is_multiple_of(CORRECTED) || end {
+            if !(residual > GUESS * allowed(theta)) || steps.is_multiple_of(CORRECTED) || end {
                 let last = self.find_largest(&mut theta);
                 residual = beside * last;
-                if !(residual > RESIDUAL * theta) || end {
+                if !(residual > allowed(theta)) || end {
                     return theta;
                 }
             }

@@ -156,8 +156,13 @@ impl Singularity {
         if frame < t.frames() {
             self.theta.resize(t.variables, 0.0);
             scaled.enter(t.joints_at(frame), &mut self.theta);
-            let value =
-                closer.smallest_singular_value(scaled, &self.theta, surplus, &mut self.values);
+            let value = closer.smallest_singular_value(
+                scaled,
+                &self.theta,
+                surplus,
+                &mut self.values,
+                &t.sigma_min,
+            );
             t.sigma_min.push(value);
         }
         t.sigma_min.len() < t.frames()

@@ -208,17 +208,18 @@ impl Closer {
             .closure()
     }
 
-    /// The smallest singular value of a position, not counting so many that are 0 because of surplus constraints; see
-    /// [`SingularValues`].
+    /// The smallest singular value of a position after those of the positions `before`, not counting so many that are 0
+    /// because of surplus constraints; see [`SingularValues`].
     pub fn smallest_singular_value(
         &mut self,
         scaled: &Scaled,
         theta: &[f64],
         surplus: usize,
         values: &mut SingularValues,
+        before: &[f64],
     ) -> f64 {
         self.tangent.evaluate(scaled.chains(), theta);
-        values.smallest(self.tangent.jacobians(), surplus)
+        values.smallest_after(self.tangent.jacobians(), surplus, before)
     }
 
     /// Number of independent motions at a closed position, inner freedoms included, and of surplus constraints.

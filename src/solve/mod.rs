@@ -11,6 +11,7 @@ pub mod gradient;
 mod guarded;
 pub mod limits;
 mod loop_factor;
+mod loop_normal;
 pub mod newton;
 mod newton_step;
 pub mod objective;

@@ -3,14 +3,22 @@
 use crate::math::lanczos::{Lanczos, scatter};
 use crate::math::linalg::dot;
 use crate::solve::loop_factor::LoopFactor;
+use crate::solve::loop_normal::LoopNormal;
 use nalgebra::Vector6;
 
+/// Equations a chain.
+const LOOP: usize = 6;
 /// The singular value that the conditions on a unit dual quaternion contribute: \[C\] has rows of
 /// length 2 and 1.
 const OF_CONDITIONS: f64 = 1.0;
 /// The singular value that surplus constraints are given, so that none of them is the smallest: any that
 /// is above [`OF_CONDITIONS`], beyond which none is looked for.
 const OUT_OF_THE_WAY: f64 = 2.0;
+/// Share of the largest diagonal entry of B Bᵀ from which its smallest eigenvalue is found from B Bᵀ itself: rounding then
+/// leaves it a dozen digits.
+const PLAIN: f64 = 1e-4;
+/// How far below an expected σ_min the shift is, as a share of it: less makes Lanczos's method no faster.
+const BELOW: f64 = 1e-3;
 
 /// The smallest singular value of the linearised loops, position after position.
 ///
@@ -28,10 +36,12 @@ const OUT_OF_THE_WAY: f64 = 2.0;
 /// > B = \[diag(J_1, …, J_k) | −2 I\],   ‖Bᵀu‖² = Σ ‖J_iᵀ u_i‖² + 4 ‖Σ u_i‖²,
 ///
 /// one wrench u_i a chain: σ_min is small where chains can hold wrenches against each other that their
-/// joints hardly feel. It is found from R of Bᵀ = Q R without forming B Bᵀ, whose smallest eigenvalue
-/// has lost half of the digits: relative 1e-6 where σ_min > 1e-7, absolute 1e-12 below.
+/// joints hardly feel. It is the root of the smallest eigenvalue of B Bᵀ, shifted to just below it where a value is
+/// expected. Where it is small that has lost half of the digits, and it is found from R of Bᵀ = Q R: relative 1e-6 where
+/// σ_min > 1e-7, absolute 1e-12 below.
 #[derive(Clone, Debug, Default)]
 pub struct SingularValues {
+    normal: LoopNormal,
     factor: LoopFactor,
     lanczos: Lanczos,
     /// Wrench systems of the surplus constraints.
@@ -46,28 +56,66 @@ impl SingularValues {
     /// Numbers that are not finite give 0.
     pub fn smallest<'a>(
         &mut self,
-        jacobians: impl IntoIterator<Item = &'a [Vector6<f64>]>,
+        jacobians: impl IntoIterator<Item = &'a [Vector6<f64>], IntoIter: Clone>,
         surplus: usize,
     ) -> f64 {
-        self.factor.clear();
-        jacobians.into_iter().for_each(|j| self.factor.push(j));
-        let n = self.factor.equations();
-        // Six equations, as many as the workpiece's twist has, are always independent.
-        let surplus = surplus.min(n.saturating_sub(6));
-        if n <= 6 {
+        self.smallest_after(jacobians, surplus, &[])
+    }
+
+    /// The same after the values of the positions `before`, which only make it faster.
+    pub fn smallest_after<'a>(
+        &mut self,
+        jacobians: impl IntoIterator<Item = &'a [Vector6<f64>], IntoIter: Clone>,
+        surplus: usize,
+        before: &[f64],
+    ) -> f64 {
+        let jacobians = jacobians.into_iter();
+        let n = LOOP * jacobians.clone().count();
+        if n <= LOOP {
             // One chain: of ‖Bᵀu‖² the second part alone is 4.
             return OF_CONDITIONS;
         }
+        let shift = shift_after(before);
+        // Where the last one was small, this is likely to be as well.
+        let small = before.last().is_some_and(|last| last * last < PLAIN);
+        let mut plain = None;
+        if surplus == 0 && !small {
+            let mut factor = |shift| Some((shift, self.normal.factor(jacobians.clone(), shift)?));
+            plain = factor(shift).or_else(|| factor(0.5 * shift));
+        }
+        loop {
+            if plain.is_none() && !self.factor_apart(jacobians.clone(), surplus, n) {
+                return 0.0;
+            }
+            let (shift, largest) = plain.unwrap_or_default();
+            let (normal, factor) = (&self.normal, &mut self.factor);
+            let above = self.lanczos.largest(n, shift, |x| match plain {
+                Some(_) => normal.solve(x),
+                None => factor.solve(x),
+            });
+            let least = shift + 1.0 / above;
+            if plain.is_none() || least > PLAIN * largest {
+                return least.sqrt().min(OF_CONDITIONS);
+            }
+            plain = None;
+        }
+    }
+
+    /// Factors Bᵀ with the surplus constraints put away; false if it is singular.
+    fn factor_apart<'a>(
+        &mut self,
+        jacobians: impl Iterator<Item = &'a [Vector6<f64>]>,
+        surplus: usize,
+        n: usize,
+    ) -> bool {
+        self.factor.clear();
+        jacobians.for_each(|j| self.factor.push(j));
         self.wrenches.clear();
-        for _ in 0..surplus {
+        // Six equations, as many as the workpiece's twist has, are always independent.
+        for _ in 0..surplus.min(n - LOOP) {
             self.put_away_dependent(n);
         }
-        if !self.factor.factor() {
-            return 0.0;
-        }
-        let factor = &mut self.factor;
-        let largest = self.lanczos.largest(n, |x| factor.solve(x));
-        (1.0 / largest.sqrt()).min(OF_CONDITIONS)
+        self.factor.factor()
     }
 
     /// Finds one more wrench system u with the smallest ‖Bᵀu‖, and adds it to B, where it then has the
@@ -94,4 +142,22 @@ impl SingularValues {
         }
         self.factor.add_row(own, OUT_OF_THE_WAY);
     }
+}
+
+/// Somewhat less than the next square of these values.
+fn shift_after(values: &[f64]) -> f64 {
+    let Some(&last) = values.last() else {
+        return 0.0;
+    };
+    let back = |n: usize, or: f64| {
+        let at = values.len().checked_sub(n);
+        at.map_or(or, |at| values[at])
+    };
+    let before = back(2, last);
+    let first = back(3, before);
+    // Straight on, with room for twice the bend so far.
+    let (change, earlier) = (last - before, before - first);
+    let expected = last + change - 2.0 * (change - earlier).abs() - BELOW * last;
+    let expected = expected.max(0.0);
+    expected * expected
 }

@@ -109,7 +109,7 @@ impl Tangent {
     }
 
     /// The Jacobian's columns of each chain at the last evaluation.
-    pub fn jacobians(&self) -> impl Iterator<Item = &[Vector6<f64>]> {
+    pub fn jacobians(&self) -> impl Iterator<Item = &[Vector6<f64>]> + Clone {
         self.chains
             .iter()
             .map(|chain| &chain.state.jacobian[..chain.freedoms])

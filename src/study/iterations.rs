@@ -212,9 +212,9 @@ impl<'a> Kept<'a> {
         history.misfit.push(misfit);
         history.poses.push(pose);
         let values = &mut self.singular_values;
-        let least = self
-            .closer
-            .smallest_singular_value(self.scaled, &theta, self.surplus, values);
+        let least =
+            self.closer
+                .smallest_singular_value(self.scaled, &theta, self.surplus, values, &[]);
         history.sigma_min.push(least);
         history.joints.push(joints.to_vec());
         history.projected_gradient.push(gradient);
