@@ -16,24 +16,15 @@ const TWIST: f64 = 2.0;
 /// ones finish six rows of R, and leave fewer shared rows with one block for all later chains again.
 /// R is then given by its diagonal blocks and one block beside each, and the cost of a factorisation
 /// or of a solution grows with the number of chains and not with a power of it.
-///
-/// Rows Nᵀ may be added below Bᵀ, which differ from chain to chain: a shared row's block then is
-/// S + T N_i, and S and T are the same for all chains.
 #[derive(Clone, Debug, Default)]
 pub struct LoopFactor {
     /// The columns of all J_i, and where those of each chain end.
     columns: Vec<[f64; LOOP]>,
     ends: Vec<usize>,
-    /// Nᵀ, row by row.
-    added: Vec<f64>,
-    /// R, one block a chain, and T of each of its rows.
+    /// R, one block a chain.
     blocks: Vec<Block>,
-    tied: Vec<f64>,
-    /// The shared rows and those of one chain, and T of each, while factoring.
+    /// The shared rows and those of one chain while factoring.
     panel: Vec<f64>,
-    panel_tied: Vec<f64>,
-    /// Sums over chains while solving, one entry an added row.
-    sums: Vec<f64>,
 }
 
 /// Six rows of R, divided by the diagonal, which is left out; and the squares of its inverse.
@@ -45,53 +36,35 @@ struct Block {
 }
 
 impl LoopFactor {
-    /// Starts anew: no chains, no added rows.
+    /// Starts anew: no chains.
     pub fn clear(&mut self) {
         self.columns.clear();
         self.ends.clear();
-        self.added.clear();
     }
 
-    /// Appends a chain by the columns of its Jacobian, twists (v, ω).
-    pub fn push(&mut self, jacobian: &[Vector6<f64>]) {
+    /// Appends a chain by the columns of its Jacobian, twists (v, ω), and `raise` times I: with it, B Bᵀ is raised by its
+    /// square.
+    pub fn push(&mut self, jacobian: &[Vector6<f64>], raise: f64) {
         self.columns
             .extend(jacobian.iter().map(|c| <[f64; LOOP]>::from(*c)));
+        if raise > 0.0 {
+            for i in 0..LOOP {
+                let mut row = [0.0; LOOP];
+                row[i] = raise;
+                self.columns.push(row);
+            }
+        }
         self.ends.push(self.columns.len());
-    }
-
-    /// Adds a row below Bᵀ, `row` times `factor`, of one entry an equation, once all chains are there.
-    pub fn add_row(&mut self, row: &[f64], factor: f64) {
-        debug_assert_eq!(row.len(), self.equations());
-        self.added.extend(row.iter().map(|x| x * factor));
-    }
-
-    /// Columns of Bᵀ, order of R.
-    pub fn equations(&self) -> usize {
-        LOOP * self.ends.len()
-    }
-
-    fn added_rows(&self) -> usize {
-        self.added.len() / self.equations().max(1)
     }
 
     /// Factors. False if R is singular up to rounding; solutions are then those of a matrix that
     /// differs from it by rounding.
     pub fn factor(&mut self) -> bool {
-        let (n, added) = (self.equations(), self.added_rows());
         // Every entry of a block that is there from before is written anew.
         self.blocks.resize(self.ends.len(), Block::default());
-        self.tied.clear();
-        self.start_shared(added);
+        self.start_shared();
         let mut first = 0;
-        for (chain, &end) in self.ends.iter().enumerate() {
-            for (i, row) in rows(&mut self.panel).iter_mut().enumerate() {
-                for m in 0..added {
-                    let t = self.panel_tied[i * added + m];
-                    for c in 0..LOOP {
-                        row[c] += t * self.added[m * n + LOOP * chain + c];
-                    }
-                }
-            }
+        for (block, &end) in self.blocks.iter_mut().zip(&self.ends) {
             let shared = self.panel.len();
             let all = shared / WIDTH + end - first;
             self.panel.resize(all * WIDTH, 0.0);
@@ -102,26 +75,19 @@ impl LoopFactor {
                     *x = *entry;
                 }
             }
-            first = end;
-            self.panel_tied.resize(all * added, 0.0);
             let done = LOOP.min(all);
             for p in 0..done {
                 // The six rows of η are a multiple of I at first: those after row p have nothing there.
-                let others = if chain == 0 { LOOP } else { p + 1 };
+                let others = if first == 0 { LOOP } else { p + 1 };
                 let (pivot, rows) = rows(&mut self.panel)[p..].split_at_mut(others - p);
-                let (pivot_tied, tied) =
-                    self.panel_tied[p * added..].split_at_mut((others - p) * added);
-                reflect(p, &mut pivot[0], rows, &mut pivot_tied[..added], tied);
+                reflect(p, &mut pivot[0], rows);
             }
-            let block = self.blocks[chain].rows.as_flattened_mut();
+            first = end;
+            let block = block.rows.as_flattened_mut();
             block[..done * WIDTH].copy_from_slice(&self.panel[..done * WIDTH]);
             block[done * WIDTH..].fill(0.0);
-            self.tied
-                .extend_from_slice(&self.panel_tied[..done * added]);
-            self.tied.resize((chain + 1) * LOOP * added, 0.0);
             // What is left is shared by the later chains.
             self.panel.drain(..done * WIDTH);
-            self.panel_tied.drain(..done * added);
             for row in rows(&mut self.panel) {
                 for c in 0..LOOP {
                     row[c] = row[LOOP + c];
@@ -131,19 +97,13 @@ impl LoopFactor {
         self.scale_rows()
     }
 
-    /// The shared rows before the first chain: 2 I, the sign of which makes no difference to R, and Nᵀ
-    /// as T = I.
-    fn start_shared(&mut self, added: usize) {
+    /// The shared rows before the first chain: 2 I, the sign of which makes no difference to R.
+    fn start_shared(&mut self) {
         self.panel.clear();
-        self.panel.resize((LOOP + added) * WIDTH, 0.0);
-        for (c, row) in rows(&mut self.panel)[..LOOP].iter_mut().enumerate() {
+        self.panel.resize(LOOP * WIDTH, 0.0);
+        for (c, row) in rows(&mut self.panel).iter_mut().enumerate() {
             row[c] = TWIST;
             row[LOOP + c] = TWIST;
-        }
-        self.panel_tied.clear();
-        self.panel_tied.resize((LOOP + added) * added, 0.0);
-        for m in 0..added {
-            self.panel_tied[(LOOP + m) * added + m] = 1.0;
         }
     }
 
@@ -157,8 +117,7 @@ impl LoopFactor {
         }
         let rounding = f64::EPSILON * largest;
         let mut regular = true;
-        let added = self.added_rows();
-        for (i, block) in self.blocks.iter_mut().enumerate() {
+        for block in &mut self.blocks {
             for p in 0..LOOP {
                 let row = &mut block.rows[p];
                 let mut pivot = row[p];
@@ -176,31 +135,18 @@ impl LoopFactor {
                     *x *= inverse;
                     block.columns[c][p] = *x;
                 }
-                let at = (LOOP * i + p) * added;
-                for t in &mut self.tied[at..at + added] {
-                    *t *= inverse;
-                }
             }
         }
         regular
     }
 
     /// x ← (Rᵀ R)⁻¹ x, one entry an equation.
-    pub fn solve(&mut self, x: &mut [f64]) {
-        let (n, added) = (self.equations(), self.added_rows());
-        self.sums.clear();
-        self.sums.resize(added, 0.0);
+    pub fn solve(&self, x: &mut [f64]) {
         // With Rᵀ. What the rows so far leave of x in this chain's columns, and of 0 in the later ones'.
         let mut rest = [0.0; WIDTH];
-        let mut first = 0;
         for (own, block) in x.chunks_exact_mut(LOOP).zip(&self.blocks) {
             for c in 0..LOOP {
                 rest[c] = own[c] + rest[LOOP + c];
-            }
-            for (sum, added) in self.sums.iter().zip(self.added.chunks_exact(n)) {
-                for c in 0..LOOP {
-                    rest[c] -= sum * added[first + c];
-                }
             }
             let rows = &block.rows;
             take_forward::<0>(&mut rest, rows);
@@ -209,28 +155,15 @@ impl LoopFactor {
             take_forward::<3>(&mut rest, rows);
             take_forward::<4>(&mut rest, rows);
             take_forward::<5>(&mut rest, rows);
-            for (m, sum) in self.sums.iter_mut().enumerate() {
-                for p in 0..LOOP {
-                    *sum += rest[p] * self.tied[(first + p) * added + m];
-                }
-            }
             for c in 0..LOOP {
                 own[c] = rest[c] * block.weights[c];
             }
-            first += LOOP;
         }
         // With R, from the last chain back.
-        self.sums.fill(0.0);
         let mut later = [0.0; LOOP];
         for (own, block) in x.chunks_exact_mut(LOOP).zip(&self.blocks).rev() {
-            first -= LOOP;
             let mut rest = [0.0; LOOP];
             rest.copy_from_slice(own);
-            for (m, sum) in self.sums.iter().enumerate() {
-                for p in 0..LOOP {
-                    rest[p] -= sum * self.tied[(first + p) * added + m];
-                }
-            }
             for (c, x) in later.iter().enumerate() {
                 for p in 0..LOOP {
                     rest[p] -= x * block.columns[LOOP + c][p];
@@ -244,9 +177,6 @@ impl LoopFactor {
             take_back::<1>(&mut rest, columns);
             for c in 0..LOOP {
                 later[c] += rest[c];
-            }
-            for (sum, added) in self.sums.iter_mut().zip(self.added.chunks_exact(n)) {
-                *sum += (0..LOOP).map(|c| rest[c] * added[first + c]).sum::<f64>();
             }
             own.copy_from_slice(&rest);
         }
@@ -282,15 +212,9 @@ fn take_back<const P: usize>(rest: &mut [f64; LOOP], columns: &[[f64; LOOP]; WID
 /// length 1, and rounding leaves 1e-32 of that.
 const NOTHING: f64 = 1e-200;
 
-/// Reflects so that column `p` of the `others` becomes 0, T of these rows with them. The column is not
+/// Reflects so that column `p` of the `others` becomes 0. The column is not
 /// used again, and holds what the reflection leaves there.
-fn reflect(
-    p: usize,
-    pivot: &mut [f64; WIDTH],
-    others: &mut [[f64; WIDTH]],
-    pivot_tied: &mut [f64],
-    tied: &mut [f64],
-) {
+fn reflect(p: usize, pivot: &mut [f64; WIDTH], others: &mut [[f64; WIDTH]]) {
     let head = pivot[p];
     let norm2 = others
         .iter()
@@ -304,18 +228,6 @@ fn reflect(
     let alpha = if head > 0.0 { -norm } else { norm };
     let beta = 1.0 / (norm * (norm + head.abs()));
     let first = head - alpha;
-    let added = pivot_tied.len();
-    for m in 0..added {
-        let mut along = first * pivot_tied[m];
-        for (row, t) in others.iter().zip(tied.chunks_exact(added)) {
-            along += row[p] * t[m];
-        }
-        along *= beta;
-        pivot_tied[m] -= first * along;
-        for (row, t) in others.iter().zip(tied.chunks_exact_mut(added)) {
-            t[m] -= row[p] * along;
-        }
-    }
     // All columns, those that are done too: with a constant number the loops unroll.
     let mut along = pivot.map(|x| first * x);
     for row in &*others {

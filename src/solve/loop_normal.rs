@@ -107,7 +107,7 @@ impl LoopNormal {
 }
 
 /// sum ← sum + sign · x M.
-#[inline(always)]
+#[inline(never)]
 fn add_product(sum: &mut [f64; LOOP], x: &[f64; LOOP], m: &Matrix, sign: f64) {
     for i in 0..LOOP {
         let x = sign * x[i];
@@ -118,7 +118,7 @@ fn add_product(sum: &mut [f64; LOOP], x: &[f64; LOOP], m: &Matrix, sign: f64) {
 }
 
 /// A ← A⁻¹ by Gauss–Jordan steps, which need no pivoting where A is positive definite; false if a pivot is not above `least`.
-#[inline(always)]
+#[inline(never)]
 fn invert(a: &mut Matrix, least: f64) -> bool {
     for k in 0..LOOP {
         // Written so that NaN is singular.

@@ -11,14 +11,17 @@ const LOOP: usize = 6;
 /// The singular value that the conditions on a unit dual quaternion contribute: \[C\] has rows of
 /// length 2 and 1.
 const OF_CONDITIONS: f64 = 1.0;
-/// The singular value that surplus constraints are given, so that none of them is the smallest: any that
-/// is above [`OF_CONDITIONS`], beyond which none is looked for.
-const OUT_OF_THE_WAY: f64 = 2.0;
 /// Share of the largest diagonal entry of B Bᵀ from which its smallest eigenvalue is found from B Bᵀ itself: rounding then
-/// leaves it a dozen digits.
-const PLAIN: f64 = 1e-4;
+/// leaves it nine digits.
+const PLAIN: f64 = 1e-6;
 /// How far below an expected σ_min the shift is, as a share of it: less makes Lanczos's method no faster.
 const BELOW: f64 = 1e-3;
+/// The same where there are surplus constraints: their wrench systems have less of other ones then.
+const PLAIN_OF_SURPLUS: f64 = 1e-4;
+/// By how much all eigenvalues are raised there before B Bᵀ is inverted: some are 0.
+const RAISED: f64 = 1e-5;
+/// The same for the singular values, where R is divided by.
+const RAISED_ROOTS: f64 = 3e-13;
 
 /// The smallest singular value of the linearised loops, position after position.
 ///
@@ -44,7 +47,7 @@ pub struct SingularValues {
     normal: LoopNormal,
     factor: LoopFactor,
     lanczos: Lanczos,
-    /// Wrench systems of the surplus constraints.
+    /// Wrench systems of the surplus constraints: orthonormal, those with the smallest ‖Bᵀu‖.
     wrenches: Vec<f64>,
 }
 
@@ -75,72 +78,79 @@ impl SingularValues {
             // One chain: of ‖Bᵀu‖² the second part alone is 4.
             return OF_CONDITIONS;
         }
-        let shift = shift_after(before);
+        // Six equations, as many as the workpiece's twist has, are always independent.
+        let surplus = surplus.min(n - LOOP);
+        let (shift, plain) = if surplus == 0 {
+            (shift_after(before), PLAIN)
+        } else {
+            (-RAISED, PLAIN_OF_SURPLUS)
+        };
         // Where the last one was small, this is likely to be as well.
-        let small = before.last().is_some_and(|last| last * last < PLAIN);
-        let mut plain = None;
-        if surplus == 0 && !small {
-            let mut factor = |shift| Some((shift, self.normal.factor(jacobians.clone(), shift)?));
-            plain = factor(shift).or_else(|| factor(0.5 * shift));
-        }
-        loop {
-            if plain.is_none() && !self.factor_apart(jacobians.clone(), surplus, n) {
-                return 0.0;
-            }
-            let (shift, largest) = plain.unwrap_or_default();
-            let (normal, factor) = (&self.normal, &mut self.factor);
-            let above = self.lanczos.largest(n, shift, |x| match plain {
-                Some(_) => normal.solve(x),
-                None => factor.solve(x),
-            });
-            let least = shift + 1.0 / above;
-            if plain.is_none() || least > PLAIN * largest {
+        let is_small = before.last().is_some_and(|last| last * last < plain);
+        let mut normal = |shift| Some((shift, self.normal.factor(jacobians.clone(), shift)?));
+        let factored = if is_small {
+            None
+        } else {
+            normal(shift).or_else(|| normal(0.5 * shift))
+        };
+        if let Some((shift, largest)) = factored {
+            let least = shift + 1.0 / self.largest(n, shift, surplus, true);
+            if least > plain * largest {
                 return least.sqrt().min(OF_CONDITIONS);
             }
-            plain = None;
         }
-    }
-
-    /// Factors Bᵀ with the surplus constraints put away; false if it is singular.
-    fn factor_apart<'a>(
-        &mut self,
-        jacobians: impl Iterator<Item = &'a [Vector6<f64>]>,
-        surplus: usize,
-        n: usize,
-    ) -> bool {
         self.factor.clear();
-        jacobians.for_each(|j| self.factor.push(j));
-        self.wrenches.clear();
-        // Six equations, as many as the workpiece's twist has, are always independent.
-        for _ in 0..surplus.min(n - LOOP) {
-            self.put_away_dependent(n);
+        let raise = if surplus == 0 { 0.0 } else { RAISED_ROOTS };
+        jacobians.for_each(|j| self.factor.push(j, raise));
+        if !self.factor.factor() {
+            return 0.0;
         }
-        self.factor.factor()
+        let above = self.largest(n, 0.0, surplus, false);
+        (1.0 / above.sqrt()).min(OF_CONDITIONS)
     }
 
-    /// Finds one more wrench system u with the smallest ‖Bᵀu‖, and adds it to B, where it then has the
-    /// singular value 2. An error of the direction changes the other singular values by its square only.
-    fn put_away_dependent(&mut self, n: usize) {
+    /// The largest eigenvalue of the inverse, across the wrench systems of the surplus constraints. An error of their
+    /// directions changes it by its square only.
+    fn largest(&mut self, n: usize, shift: f64, surplus: usize, is_normal: bool) -> f64 {
         /// Inverse iterations. One suffices where the dimensions are exact. Where dimensions are
         /// rounded, each one brings u nearer by the square of the ratio of the singular value that
         /// ought to be 0 to σ_min: four give six digits of σ_min up to a ratio of a third.
         const ROUNDS: usize = 4;
-        self.factor.factor();
-        let found = self.wrenches.len();
-        self.wrenches.resize(found + n, 0.0);
-        let (before, own) = self.wrenches.split_at_mut(found);
-        scatter(own);
-        for _ in 0..ROUNDS {
-            self.factor.solve(own);
-            // Those before have no part in it but for rounding.
-            for other in before.chunks_exact(n) {
-                let along = dot(other, own);
-                own.iter_mut().zip(other).for_each(|(x, o)| *x -= along * o);
+        let (normal, factor) = (&self.normal, &self.factor);
+        let divide = |x: &mut [f64]| {
+            if is_normal {
+                normal.solve(x);
+            } else {
+                factor.solve(x);
             }
-            let norm = dot(own, own).sqrt();
-            own.iter_mut().for_each(|x| *x /= norm);
+        };
+        self.wrenches.resize(surplus * n, 0.0);
+        scatter(&mut self.wrenches);
+        for found in 0..surplus {
+            let (before, rest) = self.wrenches.split_at_mut(found * n);
+            let own = &mut rest[..n];
+            for _ in 0..ROUNDS {
+                put_away(before, own);
+                divide(own);
+                put_away(before, own);
+                let norm = dot(own, own).sqrt();
+                own.iter_mut().for_each(|x| *x /= norm);
+            }
         }
-        self.factor.add_row(own, OUT_OF_THE_WAY);
+        let wrenches = &self.wrenches;
+        self.lanczos.largest(n, shift, |x| {
+            put_away(wrenches, x);
+            divide(x);
+            put_away(wrenches, x);
+        })
+    }
+}
+
+/// Takes from x what it has along orthonormal vectors.
+fn put_away(vectors: &[f64], x: &mut [f64]) {
+    for other in vectors.chunks_exact(x.len()) {
+        let along = dot(other, x);
+        x.iter_mut().zip(other).for_each(|(x, o)| *x -= along * o);
     }
 }
 
