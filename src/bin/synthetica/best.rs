@@ -6,7 +6,7 @@ use crate::failure::{AT_FAULT, Failure, NO_ANSWER, at_fault, tell};
 use crate::files::{self, Out};
 use crate::motion::{check, warn};
 use crate::options::Table;
-use crate::planned::{Planned, planned};
+use crate::planned::{Planned, check_inputs, planned};
 use crate::progress::{PARTS, Progress, part};
 use serde::Serialize;
 use std::path::Path;
@@ -25,6 +25,7 @@ const CLOSER: f64 = 1e-3;
 
 /// Says it of each document, or prints the motion of one.
 pub fn best(asked: &Best) -> Result<(), Failure> {
+    check_inputs(&asked.documents, &asked.key_frames)?;
     match (asked.format, &asked.documents[..]) {
         (None, _) if asked.tables.headings.is_some() => {
             tell("error: --headings is of a table. Accepted: --format csv with it");
