@@ -5,6 +5,7 @@ use crate::motion::goal::Goal;
 use crate::motion::trajectory::Trajectory;
 use crate::plan::branches::{Branches, resting, solved};
 use crate::plan::predict::predict;
+use crate::plan::task::Task;
 use crate::plan::walk::{self, LONGEST, Walk};
 use crate::solve::solver::Solved;
 use std::ops::Range;
@@ -54,8 +55,7 @@ impl Branches {
     /// neither side reaches stay where the linkage is.
     pub(super) fn pass(
         &mut self,
-        goals: &[Goal],
-        followed: &Trajectory,
+        task: &Task,
         slot: usize,
         [from, to]: [usize; 2],
         changes: bool,
@@ -67,10 +67,10 @@ impl Branches {
         let start = self.nodes[slot - 1][from].theta.clone();
         let end = self.nodes[slot][to].theta.clone();
         let as_planned = (!changes && [from, to] == [0, 0])
-            .then(|| self.as_planned(followed, &start, gap.clone()))
+            .then(|| self.as_planned(&task.followed, &start, gap.clone()))
             .flatten();
         let is_planned = as_planned.is_some();
-        let mut out = as_planned.unwrap_or_else(|| self.follow(goals, &start, gap.clone()));
+        let mut out = as_planned.unwrap_or_else(|| self.follow(&task.goals, &start, gap.clone()));
         if let (Some(last), false) = (out.last(), changes)
             && out.len() == gap.len()
             && let Some(on) = self.step_to(&last.theta, &end)
@@ -83,9 +83,9 @@ impl Branches {
             };
         }
         if is_planned {
-            out = self.follow(goals, &start, gap.clone());
+            out = self.follow(&task.goals, &start, gap.clone());
         }
-        let mut home = self.follow(goals, &end, gap.clone().rev());
+        let mut home = self.follow(&task.goals, &end, gap.clone().rev());
         let least = gap.len().saturating_sub(home.len());
         let far = |passed: &[Passed]| passed.iter().map(|p| p.solved.value).sum::<f64>();
         let cost = |cut: usize| far(&out[..cut]) + far(&home[..gap.len() - cut]);
@@ -96,7 +96,7 @@ impl Branches {
             let joints = self.solver.scaled().left(&theta);
             out.push(Passed {
                 frame,
-                solved: resting(self.solver.value(&goals[frame].pose, &joints)),
+                solved: resting(self.solver.value(&task.goals[frame].pose, &joints)),
                 walk: Walk {
                     points: vec![theta.clone()],
                     length: 0.0,

@@ -7,12 +7,11 @@
 
 use crate::math::pose::Pose;
 use crate::math::random::Random;
-use crate::model::mechanism::Mechanism;
 use crate::model::scaled::CLOSED;
-use crate::motion::goal::Goal;
 use crate::motion::trajectory::{Status, Trajectory};
 use crate::plan::places::{Form, Places};
-use crate::plan::settings::{Settings, extent};
+use crate::plan::settings::extent;
+use crate::plan::task::Task;
 use crate::plan::walk::{self, LONGEST, Walk};
 use crate::solve::solver::{End, Solved, Solver};
 use std::collections::BTreeMap;
@@ -141,14 +140,13 @@ pub struct Branches {
 
 impl Branches {
     /// The followed motion as it was planned, at these frames, and no other branch yet; none where its loops do not close.
-    pub fn new(
-        mechanism: &Mechanism,
-        goals: &[Goal],
-        frames: Vec<usize>,
-        settings: &Settings,
-        followed: &Trajectory,
-    ) -> Option<Self> {
-        let settings = settings.by_newton();
+    pub fn new(task: &Task, frames: Vec<usize>) -> Option<Self> {
+        let Task {
+            mechanism,
+            goals,
+            settings,
+            followed,
+        } = task;
         let mut solver = settings.solver(mechanism, extent(goals));
         let mut start = followed.start.clone();
         let closed = solver.close_start(&mut start, settings.dimension_tolerance);

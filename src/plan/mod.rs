@@ -47,6 +47,8 @@ pub mod settings;
 #[cfg(feature = "study")]
 mod starts;
 #[cfg(feature = "study")]
+mod task;
+#[cfg(feature = "study")]
 mod tracks;
 #[cfg(feature = "study")]
 pub mod unseen;
