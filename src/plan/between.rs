@@ -4,7 +4,6 @@
 use crate::motion::goal::Goal;
 use crate::motion::trajectory::Trajectory;
 use crate::plan::branches::{Branches, resting, solved};
-use crate::plan::predict::predict;
 use crate::plan::task::Task;
 use crate::plan::walk::{self, LONGEST, Walk};
 use crate::solve::solver::Solved;
@@ -145,35 +144,16 @@ impl Branches {
         start: &[f64],
         frames: impl Iterator<Item = usize>,
     ) -> Vec<Passed> {
-        let mut all = Vec::new();
-        let mut joints = self.solver.scaled().left(start);
-        let mut history = joints.clone();
-        let mut predicted = joints.clone();
-        let mut before = start.to_vec();
-        self.solver.clear_holding();
-        for frame in frames {
-            let scaled = self.solver.scaled();
-            predict(scaled, &history, all.len() + 1, &joints, &mut predicted);
-            let goal = goals[frame].pose;
-            let solved = self.solver.solve(&goal, &mut joints, &predicted);
-            let theta = self.solver.scaled().entered(&joints);
-            if !self.is_answer(&theta, &solved, &goal) {
-                break;
-            }
-            let Some(walk) = self.step_to(&before, &theta) else {
-                break;
-            };
-            history.extend_from_slice(&joints);
-            before.clone_from(&theta);
-            all.push(Passed {
+        let goals = frames.map(|frame| (frame, goals[frame].pose));
+        self.follow_goals(start, goals, |branches, frame, before, theta, solved| {
+            let walk = branches.step_to(before, &theta)?;
+            Some(Passed {
                 frame,
                 theta,
                 solved,
                 walk,
-            });
-        }
-        self.solver.clear_holding();
-        all
+            })
+        })
     }
 
     /// One step where it is short, or a closed walk.

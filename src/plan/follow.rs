@@ -155,13 +155,7 @@ impl Planning {
                 return true;
             }
             let scaled = self.solver.scaled();
-            predict(
-                scaled,
-                &self.t.joints,
-                frame,
-                &self.joints,
-                &mut self.predicted,
-            );
+            predict(scaled, &self.t.joints, &self.joints, &mut self.predicted);
             let before = self.joints.clone();
             let solved = self.solve(frame);
             self.keep(frame, &before, &solved);
