@@ -96,10 +96,7 @@ impl Branches {
             out.push(Passed {
                 frame,
                 solved: resting(self.solver.value(&task.goals[frame].pose, &joints)),
-                walk: Walk {
-                    points: vec![theta.clone()],
-                    length: 0.0,
-                },
+                walk: Walk::straight(&theta, &theta),
                 theta: theta.clone(),
             });
         }
@@ -159,10 +156,7 @@ impl Branches {
     /// One step where it is short, or a closed walk.
     fn step_to(&mut self, from: &[f64], to: &[f64]) -> Option<Walk> {
         if walk::largest(from, to) <= LONGEST {
-            return Some(Walk {
-                points: vec![to.to_vec()],
-                length: walk::distance(from, to),
-            });
+            return Some(Walk::straight(from, to));
         }
         walk::walk(&mut self.solver, from, to)
     }

@@ -304,10 +304,7 @@ impl Branches {
         step.cloned().unwrap_or_else(|| {
             let (a, b) = (&self.nodes[slot - 1][from], &self.nodes[slot][to]);
             Edge {
-                walk: Walk {
-                    points: vec![b.theta.clone()],
-                    length: walk::distance(&a.theta, &b.theta),
-                },
+                walk: Walk::straight(&a.theta, &b.theta),
                 form: Form::same(b.theta.len()),
             }
         })

@@ -51,10 +51,7 @@ impl Branches {
         }
         if let Some(branch) = branch {
             let own = self.list[branch].nodes[0];
-            let walk = Walk {
-                points: vec![theta.clone()],
-                length: 0.0,
-            };
+            let walk = Walk::straight(&theta, &theta);
             let form = Form::same(theta.len());
             self.bridges
                 .insert((slot + 1, node, own), Edge { walk, form });

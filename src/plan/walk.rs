@@ -42,6 +42,14 @@ pub struct Walk {
 }
 
 impl Walk {
+    /// A single step.
+    pub fn straight(from: &[f64], to: &[f64]) -> Self {
+        Self {
+            points: vec![to.to_vec()],
+            length: distance(from, to),
+        }
+    }
+
     fn push(&mut self, from: &[f64], to: Vec<f64>) {
         self.length += distance(from, &to);
         self.points.push(to);
