@@ -13,7 +13,7 @@ use crate::plan::branches::{Apart, Branches};
 use crate::plan::building::Building;
 use crate::plan::calm_form::{Calm, CalmForms};
 use crate::plan::found::{Cost, Found};
-use crate::plan::route::{Route, Way};
+use crate::plan::route::{Choice, Route};
 use crate::plan::settings::{Settings, extent};
 use crate::plan::task::Task;
 use crate::plan::unseen::Unseen;
@@ -49,8 +49,8 @@ pub struct Search {
     /// The mean before the last round.
     before: f64,
     found: Option<Found>,
-    /// The way that it goes, and the motion along another one so far.
-    way: Option<Way>,
+    /// The choice of its route, and the motion along another one so far.
+    choice: Option<Choice>,
     building: Option<Building>,
     /// Once there are no more rounds.
     calm_forms: Option<CalmForms>,
@@ -84,7 +84,7 @@ impl Search {
             rounds: 0,
             before: f64::INFINITY,
             found: None,
-            way: None,
+            choice: None,
             building: None,
             calm_forms: None,
             told: 0.0,
@@ -110,7 +110,7 @@ impl Search {
         !self.done
     }
 
-    /// One start, one look for the best way, or a slot of its motion.
+    /// One start, one look for the best route, or a slot of its motion.
     fn search(&mut self) {
         let Some(branches) = self.branches.as_mut() else {
             return;
@@ -128,10 +128,10 @@ impl Search {
                         }
                         _ => self.found = Some(found),
                     }
-                    self.way = Some(route.way());
+                    self.choice = Some(route.choice());
                     self.end_round();
                 }
-                // A way that leaves the bounds is none: what was found before stays.
+                // A route that leaves the bounds is none: what was found before stays.
                 None => self.end_round(),
             }
         } else if let Some(slot) = self.waiting.pop() {
@@ -155,7 +155,7 @@ impl Search {
             let route = &self.route;
             match &mut self.found {
                 _ if route.nodes().is_empty() => self.end_round(),
-                Some(found) if self.way.as_ref() == Some(&route.way()) => {
+                Some(found) if self.choice.as_ref() == Some(&route.choice()) => {
                     found.know(&task.followed, branches, route);
                     self.end_round();
                 }

@@ -1,5 +1,5 @@
 //! A long motion is searched at some of its frames, the slots. The frames between two slots are followed from the one before,
-//! from the one behind, or from both.
+//! from the one after, or from both.
 
 use crate::motion::goal::Goal;
 use crate::motion::trajectory::Trajectory;
@@ -34,9 +34,9 @@ pub(super) struct Passed {
 pub(super) struct Passage {
     /// From the slot before on, in order.
     pub out: Vec<Passed>,
-    /// From the slot behind on, backwards.
+    /// From the slot after on, backwards.
     pub home: Vec<Passed>,
-    /// From the last of `out` to the slot behind, where there is no `home`.
+    /// From the last of `out` to the slot after, where there is no `home`.
     pub on: Option<Walk>,
 }
 
@@ -49,7 +49,7 @@ impl Branches {
         }
     }
 
-    /// Passes the frames between a slot's node and one of the slot before. Where the way `changes` its branch there, or where no
+    /// Passes the frames between a slot's node and one of the slot before. Where the route `changes` its branch there, or where no
     /// closest poses lead from the one to the other, they are followed from both sides and divided as f is least; frames that
     /// neither side reaches stay where the linkage is.
     pub(super) fn pass(

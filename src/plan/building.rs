@@ -1,4 +1,4 @@
-//! The way of a route made a motion, slot by slot: each frame recorded, each point of the path closed and no farther from the one
+//! A route made a motion, slot by slot: each frame recorded, each point of the path closed and no farther from the one
 //! before than is published.
 
 use crate::motion::trajectory::Trajectory;
@@ -26,7 +26,7 @@ pub(super) struct Building {
     last: Vec<f64>,
     switches: Vec<Switch>,
     lane: Vec<usize>,
-    /// How joint values are written on the way.
+    /// How joint values are written at this point.
     form: Form,
     slot: usize,
 }

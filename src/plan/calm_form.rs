@@ -224,7 +224,7 @@ fn fill(branches: &mut Branches, theta: &[Vec<f64>]) -> Vec<Vec<f64>> {
                     + theta[slot + 1][joint] * h
                     + width * s * r * (r * slopes[0][joint] - s * slopes[1][joint])
             });
-            let closed = walk::closed(&mut branches.solver, point.collect());
+            let closed = walk::closed_near(&mut branches.solver, point.collect());
             // It can always stay.
             let closed = closed.unwrap_or_else(|| all[all.len() - 1].clone());
             all.push(closed);
@@ -234,7 +234,7 @@ fn fill(branches: &mut Branches, theta: &[Vec<f64>]) -> Vec<Vec<f64>> {
     all
 }
 
-/// The slots' positions, with those of a long way between two slots taken from all along the way.
+/// The slots' positions, with those of a long walk between two slots taken from all along it.
 fn spread(
     scaled: &Scaled,
     frames: &[usize],
@@ -242,24 +242,27 @@ fn spread(
     mut theta: Vec<Vec<f64>>,
 ) -> Vec<Vec<f64>> {
     let mut free = 1;
-    let mut way: Vec<Vec<f64>> = Vec::new();
+    let mut points: Vec<Vec<f64>> = Vec::new();
     for point in path {
-        way.push(scaled.entered(&point.joints));
+        points.push(scaled.entered(&point.joints));
         let slot = point.frame.map(|frame| frames.binary_search(&frame));
         let Some(Ok(slot)) = slot else {
             continue;
         };
-        let length: f64 = way.windows(2).map(|w| walk::distance(&w[0], &w[1])).sum();
+        let length: f64 = points
+            .windows(2)
+            .map(|w| walk::distance(&w[0], &w[1]))
+            .sum();
         if length > SPREAD && slot > 0 {
             let half = index(libm::ceil(0.5 * length / SHARE)).max(1);
             let (first, end) = (slot.saturating_sub(half), slot + half);
             for at in first.max(free)..end.min(theta.len()) {
                 let share = ((at - first) as f64 + 0.5) / (end - first) as f64;
-                theta[at].clone_from(&way[index(share * (way.len() - 1) as f64)]);
+                theta[at].clone_from(&points[index(share * (points.len() - 1) as f64)]);
             }
             free = end;
         }
-        way = way.split_off(way.len() - 1);
+        points = points.split_off(points.len() - 1);
     }
     theta
 }

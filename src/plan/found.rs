@@ -62,7 +62,7 @@ pub struct Switch {
     pub frame: usize,
     /// The branches, as [`Found::lanes`] has them.
     pub from: usize,
-    /// The branch behind it.
+    /// The branch after it.
     pub to: usize,
     /// Joint motion on the way, root of squares, rad and sizes.
     pub length: f64,
@@ -190,7 +190,7 @@ fn lanes(branches: &Branches, followed: &Trajectory) -> Vec<Lane> {
     lanes
 }
 
-/// The run that a branch is in at a slot. Those of branches that are found later come behind.
+/// The run that a branch is in at a slot. Those of branches that are found later come last.
 pub(super) fn lane_of(branches: &Branches, branch: usize, slot: usize) -> usize {
     match branches.origins.get(branch) {
         Some(&origin) if branch < branches.followed && slot >= origin => 0,

@@ -14,6 +14,8 @@ mod building;
 mod calm;
 #[cfg(feature = "study")]
 pub mod calm_form;
+#[cfg(feature = "study")]
+mod candidates;
 pub mod configuration;
 #[cfg(feature = "study")]
 mod configurations;
@@ -53,5 +55,3 @@ mod tracks;
 #[cfg(feature = "study")]
 pub mod unseen;
 pub mod walk;
-#[cfg(feature = "study")]
-mod ways;

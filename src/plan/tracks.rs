@@ -1,4 +1,4 @@
-//! Branches followed from slot to slot: from a closest pose both ways, behind a leap, and beyond their ends.
+//! Branches followed from slot to slot: from a closest pose both ways, after a leap, and beyond their ends.
 
 use crate::math::pose::Pose;
 use crate::plan::branches::{Branches, Edge, Node, resting};
@@ -27,20 +27,20 @@ impl Branches {
                 axes,
             });
             let to = self.nodes[at + 1][node].theta.clone();
-            let Some(way) = self.step(at + 1, index, node, &to) else {
+            let Some(length) = self.step(at + 1, index, node, &to) else {
                 self.nodes[at].pop();
                 return;
             };
             let list = &mut self.list[branch];
             list.first = at;
             list.nodes.insert(0, index);
-            list.along.iter_mut().for_each(|along| *along += way);
+            list.along.iter_mut().for_each(|along| *along += length);
             list.along.insert(0, 0.0);
             node = index;
         }
     }
 
-    /// Stays where a node is for all slots behind its own: what a linkage can always do.
+    /// Stays where a node is for all slots after its own: what a linkage can always do.
     pub fn stay_at(&mut self, slot: usize, node: usize) -> Option<usize> {
         let theta = self.nodes[slot][node].theta.clone();
         let joints = self.solver.scaled().left(&theta);
@@ -82,7 +82,7 @@ impl Branches {
         own
     }
 
-    /// The closest poses of the slots before or behind one, from its pose on, up to a pose that is known, a leap or the end.
+    /// The closest poses of the slots before or after one, from its pose on, up to a pose that is known, a leap or the end.
     pub(super) fn track(
         &mut self,
         slot: usize,
@@ -136,7 +136,7 @@ impl Branches {
     }
 
     /// The closest pose to which the linkage falls from a node when the goal goes on to the next slot, where it is not on the
-    /// node's branch any more: the node there, and the way.
+    /// node's branch any more: the node there, and the walk.
     pub fn fall_on(&mut self, slot: usize, node: usize) -> Option<(usize, Edge)> {
         let from = self.nodes[slot][node].theta.clone();
         let goal = *self.goal(slot + 1);
