@@ -108,8 +108,8 @@ fn frames_alone(mechanism: &Mechanism, start: &[f64], goals: &[Goal]) {
     let mut predicted = start.to_vec();
     let mut history: Vec<f64> = Vec::with_capacity(start.len() * goals.len());
     solver.close_start(&mut joints, Settings::PAPER.dimension_tolerance);
-    for (frame, goal) in goals.iter().enumerate() {
-        predict(solver.scaled(), &history, frame, &joints, &mut predicted);
+    for goal in goals {
+        predict(solver.scaled(), &history, &joints, &mut predicted);
         black_box(solver.solve(&goal.pose, &mut joints, &predicted));
         history.extend_from_slice(&joints);
     }

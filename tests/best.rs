@@ -15,6 +15,7 @@ use synthetica::model::mechanism::Mechanism;
 use synthetica::motion::goal::Goal;
 use synthetica::motion::trajectory::{Status, Trajectory, Warning};
 use synthetica::plan::best::Search;
+use synthetica::plan::calm_form::Calm;
 use synthetica::plan::elsewhere;
 use synthetica::plan::follow::plan;
 use synthetica::plan::found::Found;
@@ -257,6 +258,30 @@ fn three_prs() -> &'static (Case, Trajectory, Found) {
     })
 }
 
+/// The calm form at nearly the lowest price that keeps the largest joint step from frame to frame at `step` (rad or sizes).
+fn calm_at_step(search: &mut Search, step: f64) -> Calm {
+    /// Halvings of the price's logarithm, from the curve's first price that is high enough and a tenth of it.
+    const HALVINGS: usize = 12;
+    let point = search
+        .curve()
+        .iter()
+        .find(|(_, cost)| cost.largest_step <= step);
+    let mut high = point.expect("a price that makes it so calm").0;
+    let mut low = 0.1 * high;
+    let mut best = search.calm(high).expect("a calm form");
+    for _ in 0..HALVINGS {
+        let middle = (low * high).sqrt();
+        let calm = search.calm(middle).expect("a calm form");
+        if calm.cost.largest_step <= step {
+            high = middle;
+            best = calm;
+        } else {
+            low = middle;
+        }
+    }
+    best
+}
+
 /// As calm as the followed motion, and a tenth closer: the change of branch is spread over frames.
 #[test]
 fn the_calm_form_is_closer_at_the_followed_motions_own_step() {
@@ -281,8 +306,7 @@ fn the_calm_form_is_closer_at_the_followed_motions_own_step() {
     let followed = plan(&mechanism, &start, &finer, &settings);
     let mut search = Search::new(&mechanism, &finer, &settings, followed);
     let of_followed = search.finish().expect("closed loops").followed;
-    let calm = search.calm_at_step(of_followed.largest_step);
-    let calm = calm.expect("a price that makes it so calm");
+    let calm = calm_at_step(&mut search, of_followed.largest_step);
     assert!(calm.cost.largest_step <= of_followed.largest_step);
     assert!(calm.cost.mean <= 0.9 * of_followed.mean, "{:?}", calm.cost);
     assert!(calm.motion.closure.iter().all(|closure| *closure <= CLOSED));

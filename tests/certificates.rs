@@ -39,7 +39,7 @@ fn follow(
     }
     for (frame, goal) in goals.iter().enumerate() {
         let before = joints.clone();
-        predict(solver.scaled(), &history, frame, &joints, &mut predicted);
+        predict(solver.scaled(), &history, &joints, &mut predicted);
         let mut direct = true;
         let solved = solver.solve_watched(&goal.pose, &mut joints, &predicted, &mut |iterate| {
             direct &= !iterate.guarded;

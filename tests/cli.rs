@@ -536,14 +536,29 @@ fn key_frames_come_from_a_table() {
         "{\"scale\": 0.001}",
     ]);
     assert_eq!(out.lines().count(), own.max(41));
-    let (_, err, code) = run(&[&asked[..], &["--table", "{\"order\": \"abc\"}"]].concat());
-    assert!(
-        code == 1 && err.contains("abc") && err.contains("zyz"),
-        "{err}"
-    );
     let (_, err, code) = run(&["plan", "3rps.json", "--table", "{}"]);
     assert!(code == 2 && err.contains("--key-frames"), "{err}");
     fs::remove_file(&path).expect("it was there");
+}
+
+/// Standard input gives one text: a table, or a document.
+#[test]
+fn standard_input_is_not_read_twice() {
+    for arguments in [
+        &["plan", "--key-frames", "-"][..],
+        &["export", "csv", "-", "--key-frames", "-"],
+        &["best", "3rps.json", "2tpr.json", "--key-frames", "-"],
+        &["modes", "--key-frames", "-"],
+    ] {
+        let (out, err, code) = run(arguments);
+        assert_eq!((out.as_str(), code), ("", 2), "{arguments:?}");
+        let accepted = "Accepted: one document, from a file, with it";
+        assert!(err.contains(accepted), "{arguments:?}: {err}");
+    }
+    let table = "x y z\n0 0 0.6\n0 0 0.61\n";
+    let arguments = ["plan", "3rps.json", "--quiet", "--key-frames", "-"];
+    let (out, err, code) = fed(&arguments, table);
+    assert!(code == 0 && out.lines().count() > 2, "{err}");
 }
 
 /// The best motion and the ways to assemble take the same table; of a motion that cannot be certified the warnings are left out.
@@ -614,6 +629,28 @@ fn a_wrong_command_line_says_what_would_be_accepted() {
             "Accepted: gravity with the format mjcf.",
         ),
         (&["plan", "--frames", "1"], "2..=100001"),
+        // The fault is that of the option, and not of the table's file, which is not read.
+        (
+            &[
+                "best",
+                "3rps.json",
+                "--key-frames",
+                "none.csv",
+                "--table",
+                "{\"order\": \"abc\"}",
+            ],
+            "for '--table <REQUEST>': Order: \u{201c}abc\u{201d}",
+        ),
+        (
+            &[
+                "plan",
+                "--key-frames",
+                "none.csv",
+                "--table",
+                "{\"scale\": }",
+            ],
+            "for '--table <REQUEST>': Line 1, column 11.",
+        ),
         (&["plan", "--method", "guess"], "newton, gradient"),
         (&["enumerate", "chains", "5"], "1..=4"),
         (&["enumerate", "chains", "4", "6"], "Accepted: 0 to 5"),

@@ -71,8 +71,7 @@ fn follow(
     let mut predicted = vec![0.0; joints.len()];
     for goal in &goals[1..] {
         let mut at = all[all.len() - 1].clone();
-        let steps = history.len() / joints.len();
-        predict(solver.scaled(), &history, steps, &at, &mut predicted);
+        predict(solver.scaled(), &history, &at, &mut predicted);
         solver.clear_holding();
         if !solver
             .solve(&goal.pose, &mut at, &predicted)

@@ -4,11 +4,11 @@
 mod common;
 
 use common::Random;
+use synthetica::math::gram_schmidt::GramSchmidt;
 use synthetica::math::lanczos::Lanczos;
 use synthetica::math::linalg::{
     PivotedQr, Svd, cholesky, solve_lower, solve_lower_transposed, svd, symmetric_eigen,
 };
-use synthetica::math::six_rows::SixRows;
 
 /// Columns of equal length.
 type Columns = Vec<Vec<f64>>;
@@ -421,7 +421,7 @@ fn columns_of_six_entries() {
             .map(|c| std::array::from_fn(|i| c[i]))
             .collect();
         let mut order: Vec<usize> = (0..count).collect();
-        let mut qr = SixRows::default();
+        let mut qr = GramSchmidt::default();
         let threshold = 0.05;
         qr.factor(&mut columns, &mut order, threshold);
         assert!(qr.rank <= rank.min(count), "{round}");

@@ -6,7 +6,7 @@ use crate::document::best_report::{BestReport, CostReport};
 use crate::document::bounds::out_of_range;
 use crate::document::fault::{Fault, FaultCode, Place};
 use crate::document::modes_report::ModesReport;
-use crate::exchange::export::{self, Format, Options};
+use crate::exchange::export::{Format, Options};
 use crate::exchange::path_table;
 use crate::motion::columns::placed;
 use crate::motion::trajectory::Trajectory;
@@ -163,22 +163,7 @@ impl Session {
         };
         let (search, problem) = (self.search(), self.open.problem());
         let document = self.open.document();
-        let motion = match (search.found(), &calm) {
-            (_, Some(calm)) => &calm.motion,
-            (Some(found), None) => match format {
-                Format::Csv => {
-                    let headings = options.headings.unwrap_or_default();
-                    return Ok(path_table::csv(document, problem, found, headings));
-                }
-                Format::Json => {
-                    let report = BestReport::new(search);
-                    return Ok(path_table::json(document, problem, found, &report));
-                }
-                Format::Mjcf => &found.motion,
-            },
-            (None, None) => search.followed(),
-        };
-        export::write(format, options, document, &problem.mechanism, motion)
+        path_table::write(format, options, document, problem, search, calm.as_ref())
             .map_err(|fault| refusal(&fault))
     }
 

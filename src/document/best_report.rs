@@ -71,7 +71,7 @@ pub struct SwitchReport {
     pub time: f64,
     /// The branch before it.
     pub from: usize,
-    /// The branch behind it.
+    /// The branch after it.
     pub to: usize,
     /// Joint motion on the way, root of squares, rad and sizes.
     pub length: f64,

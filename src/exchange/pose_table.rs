@@ -37,6 +37,19 @@ pub struct PoseTableRequest {
     pub scale: Option<f64>,
 }
 
+impl PoseTableRequest {
+    /// From JSON.
+    ///
+    /// # Errors
+    /// Where that is no request.
+    pub fn read(json: &str) -> Result<Self, Fault> {
+        let node: Node = serde_json::from_str(json).map_err(|error| not_json(&error))?;
+        let request = Self::deserialize(&node).map_err(|refusal| refusal.fault(&Place::WHOLE))?;
+        check_request(&request)?;
+        Ok(request)
+    }
+}
+
 /// What was read.
 #[derive(Clone, Debug, Serialize)]
 pub struct PoseTable {
@@ -90,10 +103,7 @@ pub fn read_pose_table_asked(text: &str, request: &str) -> Result<PoseTable, Fau
     if request.trim().is_empty() {
         return read_pose_table(text, &PoseTableRequest::default());
     }
-    let node: Node = serde_json::from_str(request).map_err(|error| not_json(&error))?;
-    let request =
-        PoseTableRequest::deserialize(&node).map_err(|refusal| refusal.fault(&Place::WHOLE))?;
-    read_pose_table(text, &request)
+    read_pose_table(text, &PoseTableRequest::read(request)?)
 }
 
 /// Reads a table of poses, a row each.

@@ -2,6 +2,7 @@
 
 pub mod cholesky;
 pub mod dot;
+pub mod gram_schmidt;
 pub mod lanczos;
 pub mod linalg;
 pub mod metric;
@@ -12,7 +13,6 @@ pub mod pose;
 pub mod qr;
 pub mod random;
 pub mod screw;
-pub mod six_rows;
 pub mod sort;
 pub mod svd;
 pub mod symmetric;

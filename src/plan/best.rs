@@ -10,11 +10,12 @@ use crate::motion::goal::Goal;
 use crate::motion::trajectory::{Status, Trajectory};
 use crate::plan::between::slots;
 use crate::plan::branches::{Apart, Branches};
-use crate::plan::building::{Building, Task};
-use crate::plan::calm::Calming;
+use crate::plan::building::Building;
+use crate::plan::calm_form::{Calm, CalmForms};
 use crate::plan::found::{Cost, Found};
-use crate::plan::route::{Route, Way};
+use crate::plan::route::{Choice, Route};
 use crate::plan::settings::{Settings, extent};
+use crate::plan::task::Task;
 use crate::plan::unseen::Unseen;
 
 /// Starts of a round from each of the frames that [`Branches::start_slots`] names; after each round the best motion so far
@@ -30,22 +31,14 @@ const UNSEEN: f64 = 0.01;
 /// Share by which the mean must fall for a motion to be a better one.
 const BETTER: f64 = 1e-3;
 
-/// Prices of calm that are looked at: so many, each a multiple of the one before. Of the mean square of the joints' speeds, in
-/// rad and sizes a motion, in the unit of mean f.
-const PRICES: usize = 8;
-pub(super) const FIRST_PRICE: f64 = 1e-9;
-pub(super) const NEXT_PRICE: f64 = 6.0;
-/// Shares of the progress: the search, and the prices.
+/// Share of the progress: the search; the rest is that of the calm forms.
 const SEARCH: f64 = 0.8;
 
 /// The search for the best motion, in portions.
 #[derive(Clone, Debug)]
 pub struct Search {
-    pub(super) mechanism: Mechanism,
-    pub(super) goals: Vec<Goal>,
-    pub(super) settings: Settings,
-    pub(super) followed: Trajectory,
-    pub(super) branches: Option<Branches>,
+    task: Task,
+    branches: Option<Branches>,
     route: Route,
     /// Slots from which starts are to be made in this round.
     waiting: Vec<usize>,
@@ -55,19 +48,15 @@ pub struct Search {
     rounds: usize,
     /// The mean before the last round.
     before: f64,
-    pub(super) found: Option<Found>,
-    /// The way that it goes, and the motion along another one so far.
-    way: Option<Way>,
+    found: Option<Found>,
+    /// The choice of its route, and the motion along another one so far.
+    choice: Option<Choice>,
     building: Option<Building>,
-    /// The calm forms of the last price, from the best and the followed motion; so many of them are settled for the next one.
-    pub(super) calming: Vec<Calming>,
-    pub(super) settled: usize,
-    /// Those of each price of the curve.
-    pub(super) calmed: Vec<Vec<Calming>>,
+    /// Once there are no more rounds.
+    calm_forms: Option<CalmForms>,
     /// Share of the search that is done, 0 to 1; rounds that follow do not lower it.
     told: f64,
-    pub(super) curve: Vec<(f64, Cost)>,
-    pub(super) done: bool,
+    done: bool,
 }
 
 impl Search {
@@ -78,13 +67,15 @@ impl Search {
         settings: &Settings,
         followed: Trajectory,
     ) -> Self {
-        let branches = Branches::new(mechanism, goals, slots(goals.len()), settings, &followed);
-        Self {
+        let task = Task {
             mechanism: mechanism.clone(),
             goals: goals.to_vec(),
-            // The search goes by Newton's method, whatever the document plans with.
             settings: settings.by_newton(),
             followed,
+        };
+        let branches = Branches::new(&task, slots(goals.len()));
+        Self {
+            task,
             done: branches.is_none(),
             branches,
             route: Route::default(),
@@ -93,12 +84,9 @@ impl Search {
             rounds: 0,
             before: f64::INFINITY,
             found: None,
-            way: None,
+            choice: None,
             building: None,
-            calming: Vec::new(),
-            settled: 0,
-            calmed: Vec::new(),
-            curve: Vec::new(),
+            calm_forms: None,
             told: 0.0,
         }
     }
@@ -109,51 +97,41 @@ impl Search {
             return false;
         }
         self.measure();
-        if self.calming.is_empty() {
+        let (Some(forms), Some(branches)) = (&mut self.calm_forms, &mut self.branches) else {
             self.search();
             return true;
-        }
-        let price = (self.curve.last()).map_or(FIRST_PRICE, |(price, _)| price * NEXT_PRICE);
-        if let Some(cost) = self.advance_calm(price) {
+        };
+        let cost = forms.advance(&self.task, branches);
+        if let (Some(cost), Some(found)) = (cost, &mut self.found) {
             // Between slots, and where a calm form leaves the branches that are known, it may be closer than all of them.
-            if let Some(found) = &mut self.found {
-                found.lower_bound = found.lower_bound.min(cost.mean);
-            }
-            self.curve.push((price, cost));
-            self.calmed.push(self.calming.clone());
+            found.lower_bound = found.lower_bound.min(cost.mean);
         }
-        self.done = self.curve.len() >= PRICES;
+        self.done = forms.are_complete();
         !self.done
     }
 
-    /// One start, one look for the best way, or a slot of its motion.
+    /// One start, one look for the best route, or a slot of its motion.
     fn search(&mut self) {
         let Some(branches) = self.branches.as_mut() else {
             return;
         };
-        let (route, followed) = (&self.route, &self.followed);
-        let task = Task {
-            mechanism: &self.mechanism,
-            goals: &self.goals,
-            settings: &self.settings,
-            followed,
-        };
+        let (route, task) = (&self.route, &self.task);
         if let Some(mut building) = self.building.take() {
-            match building.advance(&task, branches, route) {
+            match building.advance(task, branches, route) {
                 Some(true) => self.building = Some(building),
                 Some(false) => {
-                    let found = building.finish(&task, branches, route);
+                    let found = building.finish(task, branches, route);
                     // A route is chosen by the slots: over all frames of a long motion it may be farther than the one before.
                     match &mut self.found {
                         Some(before) if before.cost_of_frames() < found.cost_of_frames() => {
-                            before.know(followed, branches, route);
+                            before.know(&task.followed, branches, route);
                         }
                         _ => self.found = Some(found),
                     }
-                    self.way = Some(route.way());
+                    self.choice = Some(route.choice());
                     self.end_round();
                 }
-                // A way that leaves the bounds is none: what was found before stays.
+                // A route that leaves the bounds is none: what was found before stays.
                 None => self.end_round(),
             }
         } else if let Some(slot) = self.waiting.pop() {
@@ -177,11 +155,11 @@ impl Search {
             let route = &self.route;
             match &mut self.found {
                 _ if route.nodes().is_empty() => self.end_round(),
-                Some(found) if self.way.as_ref() == Some(&route.way()) => {
-                    found.know(followed, branches, route);
+                Some(found) if self.choice.as_ref() == Some(&route.choice()) => {
+                    found.know(&task.followed, branches, route);
                     self.end_round();
                 }
-                _ => self.building = Some(Building::new(&task, branches)),
+                _ => self.building = Some(Building::new(task, branches)),
             }
         }
     }
@@ -189,14 +167,25 @@ impl Search {
     /// Begins another round, or the calm forms.
     fn end_round(&mut self) {
         if !self.begin_round() {
-            self.calming = self.begin_calm();
-            self.done = self.calming.is_empty();
+            let known = self.branches.as_ref().zip(self.found.as_ref());
+            let forms = known.map(|(branches, found)| CalmForms::new(&self.task, branches, found));
+            self.calm_forms = forms;
+            self.done = self.calm_forms.is_none();
         }
     }
 
     /// Of each price the cost of the calm form; complete when the search is done.
     pub fn curve(&self) -> &[(f64, Cost)] {
-        &self.curve
+        self.calm_forms.as_ref().map_or(&[], CalmForms::curve)
+    }
+
+    /// The calm form of what was found at a price, up to [`MOST_PRICE`](crate::plan::calm_form::MOST_PRICE); none before the
+    /// search is done, or beyond.
+    pub fn calm(&mut self, price: f64) -> Option<Calm> {
+        let (Some(forms), Some(branches)) = (&self.calm_forms, &mut self.branches) else {
+            return None;
+        };
+        forms.at(&self.task, branches, price)
     }
 
     /// Begins another round of starts; false where there have been enough.
@@ -206,7 +195,9 @@ impl Search {
         self.before = mean;
         let more = match self.rounds {
             // Where all goals are reached nothing is closer.
-            0 => self.followed.status.iter().any(|s| *s != Status::Reached),
+            0 => (self.task.followed.status)
+                .iter()
+                .any(|s| *s != Status::Reached),
             rounds if rounds < ROUNDS => true,
             rounds => rounds < MOST_ROUNDS && (better || self.unseen().share > UNSEEN),
         };
@@ -231,13 +222,14 @@ impl Search {
 
     /// The motion that the planner follows.
     pub fn followed(&self) -> &Trajectory {
-        &self.followed
+        &self.task.followed
     }
 
     /// How close it comes.
     pub fn followed_cost(&self) -> Cost {
-        let scaled = Scaled::new(&self.mechanism, extent(&self.goals));
-        Cost::of(&self.followed, &scaled)
+        let task = &self.task;
+        let scaled = Scaled::new(&task.mechanism, extent(&task.goals));
+        Cost::of(&task.followed, &scaled)
     }
 
     /// From 0 to 1; it never falls.
@@ -253,7 +245,7 @@ impl Search {
         let round = branches.start_slots().len() * STARTS;
         let made = (self.rounds * round).saturating_sub(self.waiting.len());
         let started = (made as f64 / (ROUNDS * round) as f64).min(1.0);
-        let priced = self.curve.len() as f64 / PRICES as f64;
+        let priced = self.calm_forms.as_ref().map_or(0.0, CalmForms::progress);
         let now = SEARCH * started + (1.0 - SEARCH) * priced;
         self.told = self.told.max(now.min(0.99));
     }

@@ -1,10 +1,10 @@
 //! A long motion is searched at some of its frames, the slots. The frames between two slots are followed from the one before,
-//! from the one behind, or from both.
+//! from the one after, or from both.
 
 use crate::motion::goal::Goal;
 use crate::motion::trajectory::Trajectory;
 use crate::plan::branches::{Branches, resting, solved};
-use crate::plan::predict::predict;
+use crate::plan::task::Task;
 use crate::plan::walk::{self, LONGEST, Walk};
 use crate::solve::solver::Solved;
 use std::ops::Range;
@@ -34,9 +34,9 @@ pub(super) struct Passed {
 pub(super) struct Passage {
     /// From the slot before on, in order.
     pub out: Vec<Passed>,
-    /// From the slot behind on, backwards.
+    /// From the slot after on, backwards.
     pub home: Vec<Passed>,
-    /// From the last of `out` to the slot behind, where there is no `home`.
+    /// From the last of `out` to the slot after, where there is no `home`.
     pub on: Option<Walk>,
 }
 
@@ -49,13 +49,12 @@ impl Branches {
         }
     }
 
-    /// Passes the frames between a slot's node and one of the slot before. Where the way `changes` its branch there, or where no
+    /// Passes the frames between a slot's node and one of the slot before. Where the route `changes` its branch there, or where no
     /// closest poses lead from the one to the other, they are followed from both sides and divided as f is least; frames that
     /// neither side reaches stay where the linkage is.
     pub(super) fn pass(
         &mut self,
-        goals: &[Goal],
-        followed: &Trajectory,
+        task: &Task,
         slot: usize,
         [from, to]: [usize; 2],
         changes: bool,
@@ -67,10 +66,10 @@ impl Branches {
         let start = self.nodes[slot - 1][from].theta.clone();
         let end = self.nodes[slot][to].theta.clone();
         let as_planned = (!changes && [from, to] == [0, 0])
-            .then(|| self.as_planned(followed, &start, gap.clone()))
+            .then(|| self.as_planned(&task.followed, &start, gap.clone()))
             .flatten();
         let is_planned = as_planned.is_some();
-        let mut out = as_planned.unwrap_or_else(|| self.follow(goals, &start, gap.clone()));
+        let mut out = as_planned.unwrap_or_else(|| self.follow(&task.goals, &start, gap.clone()));
         if let (Some(last), false) = (out.last(), changes)
             && out.len() == gap.len()
             && let Some(on) = self.step_to(&last.theta, &end)
@@ -83,9 +82,9 @@ impl Branches {
             };
         }
         if is_planned {
-            out = self.follow(goals, &start, gap.clone());
+            out = self.follow(&task.goals, &start, gap.clone());
         }
-        let mut home = self.follow(goals, &end, gap.clone().rev());
+        let mut home = self.follow(&task.goals, &end, gap.clone().rev());
         let least = gap.len().saturating_sub(home.len());
         let far = |passed: &[Passed]| passed.iter().map(|p| p.solved.value).sum::<f64>();
         let cost = |cut: usize| far(&out[..cut]) + far(&home[..gap.len() - cut]);
@@ -96,11 +95,8 @@ impl Branches {
             let joints = self.solver.scaled().left(&theta);
             out.push(Passed {
                 frame,
-                solved: resting(self.solver.value(&goals[frame].pose, &joints)),
-                walk: Walk {
-                    points: vec![theta.clone()],
-                    length: 0.0,
-                },
+                solved: resting(self.solver.value(&task.goals[frame].pose, &joints)),
+                walk: Walk::straight(&theta, &theta),
                 theta: theta.clone(),
             });
         }
@@ -145,44 +141,22 @@ impl Branches {
         start: &[f64],
         frames: impl Iterator<Item = usize>,
     ) -> Vec<Passed> {
-        let mut all = Vec::new();
-        let mut joints = self.solver.scaled().left(start);
-        let mut history = joints.clone();
-        let mut predicted = joints.clone();
-        let mut before = start.to_vec();
-        self.solver.clear_holding();
-        for frame in frames {
-            let scaled = self.solver.scaled();
-            predict(scaled, &history, all.len() + 1, &joints, &mut predicted);
-            let goal = goals[frame].pose;
-            let solved = self.solver.solve(&goal, &mut joints, &predicted);
-            let theta = self.solver.scaled().entered(&joints);
-            if !self.is_answer(&theta, &solved, &goal) {
-                break;
-            }
-            let Some(walk) = self.step_to(&before, &theta) else {
-                break;
-            };
-            history.extend_from_slice(&joints);
-            before.clone_from(&theta);
-            all.push(Passed {
+        let goals = frames.map(|frame| (frame, goals[frame].pose));
+        self.follow_goals(start, goals, |branches, frame, before, theta, solved| {
+            let walk = branches.step_to(before, &theta)?;
+            Some(Passed {
                 frame,
                 theta,
                 solved,
                 walk,
-            });
-        }
-        self.solver.clear_holding();
-        all
+            })
+        })
     }
 
     /// One step where it is short, or a closed walk.
     fn step_to(&mut self, from: &[f64], to: &[f64]) -> Option<Walk> {
         if walk::largest(from, to) <= LONGEST {
-            return Some(Walk {
-                points: vec![to.to_vec()],
-                length: walk::distance(from, to),
-            });
+            return Some(Walk::straight(from, to));
         }
         walk::walk(&mut self.solver, from, to)
     }

@@ -1,18 +1,17 @@
 //! The branches of a motion: at every frame the closest poses that closed walks join to the start, each followed through
 //! the frames as far as it goes.
 //!
-//! Starts: from a closest pose of a frame the linkage wanders over closed positions, or falls to a goal at random, and falls
-//! from there to a closest pose, which may be another one. It is then followed forwards and backwards. The way there joins
-//! the two branches. A frame is a *slot* here, counted from 1; slot 0 is the start.
+//! Starts: from a closest pose of a frame the linkage walks at random over closed positions, or falls to a goal at random,
+//! and falls from there to a closest pose, which may be another one. It is then followed forwards and backwards. The walk
+//! there joins the two branches. A frame is a *slot* here, counted from 1; slot 0 is the start.
 
 use crate::math::pose::Pose;
 use crate::math::random::Random;
-use crate::model::mechanism::Mechanism;
 use crate::model::scaled::CLOSED;
-use crate::motion::goal::Goal;
 use crate::motion::trajectory::{Status, Trajectory};
 use crate::plan::places::{Form, Places};
-use crate::plan::settings::{Settings, extent};
+use crate::plan::settings::extent;
+use crate::plan::task::Task;
 use crate::plan::walk::{self, LONGEST, Walk};
 use crate::solve::solver::{End, Solved, Solver};
 use std::collections::BTreeMap;
@@ -21,7 +20,7 @@ use std::collections::BTreeMap;
 const FRAMES: usize = 9;
 /// Branches that are followed; beyond, poses that are found only count.
 const MOST: usize = 96;
-/// Nodes of all branches together: memory, and the time of the search for a way.
+/// Nodes of all branches together: memory, and the time of the search for a route.
 const NODES: usize = 40_000;
 
 /// A closest pose of one frame.
@@ -43,7 +42,7 @@ pub struct Branch {
     pub first: usize,
     /// Its node in each slot from there on.
     pub nodes: Vec<usize>,
-    /// The way along it up to each, root of the joints' squared motions.
+    /// Its length up to each, root of the joints' squared motions.
     pub along: Vec<f64>,
     /// Starts that led to it.
     pub starts: usize,
@@ -55,8 +54,8 @@ impl Branch {
         self.nodes.get(slot.checked_sub(self.first)?).copied()
     }
 
-    /// The way along it from one slot to another.
-    pub fn way(&self, from: usize, to: usize) -> f64 {
+    /// Its length from one slot to another.
+    pub fn length(&self, from: usize, to: usize) -> f64 {
         (self.along[from - self.first] - self.along[to - self.first]).abs()
     }
 }
@@ -81,9 +80,9 @@ pub struct Crossing {
     pub edge: Edge,
 }
 
-/// A way at random from a node: nearly closed points.
+/// A walk at random from a node: nearly closed points.
 #[derive(Clone, Debug)]
-pub(super) struct Way {
+pub(super) struct RandomWalk {
     pub slot: usize,
     pub branch: usize,
     pub points: Vec<Vec<f64>>,
@@ -124,8 +123,8 @@ pub struct Branches {
     pub(super) anywhere: Solver,
     /// Closest poses that no walk was found to.
     pub(super) apart: Vec<Apart>,
-    /// Ways at random that were made.
-    pub(super) ways: Vec<Way>,
+    /// Walks at random that were made.
+    pub(super) random_walks: Vec<RandomWalk>,
     pub(super) random: Random,
     /// Starts made, and those that led to a certified pose.
     pub starts: usize,
@@ -141,14 +140,13 @@ pub struct Branches {
 
 impl Branches {
     /// The followed motion as it was planned, at these frames, and no other branch yet; none where its loops do not close.
-    pub fn new(
-        mechanism: &Mechanism,
-        goals: &[Goal],
-        frames: Vec<usize>,
-        settings: &Settings,
-        followed: &Trajectory,
-    ) -> Option<Self> {
-        let settings = settings.by_newton();
+    pub fn new(task: &Task, frames: Vec<usize>) -> Option<Self> {
+        let Task {
+            mechanism,
+            goals,
+            settings,
+            followed,
+        } = task;
         let mut solver = settings.solver(mechanism, extent(goals));
         let mut start = followed.start.clone();
         let closed = solver.close_start(&mut start, settings.dimension_tolerance);
@@ -169,7 +167,7 @@ impl Branches {
             crossings: Vec::new(),
             bridges: BTreeMap::new(),
             steps: BTreeMap::new(),
-            ways: Vec::new(),
+            random_walks: Vec::new(),
             random: Random::new(14),
             starts: 0,
             arrived: 0,
@@ -193,7 +191,7 @@ impl Branches {
         branches.followed = branches.list.len();
         branches.origins = branches.list.iter().map(|branch| branch.first).collect();
         branches.explore();
-        // Behind a leap the branch comes from frames before it.
+        // After a leap the branch comes from frames before it.
         for branch in 1..branches.followed {
             branches.bridge(branch);
             branches.follow_back(branch);
@@ -234,17 +232,17 @@ impl Branches {
         branch: Option<usize>,
     ) -> usize {
         let index = self.nodes[slot].len();
-        let mut way = None;
+        let mut step = None;
         if let Some(branch) = branch {
             let before = self.list[branch].nodes[slot - 1 - self.list[branch].first];
-            way = self
+            step = self
                 .step(slot, before, index, &theta)
-                .map(|way| (branch, way));
+                .map(|length| (branch, length));
         }
-        let branch = if let Some((branch, way)) = way {
+        let branch = if let Some((branch, length)) = step {
             let list = &mut self.list[branch];
             list.nodes.push(index);
-            list.along.push(list.along[list.along.len() - 1] + way);
+            list.along.push(list.along[list.along.len() - 1] + length);
             branch
         } else {
             self.list.push(Branch {
@@ -277,7 +275,7 @@ impl Branches {
         if walk::largest(&from, theta) <= LONGEST {
             return Some(walk::distance(&from, theta));
         }
-        let walk = self.way(slot, &from, theta)?;
+        let walk = self.walk_to(slot, &from, theta)?;
         let length = walk.length;
         let form = Form::same(theta.len());
         self.steps
@@ -286,7 +284,7 @@ impl Branches {
     }
 
     /// A closed walk to a closest pose of a slot: straight, or downhill where that leads there.
-    fn way(&mut self, slot: usize, from: &[f64], to: &[f64]) -> Option<Walk> {
+    fn walk_to(&mut self, slot: usize, from: &[f64], to: &[f64]) -> Option<Walk> {
         if let Some(straight) = walk::walk(&mut self.solver, from, to) {
             return Some(straight);
         }
@@ -306,10 +304,7 @@ impl Branches {
         step.cloned().unwrap_or_else(|| {
             let (a, b) = (&self.nodes[slot - 1][from], &self.nodes[slot][to]);
             Edge {
-                walk: Walk {
-                    points: vec![b.theta.clone()],
-                    length: walk::distance(&a.theta, &b.theta),
-                },
+                walk: Walk::straight(&a.theta, &b.theta),
                 form: Form::same(b.theta.len()),
             }
         })

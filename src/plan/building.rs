@@ -1,8 +1,6 @@
-//! The way of a route made a motion, slot by slot: each frame recorded, each point of the path closed and no farther from the one
+//! A route made a motion, slot by slot: each frame recorded, each point of the path closed and no farther from the one
 //! before than is published.
 
-use crate::model::mechanism::Mechanism;
-use crate::motion::goal::Goal;
 use crate::motion::trajectory::Trajectory;
 use crate::plan::between::Passed;
 use crate::plan::branches::Branches;
@@ -10,20 +8,12 @@ use crate::plan::found::{Cost, Found, Point, Switch, lane_of};
 use crate::plan::places::Form;
 use crate::plan::record::{Singularity, begin, record, warn_of_rounded};
 use crate::plan::route::Route;
-use crate::plan::settings::{Settings, extent};
+use crate::plan::settings::extent;
+use crate::plan::task::Task;
 use crate::plan::walk::{self, Walk};
 
 /// Largest joint motion from one point of a path to the next, rad or sizes, that is published.
 const LONGEST_STEP: f64 = 0.1;
-
-/// What a motion is looked for.
-#[derive(Clone, Copy)]
-pub(super) struct Task<'a> {
-    pub mechanism: &'a Mechanism,
-    pub goals: &'a [Goal],
-    pub settings: &'a Settings,
-    pub followed: &'a Trajectory,
-}
 
 /// A motion up to a slot.
 #[derive(Clone, Debug)]
@@ -36,16 +26,16 @@ pub(super) struct Building {
     last: Vec<f64>,
     switches: Vec<Switch>,
     lane: Vec<usize>,
-    /// How joint values are written on the way.
+    /// How joint values are written at this point.
     form: Form,
     slot: usize,
 }
 
 impl Building {
     /// The start.
-    pub fn new(task: &Task<'_>, branches: &Branches) -> Self {
-        let extent = extent(task.goals);
-        let mut t = begin(task.mechanism, &branches.solver, extent, task.settings);
+    pub fn new(task: &Task, branches: &Branches) -> Self {
+        let extent = extent(&task.goals);
+        let mut t = begin(&task.mechanism, &branches.solver, extent, &task.settings);
         t.mobility_rank = task.followed.mobility_rank;
         let start = branches.nodes[0][0].theta.clone();
         t.start = branches.solver.scaled().left(&start);
@@ -72,17 +62,12 @@ impl Building {
 
     /// Goes on to the next slot: whether there are more; none where a point is not closed within the limits, or too far from the
     /// one before.
-    pub fn advance(
-        &mut self,
-        task: &Task<'_>,
-        branches: &mut Branches,
-        route: &Route,
-    ) -> Option<bool> {
+    pub fn advance(&mut self, task: &Task, branches: &mut Branches, route: &Route) -> Option<bool> {
         self.slot += 1;
         let slot = self.slot;
         let nodes = [slot - 1, slot].map(|slot| route.nodes()[slot]);
         let changes = route.changes(slot);
-        let passage = branches.pass(task.goals, task.followed, slot, nodes, changes);
+        let passage = branches.pass(task, slot, nodes, changes);
         let node = |slot: usize, node: usize| &branches.nodes[slot][node];
         let [a, b] = [node(slot - 1, nodes[0]), node(slot, nodes[1])];
         let lanes = [
@@ -148,7 +133,7 @@ impl Building {
     }
 
     /// Appends a walk, whose points are measured against a frame's goal.
-    fn go(&mut self, task: &Task<'_>, branches: &Branches, towards: usize, walk: &Walk) {
+    fn go(&mut self, task: &Task, branches: &Branches, towards: usize, walk: &Walk) {
         for point in &walk.points {
             let joints = branches.solver.scaled().left(&self.form.apply(point));
             self.path.push(Point {
@@ -165,7 +150,7 @@ impl Building {
     /// The last point is a frame's own.
     fn arrive(
         &mut self,
-        task: &Task<'_>,
+        task: &Task,
         branches: &mut Branches,
         Passed {
             frame,
@@ -207,7 +192,7 @@ impl Building {
     }
 
     /// The whole motion, and what is known of it.
-    pub fn finish(self, task: &Task<'_>, branches: &mut Branches, route: &Route) -> Found {
+    pub fn finish(self, task: &Task, branches: &mut Branches, route: &Route) -> Found {
         let Self {
             mut t,
             singularity,
@@ -218,7 +203,7 @@ impl Building {
         } = self;
         singularity.finish(&mut t, &mut branches.solver);
         warn_of_rounded(&mut t, &mut branches.solver);
-        let followed = task.followed;
+        let followed = &task.followed;
         let certified = |t: &Trajectory, frame: usize| t.status[frame].is_certified();
         let lost = (0..t.frames()).filter(|&i| certified(&t, i) && !certified(followed, i));
         let scaled = branches.solver.scaled();

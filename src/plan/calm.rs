@@ -147,10 +147,10 @@ impl At {
                 .for_each(|(v, (a, b))| *v += a - b);
             ends += 1.0;
         }
-        if let Some(behind) = self.theta.get(frame + 1) {
+        if let Some(next) = self.theta.get(frame + 1) {
             travel
                 .iter_mut()
-                .zip(theta.iter().zip(behind))
+                .zip(theta.iter().zip(next))
                 .for_each(|(v, (a, b))| *v += a - b);
             ends += 1.0;
         }
@@ -245,7 +245,7 @@ fn total(solver: &mut Solver, goals: &[Pose], theta: &[Vec<f64>], mu: f64) -> f6
 fn solve(blocks: &[Block], mu: f64, damping: f64) -> Option<Vec<Vec<f64>>> {
     let mut right: Vec<Vec<f64>> = vec![Vec::new()];
     // S_i⁻¹ O_i, by columns.
-    let mut behind: Vec<Vec<f64>> = vec![Vec::new()];
+    let mut to_next: Vec<Vec<f64>> = vec![Vec::new()];
     for frame in 1..blocks.len() {
         let block = &blocks[frame];
         let n = block.slope.len();
@@ -264,7 +264,7 @@ fn solve(blocks: &[Block], mu: f64, damping: f64) -> Option<Vec<Vec<f64>>> {
                     let o = -mu * dot(&before.rates[l], &block.rates[i]);
                     b[i] -= o * right[frame - 1][l];
                     for j in i..n {
-                        s[i * n + j] -= o * behind[frame - 1][j * p + l];
+                        s[i * n + j] -= o * to_next[frame - 1][j * p + l];
                     }
                 }
             }
@@ -288,7 +288,7 @@ fn solve(blocks: &[Block], mu: f64, damping: f64) -> Option<Vec<Vec<f64>>> {
             }
         }
         right.push(b);
-        behind.push(columns);
+        to_next.push(columns);
     }
     for frame in (1..blocks.len().saturating_sub(1)).rev() {
         let (own, later) = right.split_at_mut(frame + 1);
@@ -296,7 +296,7 @@ fn solve(blocks: &[Block], mu: f64, damping: f64) -> Option<Vec<Vec<f64>>> {
         let n = x.len();
         for (e, next) in later[0].iter().enumerate() {
             for a in 0..n {
-                x[a] -= behind[frame][e * n + a] * next;
+                x[a] -= to_next[frame][e * n + a] * next;
             }
         }
     }

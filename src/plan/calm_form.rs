@@ -1,16 +1,23 @@
-//! The calm form of what the search for the best motion found, at any price of joint motion.
+//! The calm forms of what the search for the best motion found, at any price of joint motion.
 
 use crate::math::pose::Pose;
 use crate::model::scaled::Scaled;
+use crate::motion::goal::Goal;
 use crate::motion::trajectory::{Status, Trajectory};
-use crate::plan::best::{FIRST_PRICE, NEXT_PRICE, Search};
 use crate::plan::branches::Branches;
 use crate::plan::calm::Calming;
-use crate::plan::found::{Cost, Point};
+use crate::plan::found::{Cost, Found, Point};
 use crate::plan::record::{Singularity, begin, record, warn_of_rounded};
 use crate::plan::settings::extent;
+use crate::plan::task::Task;
 use crate::plan::walk;
+use crate::solve::solver::Solver;
 
+/// Prices that are looked at: so many, each a multiple of the one before. Of the mean square of the joints' speeds, in rad
+/// and sizes a motion, in the unit of mean f.
+const PRICES: usize = 8;
+const FIRST_PRICE: f64 = 1e-9;
+const NEXT_PRICE: f64 = 6.0;
 /// How far f of a calm frame may fall nearby where it still is a closest pose.
 const CALM_FALL: f64 = 1e-12;
 /// The highest price: at it, a motion by 1 rad or size costs more than the farthest pose.
@@ -30,12 +37,20 @@ pub struct Calm {
     pub cost: Cost,
 }
 
-impl Search {
+/// The calm forms of what a search found, price by price.
+#[derive(Clone, Debug)]
+pub(super) struct CalmForms {
+    /// On the way to the next price, from the best and the followed motion; so many of them are settled for it.
+    forms: Vec<Calming>,
+    settled: usize,
+    /// Those that the first price began with, and those of each price of the curve.
+    known: Vec<Vec<Calming>>,
+    curve: Vec<(f64, Cost)>,
+}
+
+impl CalmForms {
     /// The best and the followed motion as positions of the slots, those between slots of the best one spread over slots.
-    pub(super) fn begin_calm(&self) -> Vec<Calming> {
-        let (Some(branches), Some(found)) = (&self.branches, &self.found) else {
-            return Vec::new();
-        };
+    pub fn new(task: &Task, branches: &Branches, found: &Found) -> Self {
         let (scaled, frames) = (branches.solver.scaled(), &branches.frames);
         let entered = |t: &Trajectory| -> Vec<Vec<f64>> {
             let frames = frames.iter();
@@ -44,139 +59,120 @@ impl Search {
                 .collect()
         };
         let best = spread(scaled, frames, &found.path, entered(&found.motion));
-        let mut from = vec![Calming::new(&branches.solver, best)];
+        let mut forms = vec![Calming::new(&branches.solver, best)];
         if !found.switches.is_empty() {
-            from.push(Calming::new(&branches.solver, entered(&self.followed)));
+            forms.push(Calming::new(&branches.solver, entered(&task.followed)));
         }
-        from
+        Self {
+            known: vec![forms.clone()],
+            forms,
+            settled: 0,
+            curve: Vec::new(),
+        }
     }
 
-    /// A step towards the calm forms at a price; when they are there, what the one costs whose frames are closest.
-    pub(super) fn advance_calm(&mut self, price: f64) -> Option<Cost> {
-        let branches = self.branches.as_mut()?;
-        if let Some(calming) = self.calming.get_mut(self.settled) {
+    /// A step towards the calm forms at the next price; when they are there, what the one costs whose frames are closest.
+    pub fn advance(&mut self, task: &Task, branches: &mut Branches) -> Option<Cost> {
+        let price = (self.curve.last()).map_or(FIRST_PRICE, |(price, _)| price * NEXT_PRICE);
+        if let Some(form) = self.forms.get_mut(self.settled) {
             let (goals, mu) = (slot_goals(branches), weight(branches, price));
-            let more = calming.advance(&mut branches.solver, &goals, mu);
+            let more = form.advance(&mut branches.solver, &goals, mu);
             self.settled += usize::from(!more);
             return None;
         }
         self.settled = 0;
-        let theta = closest(branches, &self.calming);
-        Some(self.cost(&theta))
+        let theta = closest(branches, &self.forms);
+        let cost = cost(task, branches, &theta);
+        self.curve.push((price, cost));
+        self.known.push(self.forms.clone());
+        Some(cost)
     }
 
-    /// How close positions of all frames come.
-    fn cost(&self, theta: &[Vec<f64>]) -> Cost {
-        let Some(branches) = &self.branches else {
-            return Cost::default();
-        };
-        let scaled = branches.solver.scaled();
-        let values = self.goals.iter().zip(theta).map(|(goal, theta)| {
-            let joints = scaled.left(theta);
-            branches.solver.value(&goal.pose, &joints)
-        });
-        let (sum, largest) = values.fold((0.0, 0.0_f64), |(sum, largest), value| {
-            (sum + value, largest.max(value))
-        });
-        let steps = theta.windows(2).map(|w| walk::largest(&w[0], &w[1]));
-        Cost {
-            mean: sum / theta.len().max(1) as f64,
-            largest,
-            largest_step: steps.fold(0.0, f64::max),
-        }
+    /// Of each price the cost of the form whose frames are closest.
+    pub fn curve(&self) -> &[(f64, Cost)] {
+        &self.curve
     }
 
-    /// Positions as a motion with its report.
-    fn published(&mut self, theta: &[Vec<f64>]) -> Option<Trajectory> {
-        let solver = &mut self.branches.as_mut()?.solver;
-        let extent = extent(&self.goals);
-        let mut t = begin(&self.mechanism, solver, extent, &self.settings);
-        t.mobility_rank = self.followed.mobility_rank;
-        t.start.clone_from(&self.followed.start);
-        let mut before = t.start.clone();
-        for (goal, theta) in self.goals.iter().zip(theta) {
-            let joints = solver.scaled().left(theta);
-            let mut solved = solver.certify(&goal.pose, &joints, &joints, CALM_FALL);
-            solved.value = solver.value(&goal.pose, &joints);
-            record(&mut t, solver, goal, &before, &joints, &solved);
-            if let Some(status) = t.status.last_mut().filter(|s| **s == Status::Stalled) {
-                *status = Status::Passing;
-            }
-            before = joints;
-        }
-        Singularity::default().finish(&mut t, solver);
-        warn_of_rounded(&mut t, solver);
-        Some(t)
+    /// From 0 to 1.
+    pub fn progress(&self) -> f64 {
+        self.curve.len() as f64 / PRICES as f64
     }
 
-    /// The calm form of what was found at a price, up to [`MOST_PRICE`]; none before the search is done, or beyond.
-    pub fn calm(&mut self, price: f64) -> Option<Calm> {
+    /// Whether there are those of all prices of the curve.
+    pub fn are_complete(&self) -> bool {
+        self.curve.len() >= PRICES
+    }
+
+    /// The one at a price whose frames are closest; none before those of the curve are complete, or beyond [`MOST_PRICE`].
+    pub fn at(&self, task: &Task, branches: &mut Branches, price: f64) -> Option<Calm> {
         /// Of two prices that are the same.
         const SAME: f64 = 1e-12;
-        if !(self.done && price <= MOST_PRICE) {
+        if !(self.are_complete() && price <= MOST_PRICE) {
             return None;
         }
         // From the curve on, step by step as it was found: at once a high price may lead elsewhere.
         let below = |(known, _): &&(f64, Cost)| *known <= price * (1.0 + SAME);
-        let known = self.curve.iter().filter(below).count();
-        let (mut from, mut step) = match known.checked_sub(1) {
-            Some(last) => (self.calmed[last].clone(), self.curve[last].0),
-            None => {
-                let (mut from, first) = (self.begin_calm(), price.min(FIRST_PRICE));
-                self.settle(&mut from, first);
-                (from, first)
-            }
+        let count = self.curve.iter().filter(below).count();
+        let mut forms = self.known[count].clone();
+        let mut step = if let Some(last) = count.checked_sub(1) {
+            self.curve[last].0
+        } else {
+            let first = price.min(FIRST_PRICE);
+            settle(branches, &mut forms, first);
+            first
         };
-        if from.is_empty() {
-            return None;
-        }
         while step < price * (1.0 - SAME) {
             step = price.min(step * NEXT_PRICE);
-            self.settle(&mut from, step);
+            settle(branches, &mut forms, step);
         }
-        let theta = closest(self.branches.as_mut()?, &from);
-        let motion = self.published(&theta)?;
-        let scaled = self.branches.as_ref()?.solver.scaled();
-        let cost = Cost::of(&motion, scaled);
+        let theta = closest(branches, &forms);
+        let motion = published(task, &mut branches.solver, &theta);
+        let cost = Cost::of(&motion, branches.solver.scaled());
         Some(Calm {
             price,
             motion,
             cost,
         })
     }
+}
 
-    /// Makes motions calm at a price.
-    fn settle(&mut self, from: &mut [Calming], price: f64) {
-        let Some(branches) = self.branches.as_mut() else {
-            return;
-        };
-        let (goals, mu) = (slot_goals(branches), weight(branches, price));
-        for calming in from {
-            while calming.advance(&mut branches.solver, &goals, mu) {}
-        }
+/// Makes motions calm at a price.
+fn settle(branches: &mut Branches, forms: &mut [Calming], price: f64) {
+    let (goals, mu) = (slot_goals(branches), weight(branches, price));
+    for form in forms {
+        while form.advance(&mut branches.solver, &goals, mu) {}
     }
+}
 
-    /// The calm form whose largest joint step from frame to frame is `step` (rad or sizes) or less; none before the search
-    /// is done, or where no price makes it so calm.
-    pub fn calm_at_step(&mut self, step: f64) -> Option<Calm> {
-        /// Halvings of the price's logarithm.
-        const HALVINGS: usize = 12;
-        let below = |(_, cost): &(f64, Cost)| cost.largest_step <= step;
-        let high = self.curve.iter().find(|point| below(point))?.0;
-        let (mut low, mut high) = (high / NEXT_PRICE, high);
-        let mut best = self.calm(high)?;
-        for _ in 0..HALVINGS {
-            let middle = (low * high).sqrt();
-            let calm = self.calm(middle)?;
-            if calm.cost.largest_step <= step {
-                high = middle;
-                best = calm;
-            } else {
-                low = middle;
-            }
+/// How close positions of all frames come.
+fn cost(task: &Task, branches: &Branches, theta: &[Vec<f64>]) -> Cost {
+    let solver = &branches.solver;
+    let value =
+        |(goal, theta): (&Goal, &Vec<f64>)| solver.value(&goal.pose, &solver.scaled().left(theta));
+    let values: Vec<f64> = task.goals.iter().zip(theta).map(value).collect();
+    Cost::new(&values, theta)
+}
+
+/// Positions as a motion with its report.
+fn published(task: &Task, solver: &mut Solver, theta: &[Vec<f64>]) -> Trajectory {
+    let extent = extent(&task.goals);
+    let mut t = begin(&task.mechanism, solver, extent, &task.settings);
+    t.mobility_rank = task.followed.mobility_rank;
+    t.start.clone_from(&task.followed.start);
+    let mut before = t.start.clone();
+    for (goal, theta) in task.goals.iter().zip(theta) {
+        let joints = solver.scaled().left(theta);
+        let mut solved = solver.certify(&goal.pose, &joints, &joints, CALM_FALL);
+        solved.value = solver.value(&goal.pose, &joints);
+        record(&mut t, solver, goal, &before, &joints, &solved);
+        if let Some(status) = t.status.last_mut().filter(|s| **s == Status::Stalled) {
+            *status = Status::Passing;
         }
-        Some(best)
+        before = joints;
     }
+    Singularity::default().finish(&mut t, solver);
+    warn_of_rounded(&mut t, solver);
+    t
 }
 
 /// Of calm forms the one whose slots are closest to their goals: the positions of all frames.
@@ -228,7 +224,7 @@ fn fill(branches: &mut Branches, theta: &[Vec<f64>]) -> Vec<Vec<f64>> {
                     + theta[slot + 1][joint] * h
                     + width * s * r * (r * slopes[0][joint] - s * slopes[1][joint])
             });
-            let closed = walk::closed(&mut branches.solver, point.collect());
+            let closed = walk::closed_near(&mut branches.solver, point.collect());
             // It can always stay.
             let closed = closed.unwrap_or_else(|| all[all.len() - 1].clone());
             all.push(closed);
@@ -238,7 +234,7 @@ fn fill(branches: &mut Branches, theta: &[Vec<f64>]) -> Vec<Vec<f64>> {
     all
 }
 
-/// The slots' positions, with those of a long way between two slots taken from all along the way.
+/// The slots' positions, with those of a long walk between two slots taken from all along it.
 fn spread(
     scaled: &Scaled,
     frames: &[usize],
@@ -246,24 +242,27 @@ fn spread(
     mut theta: Vec<Vec<f64>>,
 ) -> Vec<Vec<f64>> {
     let mut free = 1;
-    let mut way: Vec<Vec<f64>> = Vec::new();
+    let mut points: Vec<Vec<f64>> = Vec::new();
     for point in path {
-        way.push(scaled.entered(&point.joints));
+        points.push(scaled.entered(&point.joints));
         let slot = point.frame.map(|frame| frames.binary_search(&frame));
         let Some(Ok(slot)) = slot else {
             continue;
         };
-        let length: f64 = way.windows(2).map(|w| walk::distance(&w[0], &w[1])).sum();
+        let length: f64 = points
+            .windows(2)
+            .map(|w| walk::distance(&w[0], &w[1]))
+            .sum();
         if length > SPREAD && slot > 0 {
             let half = index(libm::ceil(0.5 * length / SHARE)).max(1);
             let (first, end) = (slot.saturating_sub(half), slot + half);
             for at in first.max(free)..end.min(theta.len()) {
                 let share = ((at - first) as f64 + 0.5) / (end - first) as f64;
-                theta[at].clone_from(&way[index(share * (way.len() - 1) as f64)]);
+                theta[at].clone_from(&points[index(share * (points.len() - 1) as f64)]);
             }
             free = end;
         }
-        way = way.split_off(way.len() - 1);
+        points = points.split_off(points.len() - 1);
     }
     theta
 }

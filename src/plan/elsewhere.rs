@@ -103,7 +103,7 @@ fn go_straight(solver: &mut Solver, theta: &mut Vec<f64>, random: &mut Random) {
     for _ in 0..STRIDE {
         let mut next = theta.clone();
         let went = walk::step(solver, &mut next, &mut heading, walk::STEP);
-        match walk::closed(solver, next) {
+        match walk::closed_near(solver, next) {
             Some(next) if went && walk::largest(theta, &next) <= walk::LONGEST => *theta = next,
             _ => heading = walk::random_heading(random, theta.len()),
         }

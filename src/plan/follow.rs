@@ -155,13 +155,7 @@ impl Planning {
                 return true;
             }
             let scaled = self.solver.scaled();
-            predict(
-                scaled,
-                &self.t.joints,
-                frame,
-                &self.joints,
-                &mut self.predicted,
-            );
+            predict(scaled, &self.t.joints, &self.joints, &mut self.predicted);
             let before = self.joints.clone();
             let solved = self.solve(frame);
             self.keep(frame, &before, &solved);
@@ -316,13 +310,13 @@ impl Planning {
                 continue;
             }
             self.solver.clear_holding();
-            let Some(way) = leaps::trace(&mut self.solver, &self.t, first, &from, &to) else {
+            let Some(traced) = leaps::trace(&mut self.solver, &self.t, first, &from, &to) else {
                 self.solver.set_holding(holding);
                 continue;
             };
             let scaled = self.solver.scaled();
-            let other = Leap::between(scaled, self.t.joints_at(first + 1), &way.joints);
-            let leaps = way.leaps.iter().map(|leap| Leap { first, ..*leap });
+            let other = Leap::between(scaled, self.t.joints_at(first + 1), &traced.joints);
+            let leaps = traced.leaps.iter().map(|leap| Leap { first, ..*leap });
             if other.moved_scaled < leaps::LEAP {
                 self.leaps.extend(leaps);
                 self.solver.set_holding(holding);
@@ -345,8 +339,8 @@ impl Planning {
             Runaway::keep_to(&mut self.runaways, first);
             let before = self.t.joints_at(first).to_vec();
             self.t.truncate(first + 1);
-            self.joints = way.joints;
-            self.keep(first + 1, &before, &way.solved);
+            self.joints = traced.joints;
+            self.keep(first + 1, &before, &traced.solved);
             return;
         }
     }

@@ -37,17 +37,21 @@ pub struct Cost {
 }
 
 impl Cost {
+    /// From f and the position of each frame.
+    pub(super) fn new(values: &[f64], positions: &[Vec<f64>]) -> Self {
+        let steps = positions.windows(2).map(|w| walk::largest(&w[0], &w[1]));
+        Self {
+            mean: values.iter().sum::<f64>() / values.len().max(1) as f64,
+            largest: values.iter().copied().fold(0.0, f64::max),
+            largest_step: steps.fold(0.0, f64::max),
+        }
+    }
+
     /// Of a motion.
     pub fn of(t: &Trajectory, scaled: &Scaled) -> Self {
-        let step = |frame: usize| {
-            let [a, b] = [frame, frame + 1].map(|i| scaled.entered(t.joints_at(i)));
-            walk::largest(&a, &b)
-        };
-        Self {
-            mean: t.metric.iter().sum::<f64>() / t.frames().max(1) as f64,
-            largest: t.metric.iter().copied().fold(0.0, f64::max),
-            largest_step: (1..t.frames()).map(|i| step(i - 1)).fold(0.0, f64::max),
-        }
+        let position = |frame: usize| scaled.entered(t.joints_at(frame));
+        let positions: Vec<_> = (0..t.frames()).map(position).collect();
+        Self::new(&t.metric, &positions)
     }
 }
 
@@ -58,7 +62,7 @@ pub struct Switch {
     pub frame: usize,
     /// The branches, as [`Found::lanes`] has them.
     pub from: usize,
-    /// The branch behind it.
+    /// The branch after it.
     pub to: usize,
     /// Joint motion on the way, root of squares, rad and sizes.
     pub length: f64,
@@ -186,7 +190,7 @@ fn lanes(branches: &Branches, followed: &Trajectory) -> Vec<Lane> {
     lanes
 }
 
-/// The run that a branch is in at a slot. Those of branches that are found later come behind.
+/// The run that a branch is in at a slot. Those of branches that are found later come last.
 pub(super) fn lane_of(branches: &Branches, branch: usize, slot: usize) -> usize {
     match branches.origins.get(branch) {
         Some(&origin) if branch < branches.followed && slot >= origin => 0,

@@ -104,10 +104,10 @@ pub fn is_suspicious(t: &Trajectory, scaled: &Scaled, first: usize) -> bool {
     }
     // The neighbours next to it, and their weights in the polynomial through them at the interval itself.
     let before = (1..=NEIGHBOURS).map_while(|k| first.checked_sub(k).filter(|&n| is_known(n)));
-    let behind = (1..=NEIGHBOURS).map_while(|k| Some(first + k).filter(|&n| is_known(n)));
+    let after = (1..=NEIGHBOURS).map_while(|k| Some(first + k).filter(|&n| is_known(n)));
     let mut nodes = [(0, 1.0); 2 * NEIGHBOURS];
     let mut count = 0;
-    for node in before.chain(behind) {
+    for node in before.chain(after) {
         nodes[count].0 = node;
         count += 1;
     }
@@ -177,9 +177,9 @@ impl Point {
     }
 }
 
-/// With the rates r at the ends of a step, per step, the way of the step is (r₀ + r₁)/2; or else, by the cubic polynomial
+/// With the rates r at the ends of a step, per step, the motion of the step is (r₀ + r₁)/2; or else, by the cubic polynomial
 /// through the ends, its middle is (θ₀ + θ₁)/2 + (r₀ − r₁)/8 and the rate there (θ₁ − θ₀)·3/2 − (r₀ + r₁)/4. A leap
-/// changes the way and the place of the middle, and no rate.
+/// changes the motion and the place of the middle, and no rate.
 fn go_as_their_ends(
     solver: &mut Solver,
     from: &Goal,
@@ -196,8 +196,8 @@ fn go_as_their_ends(
             .zip(rates)
             .map(|((x, y), (r, s))| (x, y, long * r, long * s))
     };
-    let way = joints().map(|(x, y, r, s)| (y - x - 0.5 * (r + s)).abs());
-    if way.fold(0.0, larger) <= FINE {
+    let moved = joints().map(|(x, y, r, s)| (y - x - 0.5 * (r + s)).abs());
+    if moved.fold(0.0, larger) <= FINE {
         return true;
     }
     let middle: Vec<f64> = joints()
@@ -234,7 +234,7 @@ fn go_as_their_ends(
 
 /// How an interval was passed in short steps.
 #[derive(Clone, Debug)]
-pub struct Way {
+pub struct Traced {
     /// Joint values at its end.
     pub joints: Vec<f64>,
     /// What is known of the frame there.
@@ -254,7 +254,7 @@ pub fn trace(
     first: usize,
     from: &Goal,
     to: &Goal,
-) -> Option<Way> {
+) -> Option<Traced> {
     // Points of the motion, the latest first: the part of the interval, negative before it, and joint values.
     let mut points: Vec<(f64, Vec<f64>)> = (0..POINTS)
         .map_while(|back| first.checked_sub(back))
@@ -305,7 +305,7 @@ pub fn trace(
             }
         }
         if next >= 1.0 {
-            return Some(Way {
+            return Some(Traced {
                 joints: end,
                 solved,
                 leaps,

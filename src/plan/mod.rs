@@ -14,6 +14,8 @@ mod building;
 mod calm;
 #[cfg(feature = "study")]
 pub mod calm_form;
+#[cfg(feature = "study")]
+mod candidates;
 pub mod configuration;
 #[cfg(feature = "study")]
 mod configurations;
@@ -47,9 +49,9 @@ pub mod settings;
 #[cfg(feature = "study")]
 mod starts;
 #[cfg(feature = "study")]
+mod task;
+#[cfg(feature = "study")]
 mod tracks;
 #[cfg(feature = "study")]
 pub mod unseen;
 pub mod walk;
-#[cfg(feature = "study")]
-mod ways;

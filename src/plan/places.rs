@@ -203,22 +203,9 @@ impl Places {
             if !(first..first + 3).all(is_free) {
                 continue;
             }
-            let twin = [(1.0, PI), (-1.0, -2.0 * offset), (1.0, PI)];
-            let mut other = [(1.0, 0.0); 3];
-            let (mut plain_far, mut twin_far) = (0.0, 0.0);
-            for (k, other) in other.iter_mut().enumerate() {
-                let joint = first + k;
-                *other = turned(reference[joint], theta[joint], twin[k]);
-                let off = |(sign, shift): (f64, f64)| {
-                    let off = sign * theta[joint] + shift - reference[joint];
-                    off * off
-                };
-                plain_far += off(form.0[joint]);
-                twin_far += off(*other);
-            }
-            if twin_far < plain_far {
-                form.0[first..first + 3].copy_from_slice(&other);
-            }
+            let own = first..first + 3;
+            let nearest = nearest_angles(&reference[own.clone()], &theta[own.clone()], offset);
+            form.0[own].copy_from_slice(&nearest);
         }
         form
     }
@@ -234,43 +221,51 @@ impl Places {
         most: f64,
         count: impl Fn(usize, f64) -> f64,
     ) -> f64 {
-        let moved = |joint: usize, form: (f64, f64)| {
-            let (sign, offset) = turned(from[joint], to[joint], form);
-            (from[joint] - (sign * to[joint] + offset)).abs()
-        };
         let mut spherical = self.spherical.iter().peekable();
         let (mut sum, mut joint) = (0.0, 0);
         while joint < from.len() && sum < most {
             let own = spherical.next_if(|(first, _)| *first == joint);
             let own = own.filter(|_| self.free[joint..joint + 3].iter().all(|free| *free));
             if let Some(&(first, offset)) = own {
-                let plain = [0, 1, 2].map(|k| moved(first + k, (1.0, 0.0)));
-                let twin = [(1.0, PI), (-1.0, -2.0 * offset), (1.0, PI)];
-                let twin = [0, 1, 2].map(|k| moved(first + k, twin[k]));
-                let square = |moves: [f64; 3]| moves.iter().map(|m| m * m).sum::<f64>();
-                let nearer = if square(twin) < square(plain) {
-                    twin
-                } else {
-                    plain
-                };
-                for (k, moved) in nearer.into_iter().enumerate() {
-                    sum += count(first + k, moved);
+                let own = first..first + 3;
+                let form = nearest_angles(&from[own.clone()], &to[own], offset);
+                for form in form {
+                    sum += count(joint, moved(from[joint], to[joint], form));
+                    joint += 1;
                 }
-                joint += 3;
                 continue;
             }
-            sum += count(
-                joint,
-                if self.free[joint] {
-                    moved(joint, (1.0, 0.0))
-                } else {
-                    (from[joint] - to[joint]).abs()
-                },
-            );
+            let form = if self.free[joint] {
+                turned(from[joint], to[joint], (1.0, 0.0))
+            } else {
+                (1.0, 0.0)
+            };
+            sum += count(joint, moved(from[joint], to[joint], form));
             joint += 1;
         }
         sum
     }
+}
+
+/// Which of a spherical joint's two sets of angles is nearest to `reference`; `offset` is what its second row adds.
+fn nearest_angles(reference: &[f64], theta: &[f64], offset: f64) -> [(f64, f64); 3] {
+    let form = |forms: [(f64, f64); 3]| [0, 1, 2].map(|k| turned(reference[k], theta[k], forms[k]));
+    let far = |forms: &[(f64, f64); 3]| -> f64 {
+        let moves = [0, 1, 2].map(|k| moved(reference[k], theta[k], forms[k]));
+        moves.iter().map(|m| m * m).sum()
+    };
+    let plain = form([(1.0, 0.0); 3]);
+    let twin = form([(1.0, PI), (-1.0, -2.0 * offset), (1.0, PI)]);
+    if far(&twin) < far(&plain) {
+        twin
+    } else {
+        plain
+    }
+}
+
+/// How far a value is from `reference` as the form writes it.
+fn moved(reference: f64, theta: f64, (sign, offset): (f64, f64)) -> f64 {
+    (reference - (sign * theta + offset)).abs()
 }
 
 /// A form with the whole turns that bring the value nearest to `reference`.

@@ -5,20 +5,15 @@ use crate::model::scaled::Scaled;
 /// Frames before one that its prediction may go through.
 const POINTS: usize = 6;
 
-/// Where the joints of frame `frame` are expected, extrapolated from the joint values `history` of the frames before it:
-/// through so many of the last ones as would have met the last frame best.
-pub fn predict(
-    scaled: &Scaled,
-    history: &[f64],
-    frame: usize,
-    joints: &[f64],
-    predicted: &mut [f64],
-) {
+/// Where the joints of the next frame are expected, extrapolated from the joint values `history` of the frames before it:
+/// through so many of the last ones as would have met the last frame best; of fewer than two frames at `joints`.
+pub fn predict(scaled: &Scaled, history: &[f64], joints: &[f64], predicted: &mut [f64]) {
     predicted.copy_from_slice(joints);
+    let n = joints.len();
+    let frame = history.len() / n.max(1);
     if frame < 2 {
         return;
     }
-    let n = joints.len();
     let last = (frame - 1) * n;
     let most = (POINTS - 1).min(frame - 1);
     // Through p frames a prediction errs by the backward difference of order p: of the newest frame, at its place below.
@@ -75,13 +70,7 @@ mod tests {
             };
             let history: Vec<f64> = (0..frame * n).map(|i| at(i / n)).collect();
             let mut found = vec![0.0; n];
-            predict(
-                &scaled,
-                &history,
-                frame,
-                &history[(frame - 1) * n..],
-                &mut found,
-            );
+            predict(&scaled, &history, &history[(frame - 1) * n..], &mut found);
             found
                 .iter()
                 .map(|x| (x - at(frame)).abs())

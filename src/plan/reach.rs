@@ -1,30 +1,30 @@
 //! Closed walks from the branches that are known to other positions, and which branches they join.
 
-use crate::plan::branches::{Branches, Crossing, Edge, Way};
+use crate::plan::branches::{Branches, Crossing, Edge, RandomWalk};
 use crate::plan::walk::{self, Walk};
 
 /// Walks that are tried to a position, from the nearest positions known.
 pub const TRIES: usize = 12;
-/// Ways at random from the start that are made first, and their length, rad and sizes: a linkage of one freedom goes round
+/// Walks at random from the start that are made first, and their length, rad and sizes: a linkage of one freedom goes round
 /// most of its curve so.
 const EXPLORING: usize = 4;
 const FAR: f64 = 12.0;
-/// Of a way at random every so many points are compared with a position.
+/// Of a walk at random every so many points are compared with a position.
 const KEPT: usize = 6;
 
-/// A position that is known, and one on the way from the position that is looked for.
+/// A position that is known, and one on a walk at random from the position that is looked for.
 struct Near {
     far: f64,
     node: usize,
-    /// The way from the node, and the number of its points.
-    way: Option<(usize, usize)>,
-    /// The way back, and the number of its points.
+    /// The walk at random from the node, and the number of its points.
+    out: Option<(usize, usize)>,
+    /// The one from the position, and the number of its points.
     back: Option<(usize, usize)>,
 }
 
 impl Branches {
-    /// A closed walk to a position from one of a slot's nodes: straight from the nearest nodes, or points of ways at random
-    /// from nodes, to it, or to points of `back` ways at random from it. The node that it begins at.
+    /// A closed walk to a position from one of a slot's nodes: straight from the nearest nodes, or points of walks at random
+    /// from nodes, to it, or to points of `back` walks at random from it. The node that it begins at.
     pub(super) fn reach(
         &mut self,
         slot: usize,
@@ -33,19 +33,19 @@ impl Branches {
         back: usize,
         from: impl Fn(usize) -> bool,
     ) -> Option<(usize, Walk)> {
-        let ways: Vec<Vec<Vec<f64>>> = (0..back)
-            .map(|_| walk::wander(&mut self.solver, to, FAR, &mut self.random))
+        let back: Vec<Vec<Vec<f64>>> = (0..back)
+            .map(|_| walk::random_walk(&mut self.solver, to, FAR, &mut self.random))
             .collect();
-        // Of each way only the nearest point: many near points of one way are one chance.
+        // Of each walk only the nearest point: many near points of one walk are one chance.
         let mut near: Vec<Near> = Vec::new();
-        let compare = |theta: &[f64], node: usize, way: Option<(usize, usize)>| {
+        let compare = |theta: &[f64], node: usize, out: Option<(usize, usize)>| {
             let mut best = Near {
                 far: self.unlike(theta, to, f64::INFINITY),
                 node,
-                way,
+                out,
                 back: None,
             };
-            for (number, points) in ways.iter().enumerate() {
+            for (number, points) in back.iter().enumerate() {
                 for i in (0..points.len()).skip(KEPT - 1).step_by(KEPT) {
                     let far = self.unlike(theta, &points[i], best.far);
                     if far < best.far {
@@ -61,26 +61,26 @@ impl Branches {
                 near.push(compare(&node.theta, i, None));
             }
         }
-        for (number, way) in self.ways.iter().enumerate() {
-            if let Some(node) = self.list[way.branch]
+        for (number, walk) in self.random_walks.iter().enumerate() {
+            if let Some(node) = self.list[walk.branch]
                 .node(slot)
-                .filter(|_| from(way.branch))
+                .filter(|_| from(walk.branch))
             {
-                let points = (0..way.points.len()).skip(KEPT - 1).step_by(KEPT);
-                let points = points.map(|i| compare(&way.points[i], node, Some((number, i + 1))));
+                let points = (0..walk.points.len()).skip(KEPT - 1).step_by(KEPT);
+                let points = points.map(|i| compare(&walk.points[i], node, Some((number, i + 1))));
                 near.extend(points.min_by(|a, b| a.far.total_cmp(&b.far)));
             }
         }
         // From nodes first, which are few and closest poses like the one that is looked for.
-        near.sort_by(|a, b| (a.way.is_some().cmp(&b.way.is_some())).then(a.far.total_cmp(&b.far)));
+        near.sort_by(|a, b| (a.out.is_some().cmp(&b.out.is_some())).then(a.far.total_cmp(&b.far)));
         near.truncate(tries);
         near.iter().find_map(|near| {
-            let whole = self.by_way(slot, near, to, &ways)?;
+            let whole = self.by_walks(slot, near, to, &back)?;
             Some((near.node, whole))
         })
     }
 
-    /// How unlike two positions are for a walk between them: a slider's way counts up to one size, since it mostly is straight
+    /// How unlike two positions are for a walk between them: a slider's motion counts up to one size, since it mostly is straight
     /// however long it is, and angles decide. From `most` on it does not matter how much.
     fn unlike(&self, from: &[f64], to: &[f64], most: f64) -> f64 {
         let turns = self.solver.scaled().turns();
@@ -90,8 +90,8 @@ impl Branches {
         })
     }
 
-    /// The closed walk from a node by a way at random, straight on, and by the way back.
-    fn by_way(
+    /// The closed walk from a node by a walk at random, straight on, and back along the one from the position.
+    fn by_walks(
         &mut self,
         slot: usize,
         near: &Near,
@@ -100,15 +100,15 @@ impl Branches {
     ) -> Option<Walk> {
         let mut at = self.nodes[slot][near.node].theta.clone();
         let mut out = Vec::new();
-        if let Some((number, count)) = near.way {
-            out = self.ways[number].points[..count].to_vec();
-            at = walk::closed(&mut self.solver, out.pop()?)?;
+        if let Some((number, count)) = near.out {
+            out = self.random_walks[number].points[..count].to_vec();
+            at = walk::closed_near(&mut self.solver, out.pop()?)?;
             out.push(at.clone());
         }
         let mut home = vec![to.to_vec()];
         if let Some((number, count)) = near.back {
             home.extend_from_slice(&back[number][..count]);
-            let end = walk::closed(&mut self.solver, home.pop()?)?;
+            let end = walk::closed_near(&mut self.solver, home.pop()?)?;
             home.push(end);
         }
         let end = home.last().expect("the position itself");
@@ -117,15 +117,18 @@ impl Branches {
         let middle = home.remove(0);
         let straight = walk::walk(&mut self.solver, &at, &middle)?;
         let mut whole = Walk::default();
-        if let Some((number, _)) = near.way {
-            let (branch, origin) = (self.ways[number].branch, self.ways[number].slot);
+        if let Some((number, _)) = near.out {
+            let (branch, origin) = (
+                self.random_walks[number].branch,
+                self.random_walks[number].slot,
+            );
             whole = self.walk_along(branch, slot, origin);
             let node = self.list[branch].node(origin)?;
             let start = self.nodes[origin][node].theta.clone();
-            whole.append(walk::close(&mut self.solver, &start, out)?);
+            whole.append(walk::closed_through(&mut self.solver, &start, out)?);
         }
         whole.append(straight);
-        whole.append(walk::close(&mut self.solver, &middle, home)?);
+        whole.append(walk::closed_through(&mut self.solver, &middle, home)?);
         Some(whole)
     }
 
@@ -157,12 +160,12 @@ impl Branches {
         whole
     }
 
-    /// Ways at random from the start, far enough to leave its surroundings.
+    /// Walks at random from the start, far enough to leave its surroundings.
     pub fn explore(&mut self) {
         let start = self.nodes[0][0].theta.clone();
         for _ in 0..EXPLORING {
-            let points = walk::wander(&mut self.solver, &start, FAR, &mut self.random);
-            self.ways.push(Way {
+            let points = walk::random_walk(&mut self.solver, &start, FAR, &mut self.random);
+            self.random_walks.push(RandomWalk {
                 slot: 0,
                 branch: 0,
                 points,

@@ -39,7 +39,7 @@ impl Link {
     }
 }
 
-/// The walks of a road in order, and which are taken the other way round.
+/// The walks of a road in order, and which are taken backwards.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Road(Vec<(Link, bool)>);
 
@@ -92,7 +92,7 @@ pub(super) struct Roads<'a> {
     links: Vec<Link>,
     /// Branch and slot.
     stops: Vec<(usize, usize)>,
-    /// The stops before and behind on the same branch.
+    /// The stops before and after on the same branch.
     beside: Vec<[Option<usize>; 2]>,
     /// The stops of each branch, in the order of their slots.
     of: Vec<Vec<usize>>,
@@ -144,8 +144,9 @@ impl<'a> Roads<'a> {
         }
     }
 
-    fn way(&self, branch: usize, from: usize, to: usize) -> f64 {
-        self.price * self.branches.list[branch].way(from, to)
+    /// What it costs to go along a branch.
+    fn along(&self, branch: usize, from: usize, to: usize) -> f64 {
+        self.price * self.branches.list[branch].length(from, to)
     }
 
     /// From all nodes of a slot, at these costs: Dijkstra's search.
@@ -167,7 +168,7 @@ impl<'a> Roads<'a> {
         for (node, &cost) in costs.iter().enumerate() {
             let branch = self.branches.nodes[slot][node].branch;
             for &stop in &self.of[branch] {
-                let cost = cost + self.way(branch, slot, self.stops[stop].1);
+                let cost = cost + self.along(branch, slot, self.stops[stop].1);
                 take(&mut reached, &mut open, stop, cost, From::Node(node));
             }
         }
@@ -181,7 +182,7 @@ impl<'a> Roads<'a> {
             take(&mut reached, &mut open, stop ^ 1, over, From::Over(stop));
             let (branch, at) = self.stops[stop];
             for next in self.beside[stop].into_iter().flatten() {
-                let cost = cost + self.way(branch, at, self.stops[next].1);
+                let cost = cost + self.along(branch, at, self.stops[next].1);
                 take(&mut reached, &mut open, next, cost, From::Along(stop));
             }
         }
@@ -193,7 +194,7 @@ impl<'a> Roads<'a> {
         let stops = self.of[branch].iter();
         stops
             .map(|&stop| {
-                let rest = self.way(branch, self.stops[stop].1, slot);
+                let rest = self.along(branch, self.stops[stop].1, slot);
                 (reached.cost[stop] + rest, stop)
             })
             .min_by(|a, b| a.0.total_cmp(&b.0))

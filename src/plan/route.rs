@@ -1,9 +1,9 @@
-//! The cheapest way through a motion's branches: a shortest path over the closest poses of all frames, whose changes of
+//! The cheapest route through a motion's branches: a shortest path over the closest poses of all frames, whose changes of
 //! branch are closed walks.
 //!
 //! Cost: the mean of f over the frames, and a price for each rad or size that joints move. A change of branch is priced by
-//! the straight distance until it lies on the cheapest way; only then the walk is looked for, and its true length taken, or
-//! the change left out. The way is found where all its changes are walks.
+//! the straight distance until it lies on the cheapest route; only then the walk is looked for, and its true length taken, or
+//! the change left out. The route is found where all its changes are walks.
 
 use crate::plan::branches::{Branches, Edge};
 use crate::plan::roads::{Road, Roads};
@@ -13,7 +13,7 @@ use std::collections::BTreeMap;
 pub const PRICE: f64 = 2e-7;
 /// Price of a frame that is no certified closest pose, in the unit of f: such a frame is no answer.
 pub(super) const UNCERTIFIED: f64 = 0.05;
-/// Straight walks between two branches that may fail before only known ways are taken.
+/// Straight walks between two branches that may fail before only known walks are taken.
 const TRIES: usize = 6;
 
 /// How a slot's node is reached from one of the slot before.
@@ -27,11 +27,11 @@ enum By {
     Road(Road),
 }
 
-/// What tells a way from others.
+/// The node of each slot and how it is reached: what tells a route from others.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Way(Vec<usize>, Vec<By>);
+pub struct Choice(Vec<usize>, Vec<By>);
 
-/// A way through all slots: a node each.
+/// A route through all slots: a node each.
 #[derive(Clone, Debug, Default)]
 pub struct Route {
     nodes: Vec<usize>,
@@ -46,17 +46,17 @@ pub struct Route {
 }
 
 impl Route {
-    /// The node of each slot; empty until a way is found.
+    /// The node of each slot; empty until one is found.
     pub fn nodes(&self) -> &[usize] {
         &self.nodes
     }
 
-    /// The way: the node of each slot and how it is reached. Another one is another motion.
-    pub fn way(&self) -> Way {
-        Way(self.nodes.clone(), self.by.clone())
+    /// What was chosen; another choice is another motion.
+    pub fn choice(&self) -> Choice {
+        Choice(self.nodes.clone(), self.by.clone())
     }
 
-    /// f of the way in each slot; of the followed motion where there is no way yet.
+    /// f in each slot; of the followed motion where there is no route yet.
     pub fn values(&self, branches: &Branches) -> Vec<f64> {
         let node = |slot: usize| self.nodes.get(slot).copied().unwrap_or(0);
         let slots = branches.nodes.iter().enumerate();
@@ -96,7 +96,7 @@ impl Route {
         true
     }
 
-    /// Looks for the cheapest way, and for the walks on it; true when all of them are there.
+    /// Looks for the cheapest route, and for the walks on it; true when all of them are there.
     pub fn advance(&mut self, branches: &mut Branches) -> bool {
         for (key, edge) in &branches.bridges {
             let known = self.walks.entry(*key).or_default();
@@ -152,7 +152,11 @@ impl Route {
                 let list = &branches.list[node.branch];
                 let mut least = f64::INFINITY;
                 if let Some(l) = slot.checked_sub(1).and_then(|before| list.node(before)) {
-                    least = take(before[l] + PRICE * list.way(slot - 1, slot), l, By::Branch);
+                    least = take(
+                        before[l] + PRICE * list.length(slot - 1, slot),
+                        l,
+                        By::Branch,
+                    );
                 }
                 for (l, other) in branches.nodes[slot - 1].iter().enumerate() {
                     if other.branch == node.branch || !(before[l] < least) {
@@ -205,7 +209,7 @@ impl Route {
             By::Branch => vec![branches.along(slot, from, to)],
             By::Walk => {
                 let walk = self.walks.get(&(slot, from, to)).cloned().flatten();
-                vec![walk.expect("the walks of a way that was found")]
+                vec![walk.expect("the walks of a route that was found")]
             }
             By::Road(road) => {
                 let branch = branches.nodes[slot - 1][from].branch;
@@ -223,7 +227,7 @@ impl Route {
         joined
     }
 
-    /// Whether the way changes its branch before a slot.
+    /// Whether the route changes its branch before a slot.
     pub fn changes(&self, slot: usize) -> bool {
         self.by[slot] != By::Branch
     }

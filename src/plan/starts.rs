@@ -1,20 +1,20 @@
 //! Starts of the search for branches: from a closest pose that is known, and from anywhere.
 
-use crate::plan::branches::{Apart, Branches, Edge, Way};
+use crate::plan::branches::{Apart, Branches, Edge, RandomWalk};
 use crate::plan::places::Form;
 use crate::plan::reach::TRIES;
 use crate::plan::walk::{self, Walk};
 use crate::solve::solver::Solved;
 use std::f64::consts::PI;
 
-/// Lengths of the ways that a start wanders, root of the joints' squared motions, rad and sizes.
+/// Lengths of the random walks of starts, root of the joints' squared motions, rad and sizes.
 const LENGTHS: [f64; 4] = [0.4, 0.8, 1.6, 3.2];
-/// Share of these starts whose way leads downhill to a goal at random instead. It is longer, and comes to branches that the
+/// Share of these starts that fall to a goal at random instead. That goes farther, and comes to branches that the
 /// others seldom find: of linkages with sliders they mostly follow the slider.
 const AIMED: f64 = 0.5;
 /// Walks that are tried to a pose that is no closer than those that are known.
 const FEW_TRIES: usize = 3;
-/// Poses that are tried again at a time, with so many ways at random from each.
+/// Poses that are tried again at a time, with so many walks at random from each.
 const AGAIN: usize = 6;
 const BACK: usize = 2;
 
@@ -25,21 +25,21 @@ impl Branches {
         let length = LENGTHS[index(self.random.unit(), LENGTHS.len())];
         let from = self.nodes[slot][pick].clone();
         let goal = *self.goal(slot);
-        let way = if self.random.unit() < AIMED {
+        let points = if self.random.unit() < AIMED {
             let aim = walk::random_goal(&self.solver, &goal, &mut self.random);
             let (end, _, mut passed) = walk::fall(&mut self.solver, &from.theta, &aim);
             passed.push(end);
             passed
         } else {
-            walk::wander(&mut self.solver, &from.theta, length, &mut self.random)
+            walk::random_walk(&mut self.solver, &from.theta, length, &mut self.random)
         };
-        let Some(at) = way.last().cloned() else {
+        let Some(at) = points.last().cloned() else {
             return;
         };
-        self.ways.push(Way {
+        self.random_walks.push(RandomWalk {
             slot,
             branch: from.branch,
-            points: way.clone(),
+            points: points.clone(),
         });
         self.starts += 1;
         let (end, solved, passed) = walk::fall(&mut self.solver, &at, &goal);
@@ -60,7 +60,7 @@ impl Branches {
             self.lost += 1;
             return;
         }
-        let Some(way) = self.way_by(&from.theta, way, passed, &end) else {
+        let Some(walk) = self.walk_by(&from.theta, points, passed, &end) else {
             // The steps downhill have leapt: the pose is one from anywhere.
             if found.is_none() {
                 self.set_apart(slot, end, axes, solved);
@@ -76,25 +76,24 @@ impl Branches {
             self.list[branch].starts += 1;
             (branch, Form::same(end.len()))
         };
-        let edge = Edge { walk: way, form };
+        let edge = Edge { walk, form };
         self.join(slot, [from.branch, branch], edge);
     }
 
-    /// The closed walk along a way at random and down from its end.
-    fn way_by(
+    /// The closed walk along a walk at random and down from its end.
+    fn walk_by(
         &mut self,
         from: &[f64],
-        way: Vec<Vec<f64>>,
+        mut points: Vec<Vec<f64>>,
         passed: Vec<Vec<f64>>,
         end: &[f64],
     ) -> Option<Walk> {
         if let Some(straight) = walk::walk(&mut self.solver, from, end) {
             return Some(straight);
         }
-        let mut way = way;
-        let at = walk::closed(&mut self.solver, way.pop()?)?;
-        way.push(at.clone());
-        let mut whole = walk::close(&mut self.solver, from, way)?;
+        let at = walk::closed_near(&mut self.solver, points.pop()?)?;
+        points.push(at.clone());
+        let mut whole = walk::closed_through(&mut self.solver, from, points)?;
         whole.append(walk::retrace(&mut self.solver, &at, passed, end)?);
         Some(whole)
     }

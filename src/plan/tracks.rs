@@ -1,5 +1,6 @@
-//! Branches followed from slot to slot: from a closest pose both ways, behind a leap, and beyond their ends.
+//! Branches followed from slot to slot: from a closest pose both ways, after a leap, and beyond their ends.
 
+use crate::math::pose::Pose;
 use crate::plan::branches::{Branches, Edge, Node, resting};
 use crate::plan::places::Form;
 use crate::plan::predict::predict;
@@ -26,20 +27,20 @@ impl Branches {
                 axes,
             });
             let to = self.nodes[at + 1][node].theta.clone();
-            let Some(way) = self.step(at + 1, index, node, &to) else {
+            let Some(length) = self.step(at + 1, index, node, &to) else {
                 self.nodes[at].pop();
                 return;
             };
             let list = &mut self.list[branch];
             list.first = at;
             list.nodes.insert(0, index);
-            list.along.iter_mut().for_each(|along| *along += way);
+            list.along.iter_mut().for_each(|along| *along += length);
             list.along.insert(0, 0.0);
             node = index;
         }
     }
 
-    /// Stays where a node is for all slots behind its own: what a linkage can always do.
+    /// Stays where a node is for all slots after its own: what a linkage can always do.
     pub fn stay_at(&mut self, slot: usize, node: usize) -> Option<usize> {
         let theta = self.nodes[slot][node].theta.clone();
         let joints = self.solver.scaled().left(&theta);
@@ -50,10 +51,7 @@ impl Branches {
         }
         if let Some(branch) = branch {
             let own = self.list[branch].nodes[0];
-            let walk = Walk {
-                points: vec![theta.clone()],
-                length: 0.0,
-            };
+            let walk = Walk::straight(&theta, &theta);
             let form = Form::same(theta.len());
             self.bridges
                 .insert((slot + 1, node, own), Edge { walk, form });
@@ -84,47 +82,61 @@ impl Branches {
         own
     }
 
-    /// The closest poses of the slots before or behind one, from its pose on, up to a pose that is known, a leap or the end.
+    /// The closest poses of the slots before or after one, from its pose on, up to a pose that is known, a leap or the end.
     pub(super) fn track(
         &mut self,
         slot: usize,
         theta: &[f64],
         direction: isize,
     ) -> Vec<(Vec<f64>, Solved)> {
-        let mut track = Vec::new();
-        let mut joints = self.solver.scaled().left(theta);
+        let next = |at: &usize| at.checked_add_signed(direction);
+        let slots = std::iter::successors(next(&slot), next);
+        let slots = slots.take_while(|at| (1..self.slots()).contains(at));
+        let goals: Vec<_> = slots.map(|at| (at, *self.goal(at))).collect();
+        self.follow_goals(theta, goals, |branches, at, before, theta, solved| {
+            if walk::largest(before, &theta) > LEAP {
+                return None;
+            }
+            let axes = branches.places.axes(&theta);
+            let is_known = branches.find(at, &theta, &axes).is_some();
+            (!is_known).then_some((theta, solved))
+        })
+    }
+
+    /// The closest poses to goals one after the other, each with its number, as long as there are any and `take` takes them: it
+    /// gets the number, the position before, the position and what is known of it.
+    pub(super) fn follow_goals<T>(
+        &mut self,
+        start: &[f64],
+        goals: impl IntoIterator<Item = (usize, Pose)>,
+        mut take: impl FnMut(&mut Self, usize, &[f64], Vec<f64>, Solved) -> Option<T>,
+    ) -> Vec<T> {
+        let mut all = Vec::new();
+        let mut joints = self.solver.scaled().left(start);
         let mut history = joints.clone();
         let mut predicted = joints.clone();
-        let mut before = theta.to_vec();
-        let mut at = slot;
+        let mut before = start.to_vec();
         self.solver.clear_holding();
-        loop {
-            at = match at.checked_add_signed(direction) {
-                Some(next) if next > 0 && next < self.slots() => next,
-                _ => break,
-            };
-            let scaled = self.solver.scaled();
-            predict(scaled, &history, track.len() + 1, &joints, &mut predicted);
-            let goal = *self.goal(at);
+        for (number, goal) in goals {
+            predict(self.solver.scaled(), &history, &joints, &mut predicted);
             let solved = self.solver.solve(&goal, &mut joints, &predicted);
             let theta = self.solver.scaled().entered(&joints);
-            if !self.is_answer(&theta, &solved, &goal) || walk::largest(&before, &theta) > LEAP {
+            if !self.is_answer(&theta, &solved, &goal) {
                 break;
             }
-            let axes = self.places.axes(&theta);
-            if self.find(at, &theta, &axes).is_some() {
+            let Some(taken) = take(self, number, &before, theta.clone(), solved) else {
                 break;
-            }
+            };
+            all.push(taken);
             history.extend_from_slice(&joints);
-            before.clone_from(&theta);
-            track.push((theta, solved));
+            before = theta;
         }
         self.solver.clear_holding();
-        track
+        all
     }
 
     /// The closest pose to which the linkage falls from a node when the goal goes on to the next slot, where it is not on the
-    /// node's branch any more: the node there, and the way.
+    /// node's branch any more: the node there, and the walk.
     pub fn fall_on(&mut self, slot: usize, node: usize) -> Option<(usize, Edge)> {
         let from = self.nodes[slot][node].theta.clone();
         let goal = *self.goal(slot + 1);

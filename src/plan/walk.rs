@@ -15,13 +15,13 @@ use nalgebra::{Quaternion, Vector3, Vector4};
 pub const STEP: f64 = 0.06;
 /// Largest joint motion from one point of a walk to the next, rad or sizes.
 pub const LONGEST: f64 = 0.07;
-/// Steps of a walk, and of one towards a position for each of the straight way's.
+/// Steps of a walk, and of one towards a position for each of the straight line's.
 const STEPS: usize = 300;
 const DETOUR: f64 = 2.0;
 const MOST_STEPS: f64 = 2e4;
 /// A walk has arrived where it is off by no more than this, rad or sizes: its last step but one is as good as the end.
 const ARRIVED: f64 = 1e-3;
-/// Share by which the distance to the end must fall in a step, and the least share of the way that is a free motion.
+/// Share by which the distance to the end must fall in a step, and the least share of it that is a free motion.
 const NEARER: f64 = 1e-4;
 const ALONG: f64 = 1e-3;
 /// How often a walk at random that is stuck turns, and how often a step is halved.
@@ -42,6 +42,14 @@ pub struct Walk {
 }
 
 impl Walk {
+    /// A single step.
+    pub fn straight(from: &[f64], to: &[f64]) -> Self {
+        Self {
+            points: vec![to.to_vec()],
+            length: distance(from, to),
+        }
+    }
+
     fn push(&mut self, from: &[f64], to: Vec<f64>) {
         self.length += distance(from, &to);
         self.points.push(to);
@@ -139,9 +147,9 @@ pub fn step(solver: &mut Solver, theta: &mut [f64], heading: &mut [f64], length:
     }
 }
 
-/// Wanders from the closed position `theta`, at random and straight on where that is possible, for about `length`; ends
-/// earlier where it is stuck. The points are nearly closed; see [`close`].
-pub fn wander(
+/// A walk from the closed position `theta`, at random and straight on where that is possible, for about `length`; ends
+/// earlier where it is stuck. The points are nearly closed; see [`closed_through`].
+pub fn random_walk(
     solver: &mut Solver,
     theta: &[f64],
     length: f64,
@@ -173,7 +181,7 @@ pub fn walk(solver: &mut Solver, from: &[f64], to: &[f64]) -> Option<Walk> {
     let mut at = from.to_vec();
     let mut last = f64::INFINITY;
     let straight = libm::ceil(DETOUR * distance(from, to) / STEP);
-    // Not a number at all, or a slider's way of a thousand sizes: there is no such walk.
+    // Not a number at all, or a slider that goes a thousand sizes: there is no such walk.
     if !(straight <= MOST_STEPS) {
         return None;
     }
@@ -185,14 +193,14 @@ pub fn walk(solver: &mut Solver, from: &[f64], to: &[f64]) -> Option<Walk> {
         let mut far = dot(&heading, &heading).sqrt();
         if far <= STEP && step_number > 0 {
             // Near the end what is left open counts: most of the distance may be across the free directions.
-            at = closed(solver, at)?;
+            at = closed_near(solver, at)?;
             heading = at.iter().zip(to).map(|(a, b)| b - a).collect();
             far = dot(&heading, &heading).sqrt();
         }
         if far <= ARRIVED {
             points.pop();
             points.push(to.to_vec());
-            return close(solver, from, points);
+            return closed_through(solver, from, points);
         }
         if !(far < last * (1.0 - NEARER)) {
             return None;
@@ -211,10 +219,14 @@ pub fn walk(solver: &mut Solver, from: &[f64], to: &[f64]) -> Option<Walk> {
 
 /// The closed walk through points that are nearly closed, the last of them as it is; none where one does not close nearby or
 /// a step between two cannot be divided.
-pub fn close(solver: &mut Solver, from: &[f64], mut points: Vec<Vec<f64>>) -> Option<Walk> {
+pub fn closed_through(
+    solver: &mut Solver,
+    from: &[f64],
+    mut points: Vec<Vec<f64>>,
+) -> Option<Walk> {
     let last = points.len().saturating_sub(1);
     for point in &mut points[..last] {
-        *point = closed(solver, std::mem::take(point))?;
+        *point = closed_near(solver, std::mem::take(point))?;
     }
     through(solver, from, &points)
 }
@@ -257,7 +269,7 @@ fn divide(
 }
 
 /// The closed position next to one that is nearly closed, within the limits.
-pub fn closed(solver: &mut Solver, theta: Vec<f64>) -> Option<Vec<f64>> {
+pub fn closed_near(solver: &mut Solver, theta: Vec<f64>) -> Option<Vec<f64>> {
     closed_within(solver, theta, 0.5 * STEP)
 }
 

@@ -1,6 +1,6 @@
 //! One chain of a closed linkage to first and second order: what it withstands, its joint rates, its curvature.
 
-use crate::math::six_rows::{SixRows, dot6};
+use crate::math::gram_schmidt::{GramSchmidt, dot6};
 use crate::model::chain::{Chain, ChainState, MAX_FREEDOMS};
 use crate::model::joint::Stop;
 use nalgebra::Vector6;
@@ -21,7 +21,7 @@ pub(super) struct ChainTangent {
     pub open: Vector6<f64>,
     /// The columns of J that may move, factored: R11⁻¹ Q1ᵀ and N_iᵀ are its rows. Products with them wait less than
     /// reflections, each for the one before.
-    qr: SixRows,
+    qr: GramSchmidt,
     /// The chain's joints that may move; once factored, in pivoted order.
     active: Vec<usize>,
     /// First of the chain's explicit joints in y.
@@ -40,7 +40,7 @@ impl ChainTangent {
             freedoms,
             state: ChainState::default(),
             open: Vector6::zeros(),
-            qr: SixRows::default(),
+            qr: GramSchmidt::default(),
             active: Vec::with_capacity(freedoms),
             explicit: 0,
             wrench: Vector6::zeros(),

@@ -1,6 +1,6 @@
-//! The direct way to a frame's minimum: full Newton steps that close the loops and descend at once, the first with the
+//! The direct method for a frame's minimum: full Newton steps that close the loops and descend at once, the first with the
 //! factors of its own iterate, the next ones with the same; see [`newton_step`](super::newton_step). Near the last frame's
-//! answer two or three suffice; where anything is out of the ordinary the guarded way follows.
+//! answer two or three suffice; where anything is out of the ordinary the guarded method follows.
 //!
 //! An iterate with older factors is certified where its residuals bound the projected gradient, and where the curvature
 //! has not fallen to nothing, by an estimate, on the way from where the factors were made.
@@ -12,7 +12,7 @@ use crate::solve::close::longest;
 use crate::solve::objective::objective;
 use crate::solve::solver::{Iterate, Observer, Solved, Solver, minimum};
 
-/// Looks at an iterate on the direct way; from an extrapolation of the frames before, two or three steps suffice.
+/// Looks at an iterate of the direct method; from an extrapolation of the frames before, two or three steps suffice.
 const DIRECT_STEPS: usize = 12;
 /// Largest joint motion of a first direct step, rad or sizes: further off, the prediction is not trusted.
 const DIRECT_STEP: f64 = 0.15;

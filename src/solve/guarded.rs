@@ -1,4 +1,4 @@
-//! The guarded way to a frame's minimum: closed iterates, a falling objective, a trust region in the norm of the joint
+//! The guarded method for a frame's minimum: closed iterates, a falling objective, a trust region in the norm of the joint
 //! motions.
 
 use crate::math::metric::Target;
@@ -24,7 +24,7 @@ const POOR: f64 = 0.25;
 const LEAST: f64 = 1e-4;
 /// Share of the radius from which a step counts as being as long as allowed.
 const WHOLE: f64 = 0.9;
-/// Trust radius at which the guarded way gives up.
+/// Trust radius at which the guarded method gives up.
 const SMALLEST_STEP: f64 = 1e-11;
 /// Corrections after a step: each no longer than a step may be.
 const REACH: Reach = Reach {

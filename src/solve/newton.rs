@@ -1,10 +1,10 @@
 //! The default planner's solver: the closest closed pose to a goal, by Newton's method on the
 //! linkage's own freedoms.
 //!
-//! Two ways lead to the same minimum. The *direct* way takes full Newton steps that close the loops
+//! Two methods lead to the same minimum. The *direct* method takes full Newton steps that close the loops
 //! and descend at once; near the last frame's answer two or three do. Anything out of the ordinary
 //! (a long step, slow progress, a limit, a curvature that is not positive) sends the frame the
-//! *guarded* way: a trust-region method whose iterates are all closed and whose objective only
+//! *guarded* method: a trust-region method whose iterates are all closed and whose objective only
 //! falls, from the last answer, so that the branch is followed without a leap.
 
 use crate::math::linalg;

@@ -60,13 +60,13 @@ impl Solved {
 /// An iterate, for an observer.
 #[derive(Clone, Copy, Debug)]
 pub struct Iterate<'a> {
-    /// Joint values, rad or shares of the size. On the direct way they need not close the loops.
+    /// Joint values, rad or shares of the size. In the direct method they need not close the loops.
     pub theta: &'a [f64],
     /// Norm of the objective's gradient along the free directions.
     pub projected_gradient: f64,
-    /// The largest closure error; 0 on the guarded way, whose iterates are closed.
+    /// The largest closure error; 0 in the guarded method, whose iterates are closed.
     pub closure_error: f64,
-    /// Found on the guarded way.
+    /// Found by the guarded method.
     pub guarded: bool,
 }
 
@@ -90,7 +90,7 @@ pub struct Solver {
     pub(super) torques: Vec<f64>,
     pub(super) region: TrustRegion,
     pub(super) trial: Vec<f64>,
-    /// Where the guarded way began.
+    /// Where the guarded method began.
     pub(super) origin: Vec<f64>,
 }
 

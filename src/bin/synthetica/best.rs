@@ -6,7 +6,7 @@ use crate::failure::{AT_FAULT, Failure, NO_ANSWER, at_fault, tell};
 use crate::files::{self, Out};
 use crate::motion::{check, warn};
 use crate::options::Table;
-use crate::planned::{Planned, planned};
+use crate::planned::{Planned, check_inputs, planned};
 use crate::progress::{PARTS, Progress, part};
 use serde::Serialize;
 use std::path::Path;
@@ -14,7 +14,7 @@ use synthetica::Trajectory;
 use synthetica::document::best_report::{BestReport, CostReport, SwitchReport};
 use synthetica::document::number::readable;
 use synthetica::document::report::Report;
-use synthetica::exchange::export::{Format, Options, write};
+use synthetica::exchange::export::Options;
 use synthetica::exchange::path_table;
 use synthetica::motion::trajectory::Status;
 use synthetica::plan::best::Search;
@@ -25,6 +25,7 @@ const CLOSER: f64 = 1e-3;
 
 /// Says it of each document, or prints the motion of one.
 pub fn best(asked: &Best) -> Result<(), Failure> {
+    check_inputs(&asked.documents, &asked.key_frames)?;
     match (asked.format, &asked.documents[..]) {
         (None, _) if asked.tables.headings.is_some() => {
             tell("error: --headings is of a table. Accepted: --format csv with it");
@@ -112,26 +113,13 @@ fn motion(asked: &Best, format: Table, file: &Path) -> Result<(), Failure> {
         tell(&format!("{}: {OPEN}", planned.file));
         return Err(Failure::Said(AT_FAULT));
     };
-    let motion = calm.flatten().map(|calm| calm.motion);
+    let calm = calm.as_ref().and_then(Option::as_ref);
     if !asked.quiet {
-        warn(planned, motion.as_ref().unwrap_or(&found.motion));
+        warn(planned, calm.map_or(&found.motion, |calm| &calm.motion));
     }
     let (document, problem) = (planned.document(), planned.problem());
-    let text = match (motion, format) {
-        (Some(motion), table) => {
-            let format = Format::from(table);
-            let text = write(format, wished, document, &problem.mechanism, &motion);
-            at_fault(&planned.file, text)?
-        }
-        (None, Table::Csv) => path_table::csv(
-            document,
-            problem,
-            found,
-            wished.headings.unwrap_or_default(),
-        ),
-        (None, Table::Json) => path_table::json(document, problem, found, &BestReport::new(search)),
-    };
-    files::write(asked.into.file(), &text)
+    let text = path_table::write(format.into(), wished, document, problem, search, calm);
+    files::write(asked.into.file(), &at_fault(&planned.file, text)?)
 }
 
 /// What is said of a document with goals. Frames count from 0, as they do in the library.

@@ -102,6 +102,7 @@ impl Out {
     }
 }
 
-fn is_standard(file: &Path) -> bool {
+/// Is it a standard stream?
+pub fn is_standard(file: &Path) -> bool {
     file.as_os_str() == "-"
 }

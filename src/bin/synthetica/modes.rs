@@ -4,7 +4,7 @@ use crate::arguments::Modes;
 use crate::check::{Refused, line};
 use crate::failure::{AT_FAULT, Failure, NO_ANSWER, at_fault, tell};
 use crate::files::{self, Out};
-use crate::planned::{Planned, planned};
+use crate::planned::{Planned, check_inputs, planned};
 use crate::progress::{PARTS, Progress, part};
 use serde::Serialize;
 use std::path::Path;
@@ -13,6 +13,7 @@ use synthetica::document::number::readable;
 
 /// Says it of each document, or prints one with another start.
 pub fn modes(asked: &Modes) -> Result<(), Failure> {
+    check_inputs(&asked.documents, &asked.key_frames)?;
     match (asked.start, &asked.documents[..]) {
         (None, _) => report(asked),
         (Some(mode), [document]) => restarted(asked, mode, document),

@@ -5,7 +5,8 @@ use crate::check::warnings;
 use crate::failure::{Failure, NO_ANSWER, tell};
 use crate::files;
 use crate::options::MotionOptions;
-use crate::planned::{Planned, planned};
+use crate::planned::{Planned, check_inputs, planned};
+use std::slice;
 use synthetica::Trajectory;
 use synthetica::document::report::Report;
 use synthetica::exchange::export::{Format, Options, write};
@@ -43,6 +44,7 @@ pub fn warn(planned: &Planned, motion: &Trajectory) {
 }
 
 fn print(format: Format, wished: Options, options: &MotionOptions) -> Result<(), Failure> {
+    check_inputs(slice::from_ref(&options.document), &options.key_frames)?;
     let planned = planned(
         &options.document,
         &options.planning,

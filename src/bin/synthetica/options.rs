@@ -4,6 +4,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum, ValueHint, value_parser};
 use std::path::{Path, PathBuf};
 use synthetica::exchange::export::Format;
+use synthetica::exchange::pose_table::PoseTableRequest;
 use synthetica::exchange::table::Headings;
 use synthetica::motion::goal::MAX_FRAMES;
 
@@ -58,9 +59,14 @@ pub struct KeyFrames {
         value_name = "REQUEST",
         requires = "key_frames",
         default_value = "{}",
-        hide_default_value = true
+        hide_default_value = true,
+        value_parser = request
     )]
-    pub table: String,
+    pub table: PoseTableRequest,
+}
+
+fn request(json: &str) -> Result<PoseTableRequest, String> {
+    PoseTableRequest::read(json).map_err(|fault| fault.to_string())
 }
 
 #[derive(Args)]

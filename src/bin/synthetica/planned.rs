@@ -1,14 +1,14 @@
 //! A document read, changed as the options ask, and planned.
 
-use crate::failure::{Failure, tell};
-use crate::files;
+use crate::failure::{Failure, NO_ANSWER, tell};
+use crate::files::{self, is_standard};
 use crate::options::{KeyFrames, Method, Planning};
 use crate::progress::Progress;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use synthetica::document::fault::Fault;
 use synthetica::document::schema::KeyFrameEntry;
 use synthetica::exchange::pose_rows::SkippedRow;
-use synthetica::exchange::pose_table::read_pose_table_asked;
+use synthetica::exchange::pose_table::read_pose_table;
 use synthetica::motion::trajectory::Trajectory;
 use synthetica::source::overrides::{change, set, set_key_frames};
 use synthetica::source::typed::Typed;
@@ -36,6 +36,21 @@ impl Planned {
     pub fn text_with_start(&self, joints: &[f64]) -> String {
         self.session.text_started_at(joints)
     }
+}
+
+/// Refuses a table from standard input where that is to give another text too: its end comes once.
+pub fn check_inputs(documents: &[PathBuf], asked: &KeyFrames) -> Result<(), Failure> {
+    let is_shared = match documents {
+        [document] => is_standard(document),
+        _ => true,
+    };
+    if is_shared && asked.key_frames.as_deref().is_some_and(is_standard) {
+        tell(
+            "error: --key-frames - takes the table from standard input, which gives one text. Accepted: one document, from a file, with it",
+        );
+        return Err(Failure::Said(NO_ANSWER));
+    }
+    Ok(())
 }
 
 /// Plans the document of this file.
@@ -77,7 +92,7 @@ fn read_key_frames(asked: &KeyFrames) -> Result<Option<Vec<KeyFrameEntry>>, Fail
         return Ok(None);
     };
     let (text, file) = (files::read(path)?, files::name(path));
-    let table = read_pose_table_asked(&text, &asked.table).map_err(|fault| Failure::Fault {
+    let table = read_pose_table(&text, &asked.table).map_err(|fault| Failure::Fault {
         file: file.clone(),
         fault: Box::new(fault),
     })?;

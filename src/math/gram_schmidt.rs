@@ -8,7 +8,7 @@ const COLUMNS: usize = 5;
 ///
 /// Gram–Schmidt leaves Q1 orthonormal up to rounding times the largest column over the threshold.
 #[derive(Clone, Debug, Default)]
-pub struct SixRows {
+pub struct GramSchmidt {
     /// Number of columns that were found independent.
     pub rank: usize,
     /// R11⁻¹ Q1ᵀ, and below it the rest of Qᵀ, orthonormal and across the columns.
@@ -17,7 +17,7 @@ pub struct SixRows {
     pub rest: [[f64; 6]; COLUMNS],
 }
 
-impl SixRows {
+impl GramSchmidt {
     /// Factors the columns `a`, until none that remains is longer than `threshold`; `order` is put in pivoted order with them.
     pub fn factor(&mut self, a: &mut [[f64; 6]], order: &mut [usize], threshold: f64) {
         let count = a.len();

@@ -1,4 +1,4 @@
-//! Positions that become ways to assemble: combinations of the chains' configurations, and positions drawn anew.
+//! Positions that may be ways to assemble: combinations of the chains' configurations, and positions drawn anew.
 
 use crate::plan::assemblies::{AT_A_TIME, Assemblies, MOST, Mode};
 
