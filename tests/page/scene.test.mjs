@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { Color, DirectionalLight, Mesh, OrthographicCamera, PerspectiveCamera, Raycaster, Vector2, Vector3 } from 'three';
+import { Box3, Color, DirectionalLight, Mesh, OrthographicCamera, PerspectiveCamera, Raycaster, Vector2, Vector3 } from 'three';
 import { strokeTriangles } from '../../www/export/strokes.js';
 import { createMaterials } from '../../www/view3d/scene/materials.js';
 import { createMeasure } from '../../www/view3d/scene/measure.js';
@@ -271,5 +271,39 @@ test('a slider has a collar at each limit that is given, which is coloured when 
     stops.fit(travelLimits({ ...joint, limits: undefined }), { low: 0.8 * unit, high: unit });
     assert.ok(![least, largest, rail].some(({ visible }) => visible));
     assert.deepEqual(marked(0), [false, false]);
+  }
+});
+
+/** A chain along z, by how far each pose is along it: seat and moved frame of each row. */
+function upright(kinds, ...frames) {
+  const doc = { chains: [{ joints: kinds.map(([type]) => ({ type, rows: [] })) }], motion: { key_frames: [] } };
+  const rows = kinds.flatMap(([kind, count], joint) => Array.from({ length: count }, () => ({ kind, joint })));
+  const motion = { frames: frames.length, report: { chains: [{ rows }] }, rows: Float64Array.from(frames.flat().flatMap((z) => [0, 0, z, 0, 0, 0, 1])), pose: poses(frames.length, 0), goal: poses(frames.length, 0) };
+  const linkage = new Linkage(createMaterials());
+  linkage.update(motion, doc, 0.03, -0.1);
+  const boxOf = (place, frame) => {
+    linkage.show({ ...motion, index: frame });
+    linkage.group.updateMatrixWorld(true);
+    const box = new Box3();
+    linkage.group.traverse((object) => object.userData.place === place && box.expandByObject(object));
+    return box;
+  };
+  return boxOf;
+}
+
+test('a ball or universal joint stands where its axes meet, and the leg up to it is seen although its slider is at 0', () => {
+  for (const [type, count] of [['S', 3], ['T', 2]]) {
+    const end = Array(2 * count - 1).fill(1);
+    // As a leg by axes: the whole length is an offset along the joint's first axis.
+    const boxOf = upright([['R', 1], ['P', 1], [type, count]], [0, 0, 0, 0, 0, ...end], [0, 0, 0, 0.5, 0.5, ...end.map((z) => z + 0.5)]);
+    for (const [frame, length] of [[0, 0], [1, 0.5]]) {
+      const joint = boxOf('chains[0].joints[2]', frame);
+      assert.ok(joint.min.z > length + 0.8 && joint.max.z < length + 1.2, `${type}: from ${joint.min.z} to ${joint.max.z}`);
+      const link = boxOf('chains[0].joints[2].rows[0]', frame);
+      assert.ok(Math.abs(link.min.z - length) < 0.05 && Math.abs(link.max.z - length - 1) < 0.05, `${type}: a link from ${link.min.z} to ${link.max.z}`);
+    }
+    // An offset along the last axis is a link of its own.
+    const after = upright([['R', 1], [type, count]], [0, 0, ...Array(2 * count - 1).fill(0), 1])('chains[0].joints[1]', 0);
+    assert.ok(after.max.z > 1 && after.min.z < 0);
   }
 });
