@@ -150,6 +150,44 @@ test('a plan is not held up, partial results are shown, and an edit ends the sea
   assert.deepEqual(problems, []);
 });
 
+test('a double click begins a search and does not stop it, and opens the ways to assemble and does not close them', async () => {
+  const { page, problems } = await openGolden();
+  await page.evaluate((doc) => {
+    document.querySelector('synthetica-linkage').document = doc;
+  }, goldenDocument('3PRS', 10_001));
+  await page.locator('#frame-number').filter({ hasText: '/ 10001' }).waitFor();
+  await openPanel(page);
+  const begin = panel(page).getByRole('button', { name: 'Look for a better motion' });
+  const stop = panel(page).getByRole('button', { name: 'Stop the search' });
+  const { x } = await begin.boundingBox();
+  await begin.dblclick();
+  await stop.waitFor();
+  assert.equal((await begin.boundingBox()).x, x);
+  assert.equal(await begin.getAttribute('aria-disabled'), 'true');
+  await panel(page).locator('.lane-names button').first().waitFor();
+  await stop.dblclick();
+  const on = panel(page).getByRole('button', { name: 'Go on searching' });
+  await on.waitFor();
+  assert.ok(await stop.isHidden());
+  await on.press('Enter');
+  await stop.press('Enter');
+  await on.waitFor();
+  assert.ok(await on.evaluate((button) => button === pageFocus()), 'the focus is not lost with the button');
+  // As two quick presses in one place: the dialog is there at the second one.
+  const ways = panel(page).getByRole('button', { name: 'Ways to assemble…' });
+  const box = await ways.boundingBox();
+  await ways.click();
+  const dialog = page.getByRole('dialog', { name: 'Ways to assemble' });
+  await dialog.waitFor();
+  await page.mouse.move(box.x + 5, box.y + 5);
+  await page.mouse.down({ clickCount: 2 });
+  await page.mouse.up({ clickCount: 2 });
+  assert.ok(await dialog.isVisible());
+  await page.keyboard.press('Escape');
+  await dialog.waitFor({ state: 'detached' });
+  assert.deepEqual(problems, []);
+});
+
 test('in the applet it is looked for by itself, when all rests', async () => {
   const { page, problems } = await openGolden({ ...DESK, search: true });
   await scrubTo(page, 16);

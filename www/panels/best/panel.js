@@ -5,7 +5,7 @@
 import { plural } from '../../core/format.js';
 import { keyFrameFrames, allTimes } from '../../core/playhead.js';
 import { element, setText } from '../../ui/dom.js';
-import { html, live, nothing, render } from '../../ui/render.js';
+import { html, ifDefined, live, nothing, render } from '../../ui/render.js';
 import { recall, remember } from '../../ui/kept-layout.js';
 import { wear } from '../../ui/style-sheets.js';
 import look from '../../style/best.css?inline';
@@ -53,6 +53,12 @@ export function createBestPanel({ root, find, store, player, signal, keys, inter
   foot.hidden = !byItself;
   panel.replaceChildren(head, words, status, lanes.root, body, foot);
 
+  // At a place of its own, where no other button is before or after: a double click meets the place twice.
+  function stop() {
+    search.stop();
+    head.querySelector('button')?.focus();
+  }
+
   function drawHead() {
     const { running, best, motion, which } = search.now;
     const obstacle = search.obstacle();
@@ -62,11 +68,13 @@ export function createBestPanel({ root, find, store, player, signal, keys, inter
       ([which_, label, title]) => html`<label title=${title}><input type="radio" name="best-shown" .checked=${live(which === which_)} @change=${() => search.show(which_)} />${label}</label>`,
     )}</fieldset>`;
     render(
-      html`${running
-          ? html`<button class="search" @click=${search.stop}>Stop the search</button><progress max="100" value=${percent} aria-label="Search for a better motion"></progress>
+      html`<button ?disabled=${obstacle !== '' || isOver} aria-disabled=${ifDefined(running ? 'true' : undefined)} @click=${search.begin}>${best && !isOver && !running ? 'Go on searching' : 'Look for a better motion'}</button>
+        ${obstacle ? nothing : html`<button @click=${() => openModes(keyHere())} title="All ways to assemble the linkage at a key frame">Ways to assemble…</button>`}
+        ${running
+          ? html`<progress max="100" value=${percent} aria-label="Search for a better motion"></progress><button @click=${stop}>Stop the search</button>
               <span class="muted">${percent} %, ${plural(best?.starts ?? 0, 'start')}</span>`
-          : html`<button class="search" ?disabled=${obstacle !== '' || isOver} @click=${search.begin}>${best && !isOver ? 'Go on searching' : 'Look for a better motion'}</button>`}
-        ${obstacle ? nothing : html`<button @click=${() => openModes(keyHere())} title="All ways to assemble the linkage at a key frame">Ways to assemble…</button>${choices}`}`,
+          : nothing}
+        ${obstacle ? nothing : choices}`,
       head,
     );
   }
