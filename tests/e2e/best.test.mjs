@@ -105,12 +105,19 @@ test('lanes, switches and the slider go by keyboard, and are a table too', async
   assert.ok(step(next) <= step(first), `${next} after ${first}`);
   await panel(page).locator('output[aria-busy="false"]').waitFor();
   await panel(page).getByRole('columnheader', { name: 'calmer' }).waitFor();
-  await shown(page, 'best').check();
-  // A calmer motion is not called the best one, and there is a way back to that.
+  // A calmer motion is not called the best one anywhere, and there is a way back to that.
+  assert.equal(await shown(page, 'best').count(), 0);
+  await page.locator('#legend').filter({ hasText: 'calmer motion' }).waitFor();
+  await panel(page).getByText('Marks and switches are those of the best motion').waitFor();
+  assert.equal(await page.locator('#strip-best .switch').count(), 0);
+  await shown(page, 'calmer').check();
   const pill = page.locator('#best-shown');
   await pill.filter({ hasText: /^A calmer motion is shown: mean [\d.e−]+ \(best [\d.e−]+\), largest joint step [\d.]+°? \(best [\d.]+°?\)\. Show the best one Back to the followed one$/ }).waitFor();
   await pill.getByRole('button', { name: 'Show the best one' }).click();
   await pill.filter({ hasText: 'The best motion is shown.' }).waitFor();
+  assert.ok(await shown(page, 'best').isChecked());
+  assert.notEqual(await page.locator('#strip-best .switch').count(), 0);
+  assert.ok(await panel(page).getByText('Marks and switches are those of the best motion').isHidden());
   await slider.focus();
   await page.keyboard.press('ArrowRight');
   await pill.filter({ hasText: 'A calmer motion' }).waitFor();

@@ -7,3 +7,6 @@
  * @type {WeakMap<import('./types.js').Motion, BestMotion>}
  */
 export const bestMotions = new WeakMap();
+
+/** What the motion beside the followed one is called wherever it is named; 'best' until there is one. @param {import('./types.js').Motion | null} motion */
+export const nameOf = (motion) => (motion && bestMotions.get(motion)?.name) ?? 'best';

@@ -2,6 +2,7 @@
  * The panel of the best motion: the search with its progress, branches as lanes, what is known and what may be missing in words,
  * and how much calmer it may be. Loaded when it is first seen.
  */
+import { nameOf } from '../../core/best-motions.js';
 import { plural } from '../../core/format.js';
 import { keyFrameFrames, allTimes } from '../../core/playhead.js';
 import { element, setText } from '../../ui/dom.js';
@@ -14,11 +15,11 @@ import { boundSentence, branchName, distance, jointMotion, jointStep, jointUnit,
 import { calmSlider, pointsOf } from './calm.js';
 import { createLanesPicture } from './lanes-picture.js';
 
-/** What can be shown in the view. @type {[import('./search-state.js').Which, string, string][]} */
-const SHOWN = [
+/** What can be shown in the view. @type {(name: 'best' | 'calmer') => [import('./search-state.js').Which, string, string][]} */
+const shownBy = (name) => [
   ['followed', 'followed', 'The motion that the planner follows from frame to frame'],
-  ['both', 'both', 'The followed motion, and the best one as a ghost'],
-  ['best', 'best', 'The best motion alone; its numbers stand in the panels'],
+  ['both', 'both', `The followed motion, and the ${name} one as a ghost`],
+  ['best', name, `The ${name} motion alone; its numbers stand in the panels`],
 ];
 
 /**
@@ -64,7 +65,7 @@ export function createBestPanel({ root, find, store, player, signal, keys, inter
     const obstacle = search.obstacle();
     const percent = Math.floor(100 * (best?.progress ?? 0));
     const isOver = best?.progress === 1;
-    const choices = html`<fieldset class="which" ?disabled=${!motion}><legend>Shown</legend>${SHOWN.map(
+    const choices = html`<fieldset class="which" ?disabled=${!motion}><legend>Shown</legend>${shownBy(nameOf(motion)).map(
       ([which_, label, title]) => html`<label title=${title}><input type="radio" name="best-shown" .checked=${live(which === which_)} @change=${() => search.show(which_)} />${label}</label>`,
     )}</fieldset>`;
     render(
@@ -85,7 +86,7 @@ export function createBestPanel({ root, find, store, player, signal, keys, inter
     setText(words, text);
     // Said once it is over; while it goes on the numbers change too often.
     if (!running) setText(status, best ? text : '');
-    lanes.update(best, store.result.motion);
+    lanes.update(best, store.result.motion, nameOf(motion) === 'calmer');
     if (!best) return render(nothing, body);
     const now = motion ?? store.result.motion;
     /** @type {[string, (cost: import('../../core/types.js').MotionCost) => string][]} */
