@@ -4,7 +4,7 @@ import { test } from 'node:test';
 import { Vector3 } from 'three';
 import { boundSentence, branchName, calmWords, distance, isCloser, jointMotion, jointStep, oneIn, switchSentence, unseenSentence, verdict } from '../../www/panels/best/best-words.js';
 import { lanesOf, outlineOf, runsOf } from '../../www/panels/best/lanes.js';
-import { getsCalmer, placesOf, pointsOf } from '../../www/panels/best/calm.js';
+import { distanceAxis, getsCalmer, placesOf, pointsOf } from '../../www/panels/best/calm.js';
 import { createSearchState } from '../../www/panels/best/search-state.js';
 import { differing, spanOf } from '../../www/panels/best/mode-framing.js';
 import { jointLines } from '../../www/panels/best/mode-joints.js';
@@ -90,6 +90,16 @@ test('the slider goes over the best motion and the points of the curve; the pict
   assert.ok(places.points[0].x > places.points[1].x && places.points[1].x > places.points[2].x, 'calmer is to the left');
   assert.ok(places.points[0].y > places.points[1].y && places.points[1].y > places.points[2].y, 'closer is below');
   assert.ok([...places.points, places.followed].every(({ x, y }) => Number.isFinite(x) && Number.isFinite(y) && x >= 0 && y >= 0));
+  // Distances that are close together fill the picture too; what is far from them is at its edge.
+  const heights = (means, followed) => {
+    const { points: at, followed: other, beyond, low, high } = placesOf(means.map((mean) => cost(mean)), cost(followed));
+    return { share: (at[0].y - at.at(-1).y) / 76, low: Number(low.toFixed(9)), high: Number(high.toFixed(9)), beyond, inside: other.y >= 8 && other.y <= 84 };
+  };
+  const { share, ...ends } = heights([0.025712, 0.02575, 0.025828], 0.0258);
+  assert.ok(share > 0.6, `${share} of the height`);
+  assert.deepEqual(ends, { low: 0.02571, high: 0.02583, beyond: false, inside: true });
+  assert.deepEqual([heights([0.0257, 0.0258], 0.04), heights([0.0257, 0.0258], 0.001)].map(({ beyond, inside, low }) => [beyond, inside, low]), [[true, true, 0.0257], [true, true, 0.0257]]);
+  assert.deepEqual([distanceAxis([0.01, 0.05], 0.03), distanceAxis([0.03, 0.03], 0.04), distanceAxis([0, 0], 0)], [[0, 0.05], [0, 0.04], [0, 1]]);
   const still = placesOf([{ mean: 0, largest_step: 0 }], { mean: 0, largest_step: 0 });
   assert.ok(Number.isFinite(still.points[0].x) && Number.isFinite(still.points[0].y));
 });
