@@ -87,7 +87,7 @@ function picture(points, followed, chosen, motion, choose) {
     <text x=${(ROOM.left + right) / 2} y=${HEIGHT - 4} text-anchor="middle">largest joint step</text>
     <text transform=${`translate(10 ${(ROOM.top + bottom) / 2}) rotate(-90)`} text-anchor="middle">mean distance</text>
   </svg>
-  <p class="muted key">✕ the followed motion${where}${low > 0 ? `; upwards from ${tick(low)}` : ''}</p>`;
+  <p class="muted key">✕ the followed motion${where}${low > 0 ? `; the upward axis begins at ${tick(low)}` : ''}</p>`;
 }
 
 /**

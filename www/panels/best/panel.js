@@ -54,7 +54,7 @@ export function createBestPanel({ root, find, store, player, signal, keys, inter
   foot.hidden = !byItself;
   panel.replaceChildren(head, words, status, lanes.root, body, foot);
 
-  // At a place of its own, where no other button is before or after: a double click meets the place twice.
+  // In a row of its own, where no other button is before or after: a double click meets its place twice.
   function stop() {
     search.stop();
     head.querySelector('button')?.focus();
@@ -70,12 +70,11 @@ export function createBestPanel({ root, find, store, player, signal, keys, inter
     )}</fieldset>`;
     render(
       html`<button ?disabled=${obstacle !== '' || isOver} aria-disabled=${ifDefined(running ? 'true' : undefined)} @click=${search.begin}>${best && !isOver && !running ? 'Go on searching' : 'Look for a better motion'}</button>
-        ${obstacle ? nothing : html`<button @click=${() => openModes(keyHere())} title="All ways to assemble the linkage at a key frame">Ways to assemble…</button>`}
+        ${obstacle ? nothing : html`<button @click=${() => openModes(keyHere())} title="All ways to assemble the linkage at a key frame">Ways to assemble…</button>${choices}`}
         ${running
-          ? html`<progress max="100" value=${percent} aria-label="Search for a better motion"></progress><button @click=${stop}>Stop the search</button>
-              <span class="muted">${percent} %, ${plural(best?.starts ?? 0, 'start')}</span>`
-          : nothing}
-        ${obstacle ? nothing : choices}`,
+          ? html`<div class="doing"><button @click=${stop}>Stop the search</button><progress max="100" value=${percent} aria-label="Search for a better motion"></progress>
+              <span class="muted">${percent} %, ${plural(best?.starts ?? 0, 'start')}</span></div>`
+          : nothing}`,
       head,
     );
   }
