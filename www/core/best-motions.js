@@ -3,7 +3,7 @@
  * What is known of each: what writes it for other programs, how often it changes its branch while a frame stands, what
  * it is called in a file's name, and words that say that it is shown.
  *
- * @typedef {{name: 'best' | 'calmer', words: string, write: (format: 'csv' | 'json' | 'mjcf', options: import('./types.js').ExportOptions) => Promise<string>, switches: number}} BestMotion
+ * @typedef {{name: 'best' | 'calmer', words: string, write: (format: import('./types.js').ExportFormat, options: import('./types.js').ExportOptions) => Promise<string>, switches: number}} BestMotion
  * @type {WeakMap<import('./types.js').Motion, BestMotion>}
  */
 export const bestMotions = new WeakMap();

@@ -23,7 +23,7 @@ export function exportItems(app) {
         say(`The file could not be made (${/** @type {Error} */ (error).message}).`);
       }
     });
-  /** @param {'csv' | 'json' | 'mjcf'} format @param {import('../core/types.js').ExportOptions} [options] */
+  /** @param {import('../core/types.js').ExportFormat} format @param {import('../core/types.js').ExportOptions} [options] */
   const motion = (format, options = {}) => attempt(() => import('./motion.js'), ({ exportMotion }) => exportMotion(app, format, options));
 
   const dialog = () => import('./picture-dialog.js');

@@ -7,6 +7,7 @@ import { textOf } from '../core/document-text.js';
 import { saveFile } from './save.js';
 import { shownName } from './shown-name.js';
 
+/** @type {Record<import('../core/types.js').ExportFormat, {ending: string, type: string}>} */
 const FILES = {
   csv: { ending: 'csv', type: 'text/csv' },
   json: { ending: 'motion.json', type: 'application/json' },
@@ -14,7 +15,7 @@ const FILES = {
 };
 
 /**
- * @param {import('../element/workbench.js').App} app @param {keyof typeof FILES} format
+ * @param {import('../element/workbench.js').App} app @param {import('../core/types.js').ExportFormat} format
  * @param {import('../core/types.js').ExportOptions} options
  */
 export async function exportMotion({ store, planner, say }, format, options) {
