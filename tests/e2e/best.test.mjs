@@ -157,6 +157,19 @@ test('a plan is not held up, partial results are shown, and an edit ends the sea
   assert.deepEqual(problems, []);
 });
 
+test('files are of the motion that is shown, and what is saved and refused is told once', async () => {
+  const { page, problems } = await openGolden();
+  await search(page);
+  const items = () => page.getByRole('menuitem');
+  const openMenu = () => page.getByRole('button', { name: 'Export', exact: true }).click();
+  await shown(page, 'best').check();
+  await openMenu();
+  assert.equal(await items().filter({ hasText: 'The best motion switches while a frame stands: choose a calmer one' }).count(), 1);
+  await items().filter({ hasText: /^MuJoCo model with gravity.*Nor with gravity, for the same reason$/ }).and(page.locator('[aria-disabled="true"]')).waitFor();
+  await page.keyboard.press('Escape');
+  assert.deepEqual(problems, []);
+});
+
 test('a double click begins a search and does not stop it, and opens the ways to assemble and does not close them', async () => {
   const { page, problems } = await openGolden();
   await page.evaluate((doc) => {

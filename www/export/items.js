@@ -53,6 +53,6 @@ export function exportItems(app) {
     item('Table, plain headings (CSV)', 'The same without units, for programs', why, motion('csv', { headings: 'plain' })),
     item('Data (JSON)', of('The same with the document; frames count from 0'), why, motion('json')),
     item('MuJoCo model (MJCF)', of('Drives that follow the motion, sensors, loops closed by welds, a key frame a frame'), why || jumps, motion('mjcf')),
-    item('MuJoCo model with gravity (MJCF)', 'The same, and −z is down', why || jumps, motion('mjcf', { gravity: true })),
+    item('MuJoCo model with gravity (MJCF)', 'The same, and −z is down', why || (jumps && 'Nor with gravity, for the same reason'), motion('mjcf', { gravity: true })),
   ];
 }
