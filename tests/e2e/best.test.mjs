@@ -161,12 +161,29 @@ test('files are of the motion that is shown, and what is saved and refused is to
   const { page, problems } = await openGolden();
   await search(page);
   const items = () => page.getByRole('menuitem');
-  const openMenu = () => page.getByRole('button', { name: 'Export', exact: true }).click();
+  const openMenu = async () => {
+    await page.getByRole('button', { name: 'Export', exact: true }).click();
+    await items().first().waitFor();
+  };
   await shown(page, 'best').check();
   await openMenu();
   assert.equal(await items().filter({ hasText: 'The best motion switches while a frame stands: choose a calmer one' }).count(), 1);
   await items().filter({ hasText: /^MuJoCo model with gravity.*Nor with gravity, for the same reason$/ }).and(page.locator('[aria-disabled="true"]')).waitFor();
   await page.keyboard.press('Escape');
+  // Beside a ghost the file has the followed motion, and says so before and after.
+  await shown(page, 'both').check();
+  for (const [item, name] of [[/^Table \(CSV\)/, '3prs.csv'], [/^Playing page/, '3prs.html']]) {
+    await openMenu();
+    assert.match(await items().filter({ hasText: item }).textContent(), /It has the followed motion, not the best one beside it\./);
+    const [download] = await Promise.all([page.waitForEvent('download'), items().filter({ hasText: item }).click()]);
+    assert.equal(download.suggestedFilename(), name);
+    await page.getByRole('status').filter({ hasText: new RegExp(`^Saved ${name}.*It has the followed motion, not the best one beside it\\.$`) }).waitFor();
+  }
+  await shown(page, 'followed').check();
+  await openMenu();
+  assert.equal(await items().filter({ hasText: 'It has the followed motion' }).count(), 0);
+  await items().filter({ hasText: /^Table \(CSV\)/ }).click();
+  await page.getByRole('status').filter({ hasText: /^Saved 3prs\.csv\.$/ }).waitFor();
   assert.deepEqual(problems, []);
 });
 

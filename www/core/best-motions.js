@@ -8,5 +8,14 @@
  */
 export const bestMotions = new WeakMap();
 
+/** Of a followed motion the one that is shown beside it as a ghost, which files of text do not have. @type {WeakMap<import('./types.js').Motion, import('./types.js').Motion>} */
+export const ghosts = new WeakMap();
+
+/** That files are of the followed motion alone, where a ghost stands beside it. @param {import('./types.js').Motion | null} motion */
+export function withoutGhost(motion) {
+  const ghost = motion && ghosts.get(motion);
+  return ghost ? `It has the followed motion, not the ${nameOf(ghost)} one beside it` : '';
+}
+
 /** What the motion beside the followed one is called wherever it is named; 'best' until there is one. @param {import('./types.js').Motion | null} motion */
 export const nameOf = (motion) => (motion && bestMotions.get(motion)?.name) ?? 'best';

@@ -2,7 +2,7 @@
  * The motion that is shown as text: a table, data, a MuJoCo model; the planner writes them.
  */
 import { ask } from '../core/ask.js';
-import { bestMotions } from '../core/best-motions.js';
+import { bestMotions, withoutGhost } from '../core/best-motions.js';
 import { textOf } from '../core/document-text.js';
 import { saveFile } from './save.js';
 import { shownName } from './shown-name.js';
@@ -28,5 +28,6 @@ export async function exportMotion({ store, planner, say }, format, options) {
   const { ending, type } = FILES[format];
   const name = shownName({ doc, motion }, ending);
   saveFile(name, new Blob([text.value], { type }));
-  say(`Saved ${name}.${best ? ` ${best.words}${best.switches ? ': the file has all points of its path at a switch' : ''}.` : ''}`);
+  const what = best ? `${best.words}${best.switches ? ': the file has all points of its path at a switch' : ''}` : withoutGhost(motion);
+  say(`Saved ${name}.${what && ` ${what}.`}`);
 }
