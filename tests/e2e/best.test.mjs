@@ -75,6 +75,13 @@ test('a better motion is found, told in numbers and words, and shown as a ghost 
   assert.equal(await page.locator('#strip-best .switch').count(), await panel(page).locator('button.switch').count());
   await scrubTo(page, 0);
   await better(page).waitFor({ state: 'hidden' });
+
+  // The ways to assemble are counted apart.
+  const branches = await panel(page).getByRole('img', { name: /branches over the frames/ }).getAttribute('aria-label');
+  await panel(page).getByRole('button', { name: 'Ways to assemble…' }).click();
+  const dialog = page.getByRole('dialog', { name: 'Ways to assemble' });
+  await dialog.locator('.best-mode').waitFor({ timeout: 180_000 });
+  await dialog.getByText(new RegExp(`The search for the best motion knows ${/^\d+/.exec(branches)} branches, \\d+ of them at this key frame: it makes its own starts, over all frames\\.$`)).waitFor();
   assert.deepEqual(problems, []);
 });
 

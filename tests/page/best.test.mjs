@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { Vector3 } from 'three';
-import { boundSentence, branchName, calmWords, distance, isCloser, jointMotion, jointStep, oneIn, switchSentence, unseenSentence, verdict } from '../../www/panels/best/best-words.js';
+import { boundSentence, branchName, branchesSentence, calmWords, distance, isCloser, jointMotion, jointStep, oneIn, switchSentence, unseenSentence, verdict } from '../../www/panels/best/best-words.js';
 import { lanesOf, outlineOf, runsOf } from '../../www/panels/best/lanes.js';
 import { distanceAxis, getsCalmer, placesOf, pointsOf } from '../../www/panels/best/calm.js';
 import { createSearchState } from '../../www/panels/best/search-state.js';
@@ -40,6 +40,13 @@ test('the estimate of what was not seen stands in words', () => {
   assert.equal(unseenSentence({ starts: 100, unseen: 0, unseen_bound: 0.019 }, 'way'), 'Every way was found more than once: at most 1 in 53 further starts would find another one (95 %).');
   assert.match(unseenSentence({ starts: 2, unseen: 1, unseen_bound: 1 }, 'way'), /Too few starts/);
   assert.equal(unseenSentence({ starts: 0, unseen: 1, unseen_bound: 1 }, 'way'), '');
+});
+
+test('branches and ways to assemble are counted by two searches: what is not the same is explained', () => {
+  assert.equal(branchesSentence(best, 0, 8), 'The search for the best motion knows 4 branches, 2 of them at this key frame: it makes its own starts, over all frames.');
+  assert.match(branchesSentence(best, 4, 4), /4 branches, 2 of them/);
+  assert.equal(branchesSentence({ branches: [best.branches[0]] }, 4, 1), '');
+  assert.match(branchesSentence({ branches: [best.branches[0]] }, 4, 2), /knows 1 branch, 1 of them/);
 });
 
 test('the bound, the verdict and a switch are told as they are', () => {

@@ -19,7 +19,8 @@ import { openDialogIn } from '../../ui/dialog.js';
 import { element, setText } from '../../ui/dom.js';
 import { attach, html, live, nothing, render, renderRows, repeat } from '../../ui/render.js';
 import { wear } from '../../ui/style-sheets.js';
-import { distance, isNothing, unseenSentence } from './best-words.js';
+import { foundOf } from './at-rest.js';
+import { branchesSentence, distance, isNothing, unseenSentence } from './best-words.js';
 import { jointLines } from './mode-joints.js';
 import { bestMode, ordered } from './mode-order.js';
 import { createModePictures, PICTURE } from './mode-pictures.js';
@@ -167,8 +168,10 @@ export function openModes({ root, find, store, player, scene, say, signal }, fir
   function draw() {
     drawHead();
     const found = modes?.found ?? [];
-    const text = message || (modes ? `${plural(found.length, 'way')} found by ${plural(modes.starts, 'start')}. ${unseenSentence(modes, 'way')}` : 'Looking for ways to put the chains together …');
-    setText(note, text);
+    const { best, doc: searched } = foundOf({ signal }) ?? {};
+    const branches = modes && best && searched === doc && !running ? branchesSentence(best, modes.frame, found.length) : '';
+    const text = message || (modes ? `${plural(found.length, 'way')} found by ${plural(modes.starts, 'start')}. ${unseenSentence(modes, 'way')} ${branches}` : 'Looking for ways to put the chains together …');
+    setText(note, text.trim());
     renderRows(repeat(ordered(found, order), ({ index }) => index, card), list);
   }
 
