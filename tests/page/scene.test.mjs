@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { Box3, Color, DirectionalLight, Mesh, OrthographicCamera, PerspectiveCamera, Raycaster, Vector2, Vector3 } from 'three';
+import { Box3, Color, DirectionalLight, Mesh, OrthographicCamera, PerspectiveCamera, Quaternion, Raycaster, Vector2, Vector3 } from 'three';
 import { strokeTriangles } from '../../www/export/strokes.js';
 import { createMaterials } from '../../www/view3d/scene/materials.js';
 import { createMeasure } from '../../www/view3d/scene/measure.js';
@@ -12,6 +12,7 @@ import { createLight } from '../../www/view3d/scene/light.js';
 import { Linkage } from '../../www/view3d/scene/linkage.js';
 import { hasLeft, showsWell } from '../../www/view3d/scene/refit.js';
 import { curveThrough } from '../../www/view3d/scene/curve.js';
+import { ballOf, onBall } from '../../www/view3d/scene/spherical.js';
 import { createStops, travelLimits } from '../../www/view3d/scene/stops.js';
 import { Stroke, StrokeMaterial, drawn } from '../../www/view3d/scene/stroke.js';
 
@@ -305,5 +306,45 @@ test('a ball or universal joint stands where its axes meet, and the leg up to it
     // An offset along the last axis is a link of its own.
     const after = upright([['R', 1], [type, count]], [0, 0, ...Array(2 * count - 1).fill(0), 1])('chains[0].joints[1]', 0);
     assert.ok(after.max.z > 1 && after.min.z < 0);
+  }
+});
+
+/** A motion of one frame whose joints R have these axes through a point; each chain's base is so far out on its first axis. */
+function aboutPoint(centre, chains) {
+  const pose = (axis, out) => [...centre.clone().addScaledVector(axis, out).toArray(), ...new Quaternion().setFromUnitVectors(new Vector3(0, 0, 1), axis).toArray()];
+  const rows = chains.flatMap(({ axes, base }) => axes.flatMap((axis, joint) => [...pose(axis, joint ? 0 : base), ...pose(axis, 0)]));
+  const report = { chains: chains.map(({ axes }) => ({ rows: axes.map((_, joint) => ({ kind: 'R', joint })) })) };
+  return { frames: 1, report, rows: Float64Array.from(rows), pose: Float64Array.of(...centre.toArray(), 0, 0, 0, 1), goal: Float64Array.of(...centre.toArray(), 0, 0, 0, 1) };
+}
+
+test('where all axes meet in one point, as in the agile eye, the joints stand on a ball around it, and all of it is in view', () => {
+  const centre = new Vector3(1, 2, 3);
+  const [x, y, z] = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map((axis) => new Vector3(...axis));
+  // The second chain's base is on the other side of its first axis.
+  const motion = aboutPoint(centre, [{ axes: [x, y, z], base: 2 }, { axes: [y, z], base: -2 }]);
+  const ball = ballOf(motion);
+  assert.deepEqual([ball.centre.toArray(), ball.reaches.map((reach) => Number(reach.toFixed(9)))], [[1, 2, 3], [2, 2, 2, -2, 2]]);
+  const places = onBall(ball, motion.rows);
+  const at = (pose) => [0, 1, 2].map((i) => Number(places[7 * pose + i].toFixed(9)));
+  assert.deepEqual([0, 1, 2, 4, 6, 8].map(at), [[3, 2, 3], [3, 2, 3], [1, 4, 3], [1, 2, 5], [1, 0, 3], [1, 2, 5]]);
+  const doc = { chains: motion.report.chains.map(({ rows }) => ({ base: { x: 1, y: 2, z: 3 }, joints: rows.map(() => ({ type: 'R', rows: [] })) })), motion: { key_frames: [] } };
+  const linkage = new Linkage(createMaterials());
+  linkage.update(motion, doc, 0.05, 0);
+  linkage.show({ ...motion, index: 0 });
+  linkage.group.updateMatrixWorld(true);
+  const middle = (place) => {
+    const box = new Box3();
+    linkage.group.traverse((object) => object.userData.place === place && box.expandByObject(object));
+    return box.getCenter(new Vector3());
+  };
+  assert.ok(middle('chains[0].joints[2]').distanceTo(new Vector3(1, 2, 5)) < 0.05);
+  // Links go from joint to joint.
+  assert.ok(middle('chains[0].joints[1].rows[0]').distanceTo(new Vector3(2, 3, 3)) < 0.05);
+  assert.ok(middle('chains[1].joints[1].rows[0]').distanceTo(new Vector3(1, 1, 4)) < 0.05);
+  assert.ok(measured(motion, doc).home.radius > 2, 'it is in view');
+  for (const other of [motionOf(sample, 1, 0.1), aboutPoint(centre, [{ axes: [x, y, z], base: 2 }])]) {
+    // One axis that passes the point.
+    if (other.report.chains.length === 1) other.rows[28] += 0.01;
+    assert.equal(ballOf(other), null);
   }
 });

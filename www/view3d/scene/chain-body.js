@@ -99,12 +99,9 @@ export class ChainBody {
     });
   }
 
-  /**
-   * @param {Float64Array} rows
-   * @param {number} offset poses before the shown frame
-   */
-  show(rows, offset) {
-    const at = (/** @type {number} */ row) => offset + PER_ROW * row;
+  /** @param {Float64Array} rows of the shown frame */
+  show(rows) {
+    const at = (/** @type {number} */ row) => PER_ROW * row;
     for (const { shape, first, last, centre, stops } of this.#joints) {
       const seatTurn = shape.fixed.userData.turn;
       moveTo(shape.fixed, rows, at(first));
