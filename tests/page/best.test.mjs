@@ -6,7 +6,7 @@ import { boundSentence, branchName, branchesSentence, calmWords, distance, isClo
 import { lanesOf, outlineOf, runsOf } from '../../www/panels/best/lanes.js';
 import { distanceAxis, getsCalmer, placesOf, pointsOf } from '../../www/panels/best/calm.js';
 import { createSearchState } from '../../www/panels/best/search-state.js';
-import { differing, spanOf } from '../../www/panels/best/mode-framing.js';
+import { clearestDirection, differing, spanOf } from '../../www/panels/best/mode-framing.js';
 import { jointLines } from '../../www/panels/best/mode-joints.js';
 import { bestMode, ordered } from '../../www/panels/best/mode-order.js';
 import { bestMotions } from '../../www/core/best-motions.js';
@@ -143,8 +143,21 @@ test('ways to assemble: what differs is framed, and told where it is little', ()
   const found = [{ joints: [0, Math.PI / 2, 3] }, { joints: [0, -Math.PI / 2, 3] }];
   assert.deepEqual(jointLines(found[1], found, chains), ['leg: θ2 −90°']);
   assert.deepEqual(jointLines(found[0], [found[0]], chains), [], 'one way has nothing to be told from');
-  const many = [0, 1].map((joint) => ({ joints: Array(13).fill(joint) }));
-  assert.deepEqual(jointLines(many[0], many, [{ variables: Array(13).fill({ unit: 'rad' }) }]), []);
+  const many = [0, 1].map((joint) => ({ joints: Array(14).fill(joint) }));
+  const legs = ['near', 'far'].map((name) => ({ name, variables: Array(7).fill({ unit: 'rad' }) }));
+  assert.deepEqual(jointLines(many[0], many, legs), [], 'there is no start to tell it from');
+  const flipped = [many[0], many[1], { joints: [...Array(7).fill(0), ...Array(7).fill(1)] }].map((way, i) => ({ ...way, is_start: i === 0 }));
+  assert.deepEqual(flipped.map((way) => jointLines(way, flipped, legs)), [[], ['from the document’s start it differs in near, far'], ['from the document’s start it differs in far']]);
+});
+
+test('ways to assemble are seen from where they are told apart, from the present side if that is as good', () => {
+  const spot = (...xyz) => new Vector3(...xyz);
+  // Two ways that differ along y, one that differs from both along z.
+  const ways = [[spot(0, 0, 0), spot(5, 0, 0)], [spot(0, 3, 0), spot(5, 0, 0)], [spot(0, 0, 4), spot(5, 0, 0)]];
+  assert.equal(clearestDirection(ways, spot(1, 0, 0), 0.1), undefined);
+  const along = clearestDirection(ways, spot(0, 1, 0), 0.1);
+  assert.ok(Math.abs(along.length() - 1) < 1e-9 && Math.abs(along.y) < 0.5 && along.z > 0, 'not along y, and from above');
+  assert.deepEqual([clearestDirection([], spot(1, 0, 0), 0.1), clearestDirection([ways[0], ways[0]], spot(1, 0, 0), 0.1)], [undefined, undefined]);
 });
 
 /** A store with a motion, and a search whose answers are given by hand. */

@@ -157,7 +157,7 @@ export function openModes({ root, find, store, player, scene, say, signal }, fir
       };
     };
     return html`<li class=${best ? 'best' : ''}>
-      ${pictures ? html`<canvas role="img" aria-label=${`Way ${number}, as seen from the present side`} width=${PICTURE.width} height=${PICTURE.height} ${attach(picture, mode)}></canvas>` : nothing}
+      ${pictures ? html`<canvas role="img" aria-label=${`Way ${number}, seen from the same side as the others`} width=${PICTURE.width} height=${PICTURE.height} ${attach(picture, mode)}></canvas>` : nothing}
       <h3>Way ${number} ${mode.is_start ? html`<small>the document’s start</small>` : nothing}${best ? html`<small class="mark">best mode</small>` : nothing}</h3>
       <p>${closeness(mode)}</p>
       ${[...facts(mode, modes?.starts ?? 0, motion?.goal_frames ?? 0), ...jointLines(mode, modes?.found ?? [], motion?.report.chains ?? [])].map((text) => html`<p class="muted">${text}</p>`)}
