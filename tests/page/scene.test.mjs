@@ -4,6 +4,7 @@ import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { Box3, Color, DirectionalLight, Mesh, OrthographicCamera, PerspectiveCamera, Quaternion, Raycaster, Vector2, Vector3 } from 'three';
 import { strokeTriangles } from '../../www/export/strokes.js';
+import { createBestGhost } from '../../www/view3d/best-ghost.js';
 import { createMaterials } from '../../www/view3d/scene/materials.js';
 import { createMeasure } from '../../www/view3d/scene/measure.js';
 import { gapClass, gapFrames, gapSteps } from '../../www/view3d/scene/gap-lines.js';
@@ -347,4 +348,20 @@ test('where all axes meet in one point, as in the agile eye, the joints stand on
     if (other.report.chains.length === 1) other.rows[28] += 0.01;
     assert.equal(ballOf(other), null);
   }
+});
+
+test('the ghost of the best motion stands at the frame that is drawn, in a film too, which the playhead does not follow', () => {
+  const motion = motionOf(sample, 3, 0.1);
+  const best = { ...motion, pose: poses(3, 0.5) };
+  const doc = { chains: sample.chains, motion: { key_frames: [] } };
+  let part;
+  const scene = { drawAsOne() {}, added: { add: (one) => ((part = one), () => {}) }, linkRadius: 0.03, size: { ground: -0.1 }, canvas: { dataset: {} }, changed() {} };
+  const store = { view: { frame: 0, posture: null }, result: { motion, doc, plain: doc }, subscribe() {} };
+  const search = { now: { motion: best, which: 'both', doc }, isFoundWhereLost: () => false, subscribe() {} };
+  createBestGhost({ store }, scene, search);
+  for (const [index, x] of [[0, 0], [2, 1], [5, 1]]) {
+    part.pose({ index });
+    assert.equal(part.group.children[0].children[0].position.x, x, `frame ${index}`);
+  }
+  assert.ok(part.group.visible);
 });

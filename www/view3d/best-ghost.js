@@ -41,6 +41,10 @@ export function createBestGhost({ store }, scene, search) {
       material.color.copy(palette.closest);
       path.material.color.copy(palette.closest);
     },
+    pose({ index }) {
+      const { motion } = search.now;
+      if (motion && group.visible) linkage.show({ rows: motion.rows, pose: motion.pose, frames: motion.frames, index: Math.min(index, motion.frames - 1) });
+    },
   });
   /** What the bodies were built of. @type {unknown[]} */
   let built = [];
@@ -56,7 +60,6 @@ export function createBestGhost({ store }, scene, search) {
       const now = [what, store.result.plain, scene.linkRadius];
       if (now.some((part, i) => part !== built[i])) build(what);
       built = now;
-      linkage.show({ rows: what.rows, pose: what.pose, frames: what.frames, index: Math.min(frame, what.frames - 1) });
     }
     scene.canvas.dataset.best = what ? String(Math.min(frame, what.frames - 1)) : '';
     const note = what ? `▨ ${nameOf(what)} motion` : '';
