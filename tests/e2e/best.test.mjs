@@ -75,6 +75,13 @@ test('a better motion is found, told in numbers and words, and shown as a ghost 
   assert.equal(await page.locator('#strip-best .switch').count(), await panel(page).locator('button.switch').count());
   await scrubTo(page, 0);
   await better(page).waitFor({ state: 'hidden' });
+
+  // The ways to assemble are counted apart.
+  const branches = await panel(page).getByRole('img', { name: /branches over the frames/ }).getAttribute('aria-label');
+  await panel(page).getByRole('button', { name: 'Ways to assemble…' }).click();
+  const dialog = page.getByRole('dialog', { name: 'Ways to assemble' });
+  await dialog.locator('.best-mode').waitFor({ timeout: 180_000 });
+  await dialog.getByText(new RegExp(`The search for the best motion knows ${/^\d+/.exec(branches)} branches, \\d+ of them at this key frame: it makes its own starts, over all frames\\.$`)).waitFor();
   assert.deepEqual(problems, []);
 });
 
@@ -105,12 +112,19 @@ test('lanes, switches and the slider go by keyboard, and are a table too', async
   assert.ok(step(next) <= step(first), `${next} after ${first}`);
   await panel(page).locator('output[aria-busy="false"]').waitFor();
   await panel(page).getByRole('columnheader', { name: 'calmer' }).waitFor();
-  await shown(page, 'best').check();
-  // A calmer motion is not called the best one, and there is a way back to that.
+  // A calmer motion is not called the best one anywhere, and there is a way back to that.
+  assert.equal(await shown(page, 'best').count(), 0);
+  await page.locator('#legend').filter({ hasText: 'calmer motion' }).waitFor();
+  await panel(page).getByText('Marks and switches are those of the best motion').waitFor();
+  assert.equal(await page.locator('#strip-best .switch').count(), 0);
+  await shown(page, 'calmer').check();
   const pill = page.locator('#best-shown');
   await pill.filter({ hasText: /^A calmer motion is shown: mean [\d.e−]+ \(best [\d.e−]+\), largest joint step [\d.]+°? \(best [\d.]+°?\)\. Show the best one Back to the followed one$/ }).waitFor();
   await pill.getByRole('button', { name: 'Show the best one' }).click();
   await pill.filter({ hasText: 'The best motion is shown.' }).waitFor();
+  assert.ok(await shown(page, 'best').isChecked());
+  assert.notEqual(await page.locator('#strip-best .switch').count(), 0);
+  assert.ok(await panel(page).getByText('Marks and switches are those of the best motion').isHidden());
   await slider.focus();
   await page.keyboard.press('ArrowRight');
   await pill.filter({ hasText: 'A calmer motion' }).waitFor();
@@ -147,6 +161,74 @@ test('a plan is not held up, partial results are shown, and an edit ends the sea
   assert.equal(await panel(page).locator('.lane-names button').count(), 0, 'what was found went with its document');
   assert.ok(await better(page).isHidden());
   assert.deepEqual(await page.locator('#notices p').allTextContents(), []);
+  assert.deepEqual(problems, []);
+});
+
+test('files are of the motion that is shown, and what is saved and refused is told once', async () => {
+  const { page, problems } = await openGolden();
+  await search(page);
+  const items = () => page.getByRole('menuitem');
+  const openMenu = async () => {
+    await page.getByRole('button', { name: 'Export', exact: true }).click();
+    await items().first().waitFor();
+  };
+  await shown(page, 'best').check();
+  await openMenu();
+  assert.equal(await items().filter({ hasText: 'The best motion switches while a frame stands: choose a calmer one' }).count(), 1);
+  await items().filter({ hasText: /^MuJoCo model with gravity.*Nor with gravity, for the same reason$/ }).and(page.locator('[aria-disabled="true"]')).waitFor();
+  await page.keyboard.press('Escape');
+  // Beside a ghost the file has the followed motion, and says so before and after.
+  await shown(page, 'both').check();
+  for (const [item, name] of [[/^Table \(CSV\)/, '3prs.csv'], [/^Playing page/, '3prs.html']]) {
+    await openMenu();
+    assert.match(await items().filter({ hasText: item }).textContent(), /It has the followed motion, not the best one beside it\./);
+    const [download] = await Promise.all([page.waitForEvent('download'), items().filter({ hasText: item }).click()]);
+    assert.equal(download.suggestedFilename(), name);
+    await page.getByRole('status').filter({ hasText: new RegExp(`^Saved ${name}.*It has the followed motion, not the best one beside it\\.$`) }).waitFor();
+  }
+  await shown(page, 'followed').check();
+  await openMenu();
+  assert.equal(await items().filter({ hasText: 'It has the followed motion' }).count(), 0);
+  await items().filter({ hasText: /^Table \(CSV\)/ }).click();
+  await page.getByRole('status').filter({ hasText: /^Saved 3prs\.csv\.$/ }).waitFor();
+  assert.deepEqual(problems, []);
+});
+
+test('a double click begins a search and does not stop it, and opens the ways to assemble and does not close them', async () => {
+  const { page, problems } = await openGolden();
+  await page.evaluate((doc) => {
+    document.querySelector('synthetica-linkage').document = doc;
+  }, goldenDocument('3PRS', 10_001));
+  await page.locator('#frame-number').filter({ hasText: '/ 10001' }).waitFor();
+  await openPanel(page);
+  const begin = panel(page).getByRole('button', { name: 'Look for a better motion' });
+  const stop = panel(page).getByRole('button', { name: 'Stop the search' });
+  const { x } = await begin.boundingBox();
+  await begin.dblclick();
+  await stop.waitFor();
+  assert.equal((await begin.boundingBox()).x, x);
+  assert.equal(await begin.getAttribute('aria-disabled'), 'true');
+  await panel(page).locator('.lane-names button').first().waitFor();
+  await stop.dblclick();
+  const on = panel(page).getByRole('button', { name: 'Go on searching' });
+  await on.waitFor();
+  assert.ok(await stop.isHidden());
+  await on.press('Enter');
+  await stop.press('Enter');
+  await on.waitFor();
+  assert.ok(await on.evaluate((button) => button === pageFocus()), 'the focus is not lost with the button');
+  // As two quick presses in one place: the dialog is there at the second one.
+  const ways = panel(page).getByRole('button', { name: 'Ways to assemble…' });
+  const box = await ways.boundingBox();
+  await ways.click();
+  const dialog = page.getByRole('dialog', { name: 'Ways to assemble' });
+  await dialog.waitFor();
+  await page.mouse.move(box.x + 5, box.y + 5);
+  await page.mouse.down({ clickCount: 2 });
+  await page.mouse.up({ clickCount: 2 });
+  assert.ok(await dialog.isVisible());
+  await page.keyboard.press('Escape');
+  await dialog.waitFor({ state: 'detached' });
   assert.deepEqual(problems, []);
 });
 

@@ -48,6 +48,18 @@ test('each way has its picture, its distance, who found it and what its motion c
     return new Set(Array.from({ length: data.length / 4 }, (_, i) => `${data[4 * i] >> 4} ${data[4 * i + 1] >> 4} ${data[4 * i + 2] >> 4}`)).size;
   });
   assert.ok(colours > 20, `${colours} colours`);
+  // No two are alike: a leg or more stands elsewhere.
+  const least = await ways(page).locator('canvas').evaluateAll((all) => {
+    const { width, height } = all[0];
+    const pen = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true });
+    const pictures = all.map((canvas) => {
+      pen.drawImage(canvas, 0, 0);
+      return pen.getImageData(0, 0, width, height).data;
+    });
+    const share = (one, other) => one.reduce((sum, value, i) => sum + Number(i % 4 < 3 && Math.abs(value - other[i]) > 24), 0) / (0.75 * one.length);
+    return Math.min(...pictures.flatMap((one, i) => pictures.slice(i + 1).map((other) => share(one, other))));
+  });
+  assert.ok(least > 0.03, `two pictures differ in ${least} of their values`);
   await dialog(page).getByLabel('Order').selectOption('motion');
   // They are alike: none is better than that of the document's start.
   assert.match(await ways(page).first().textContent(), /the document’s start ?best mode/);

@@ -2,11 +2,11 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { Vector3 } from 'three';
-import { boundSentence, branchName, calmWords, distance, isCloser, jointMotion, jointStep, oneIn, switchSentence, unseenSentence, verdict } from '../../www/panels/best/best-words.js';
+import { boundSentence, branchName, branchesSentence, calmWords, distance, isCloser, jointMotion, jointStep, oneIn, switchSentence, unseenSentence, verdict } from '../../www/panels/best/best-words.js';
 import { lanesOf, outlineOf, runsOf } from '../../www/panels/best/lanes.js';
-import { getsCalmer, placesOf, pointsOf } from '../../www/panels/best/calm.js';
+import { distanceAxis, getsCalmer, placesOf, pointsOf } from '../../www/panels/best/calm.js';
 import { createSearchState } from '../../www/panels/best/search-state.js';
-import { differing, spanOf } from '../../www/panels/best/mode-framing.js';
+import { clearestDirection, differing, spanOf } from '../../www/panels/best/mode-framing.js';
 import { jointLines } from '../../www/panels/best/mode-joints.js';
 import { bestMode, ordered } from '../../www/panels/best/mode-order.js';
 import { bestMotions } from '../../www/core/best-motions.js';
@@ -40,6 +40,13 @@ test('the estimate of what was not seen stands in words', () => {
   assert.equal(unseenSentence({ starts: 100, unseen: 0, unseen_bound: 0.019 }, 'way'), 'Every way was found more than once: at most 1 in 53 further starts would find another one (95 %).');
   assert.match(unseenSentence({ starts: 2, unseen: 1, unseen_bound: 1 }, 'way'), /Too few starts/);
   assert.equal(unseenSentence({ starts: 0, unseen: 1, unseen_bound: 1 }, 'way'), '');
+});
+
+test('branches and ways to assemble are counted by two searches: what is not the same is explained', () => {
+  assert.equal(branchesSentence(best, 0, 8), 'The search for the best motion knows 4 branches, 2 of them at this key frame: it makes its own starts, over all frames.');
+  assert.match(branchesSentence(best, 4, 4), /4 branches, 2 of them/);
+  assert.equal(branchesSentence({ branches: [best.branches[0]] }, 4, 1), '');
+  assert.match(branchesSentence({ branches: [best.branches[0]] }, 4, 2), /knows 1 branch, 1 of them/);
 });
 
 test('the bound, the verdict and a switch are told as they are', () => {
@@ -90,6 +97,16 @@ test('the slider goes over the best motion and the points of the curve; the pict
   assert.ok(places.points[0].x > places.points[1].x && places.points[1].x > places.points[2].x, 'calmer is to the left');
   assert.ok(places.points[0].y > places.points[1].y && places.points[1].y > places.points[2].y, 'closer is below');
   assert.ok([...places.points, places.followed].every(({ x, y }) => Number.isFinite(x) && Number.isFinite(y) && x >= 0 && y >= 0));
+  // Distances that are close together fill the picture too; what is far from them is at its edge.
+  const heights = (means, followed) => {
+    const { points: at, followed: other, beyond, low, high } = placesOf(means.map((mean) => cost(mean)), cost(followed));
+    return { share: (at[0].y - at.at(-1).y) / 76, low: Number(low.toFixed(9)), high: Number(high.toFixed(9)), beyond, inside: other.y >= 8 && other.y <= 84 };
+  };
+  const { share, ...ends } = heights([0.025712, 0.02575, 0.025828], 0.0258);
+  assert.ok(share > 0.6, `${share} of the height`);
+  assert.deepEqual(ends, { low: 0.02571, high: 0.02583, beyond: false, inside: true });
+  assert.deepEqual([heights([0.0257, 0.0258], 0.04), heights([0.0257, 0.0258], 0.001)].map(({ beyond, inside, low }) => [beyond, inside, low]), [[true, true, 0.0257], [true, true, 0.0257]]);
+  assert.deepEqual([distanceAxis([0.01, 0.05], 0.03), distanceAxis([0.03, 0.03], 0.04), distanceAxis([0, 0], 0)], [[0, 0.05], [0, 0.04], [0, 1]]);
   const still = placesOf([{ mean: 0, largest_step: 0 }], { mean: 0, largest_step: 0 });
   assert.ok(Number.isFinite(still.points[0].x) && Number.isFinite(still.points[0].y));
 });
@@ -126,8 +143,21 @@ test('ways to assemble: what differs is framed, and told where it is little', ()
   const found = [{ joints: [0, Math.PI / 2, 3] }, { joints: [0, -Math.PI / 2, 3] }];
   assert.deepEqual(jointLines(found[1], found, chains), ['leg: θ2 −90°']);
   assert.deepEqual(jointLines(found[0], [found[0]], chains), [], 'one way has nothing to be told from');
-  const many = [0, 1].map((joint) => ({ joints: Array(13).fill(joint) }));
-  assert.deepEqual(jointLines(many[0], many, [{ variables: Array(13).fill({ unit: 'rad' }) }]), []);
+  const many = [0, 1].map((joint) => ({ joints: Array(14).fill(joint) }));
+  const legs = ['near', 'far'].map((name) => ({ name, variables: Array(7).fill({ unit: 'rad' }) }));
+  assert.deepEqual(jointLines(many[0], many, legs), [], 'there is no start to tell it from');
+  const flipped = [many[0], many[1], { joints: [...Array(7).fill(0), ...Array(7).fill(1)] }].map((way, i) => ({ ...way, is_start: i === 0 }));
+  assert.deepEqual(flipped.map((way) => jointLines(way, flipped, legs)), [[], ['from the document’s start it differs in near, far'], ['from the document’s start it differs in far']]);
+});
+
+test('ways to assemble are seen from where they are told apart, from the present side if that is as good', () => {
+  const spot = (...xyz) => new Vector3(...xyz);
+  // Two ways that differ along y, one that differs from both along z.
+  const ways = [[spot(0, 0, 0), spot(5, 0, 0)], [spot(0, 3, 0), spot(5, 0, 0)], [spot(0, 0, 4), spot(5, 0, 0)]];
+  assert.equal(clearestDirection(ways, spot(1, 0, 0), 0.1), undefined);
+  const along = clearestDirection(ways, spot(0, 1, 0), 0.1);
+  assert.ok(Math.abs(along.length() - 1) < 1e-9 && Math.abs(along.y) < 0.5 && along.z > 0, 'not along y, and from above');
+  assert.deepEqual([clearestDirection([], spot(1, 0, 0), 0.1), clearestDirection([ways[0], ways[0]], spot(1, 0, 0), 0.1)], [undefined, undefined]);
 });
 
 /** A store with a motion, and a search whose answers are given by hand. */

@@ -39,7 +39,7 @@ function made() {
     rows: Float64Array.of(...row, ...row, ...row),
     report: {
       statuses: STATUSES, drivers: [0], bounds: { reached: 5e-17 }, metric: { length: 1 },
-      chains: [{ name: 'arm', type: 'RC', variables: [{ label: 'θ1', unit: 'rad', row: 0 }, { label: 'θ2', unit: 'rad', row: 1 }, { label: 'd2', unit: 'length', row: 1 }] }],
+      chains: [{ name: 'arm', type: 'RC', rows: [{ kind: 'R', joint: 0 }, { kind: 'C', joint: 1 }], variables: [{ label: 'θ1', unit: 'rad', row: 0 }, { label: 'θ2', unit: 'rad', row: 1 }, { label: 'd2', unit: 'length', row: 1 }] }],
       warnings: [
         { code: 'undriven-freedoms', message: '2 freedoms' },
         { code: 'branch-chosen', message: 'a way', first: 1, last: 1 },

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { pack, unpack } from '../../www/player-page/pack.js';
 import { notWhole } from '../../www/export/not-whole.js';
-import { fileName } from '../../www/export/save.js';
+import { fileName } from '../../www/export/file-name.js';
 
 test('a file is only written of the whole motion of the document, and what is amiss is said', () => {
   const doc = {};

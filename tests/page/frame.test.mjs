@@ -3,7 +3,8 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { Quaternion, Vector3 } from 'three';
-import { frameMatrix, frameOf } from '../../www/core/poses.js';
+import { frameOf } from '../../www/core/frame-of.js';
+import { frameMatrix } from '../../www/core/poses.js';
 
 const read = (path) => JSON.parse(readFileSync(new URL(path, import.meta.url), 'utf8'));
 const golden = read('../golden/closest-motion.json');

@@ -2,8 +2,9 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { Color, DirectionalLight, Mesh, OrthographicCamera, PerspectiveCamera, Raycaster, Vector2, Vector3 } from 'three';
+import { Box3, Color, DirectionalLight, Mesh, OrthographicCamera, PerspectiveCamera, Quaternion, Raycaster, Vector2, Vector3 } from 'three';
 import { strokeTriangles } from '../../www/export/strokes.js';
+import { createBestGhost } from '../../www/view3d/best-ghost.js';
 import { createMaterials } from '../../www/view3d/scene/materials.js';
 import { createMeasure } from '../../www/view3d/scene/measure.js';
 import { gapClass, gapFrames, gapSteps } from '../../www/view3d/scene/gap-lines.js';
@@ -12,6 +13,7 @@ import { createLight } from '../../www/view3d/scene/light.js';
 import { Linkage } from '../../www/view3d/scene/linkage.js';
 import { hasLeft, showsWell } from '../../www/view3d/scene/refit.js';
 import { curveThrough } from '../../www/view3d/scene/curve.js';
+import { ballOf, onBall } from '../../www/view3d/scene/spherical.js';
 import { createStops, travelLimits } from '../../www/view3d/scene/stops.js';
 import { Stroke, StrokeMaterial, drawn } from '../../www/view3d/scene/stroke.js';
 
@@ -272,4 +274,94 @@ test('a slider has a collar at each limit that is given, which is coloured when 
     assert.ok(![least, largest, rail].some(({ visible }) => visible));
     assert.deepEqual(marked(0), [false, false]);
   }
+});
+
+/** A chain along z, by how far each pose is along it: seat and moved frame of each row. */
+function upright(kinds, ...frames) {
+  const doc = { chains: [{ joints: kinds.map(([type]) => ({ type, rows: [] })) }], motion: { key_frames: [] } };
+  const rows = kinds.flatMap(([kind, count], joint) => Array.from({ length: count }, () => ({ kind, joint })));
+  const motion = { frames: frames.length, report: { chains: [{ rows }] }, rows: Float64Array.from(frames.flat().flatMap((z) => [0, 0, z, 0, 0, 0, 1])), pose: poses(frames.length, 0), goal: poses(frames.length, 0) };
+  const linkage = new Linkage(createMaterials());
+  linkage.update(motion, doc, 0.03, -0.1);
+  const boxOf = (place, frame) => {
+    linkage.show({ ...motion, index: frame });
+    linkage.group.updateMatrixWorld(true);
+    const box = new Box3();
+    linkage.group.traverse((object) => object.userData.place === place && box.expandByObject(object));
+    return box;
+  };
+  return boxOf;
+}
+
+test('a ball or universal joint stands where its axes meet, and the leg up to it is seen although its slider is at 0', () => {
+  for (const [type, count] of [['S', 3], ['T', 2]]) {
+    const end = Array(2 * count - 1).fill(1);
+    // As a leg by axes: the whole length is an offset along the joint's first axis.
+    const boxOf = upright([['R', 1], ['P', 1], [type, count]], [0, 0, 0, 0, 0, ...end], [0, 0, 0, 0.5, 0.5, ...end.map((z) => z + 0.5)]);
+    for (const [frame, length] of [[0, 0], [1, 0.5]]) {
+      const joint = boxOf('chains[0].joints[2]', frame);
+      assert.ok(joint.min.z > length + 0.8 && joint.max.z < length + 1.2, `${type}: from ${joint.min.z} to ${joint.max.z}`);
+      const link = boxOf('chains[0].joints[2].rows[0]', frame);
+      assert.ok(Math.abs(link.min.z - length) < 0.05 && Math.abs(link.max.z - length - 1) < 0.05, `${type}: a link from ${link.min.z} to ${link.max.z}`);
+    }
+    // An offset along the last axis is a link of its own.
+    const after = upright([['R', 1], [type, count]], [0, 0, ...Array(2 * count - 1).fill(0), 1])('chains[0].joints[1]', 0);
+    assert.ok(after.max.z > 1 && after.min.z < 0);
+  }
+});
+
+/** A motion of one frame whose joints R have these axes through a point; each chain's base is so far out on its first axis. */
+function aboutPoint(centre, chains) {
+  const pose = (axis, out) => [...centre.clone().addScaledVector(axis, out).toArray(), ...new Quaternion().setFromUnitVectors(new Vector3(0, 0, 1), axis).toArray()];
+  const rows = chains.flatMap(({ axes, base }) => axes.flatMap((axis, joint) => [...pose(axis, joint ? 0 : base), ...pose(axis, 0)]));
+  const report = { chains: chains.map(({ axes }) => ({ rows: axes.map((_, joint) => ({ kind: 'R', joint })) })) };
+  return { frames: 1, report, rows: Float64Array.from(rows), pose: Float64Array.of(...centre.toArray(), 0, 0, 0, 1), goal: Float64Array.of(...centre.toArray(), 0, 0, 0, 1) };
+}
+
+test('where all axes meet in one point, as in the agile eye, the joints stand on a ball around it, and all of it is in view', () => {
+  const centre = new Vector3(1, 2, 3);
+  const [x, y, z] = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map((axis) => new Vector3(...axis));
+  // The second chain's base is on the other side of its first axis.
+  const motion = aboutPoint(centre, [{ axes: [x, y, z], base: 2 }, { axes: [y, z], base: -2 }]);
+  const ball = ballOf(motion);
+  assert.deepEqual([ball.centre.toArray(), ball.reaches.map((reach) => Number(reach.toFixed(9)))], [[1, 2, 3], [2, 2, 2, -2, 2]]);
+  const places = onBall(ball, motion.rows);
+  const at = (pose) => [0, 1, 2].map((i) => Number(places[7 * pose + i].toFixed(9)));
+  assert.deepEqual([0, 1, 2, 4, 6, 8].map(at), [[3, 2, 3], [3, 2, 3], [1, 4, 3], [1, 2, 5], [1, 0, 3], [1, 2, 5]]);
+  const doc = { chains: motion.report.chains.map(({ rows }) => ({ base: { x: 1, y: 2, z: 3 }, joints: rows.map(() => ({ type: 'R', rows: [] })) })), motion: { key_frames: [] } };
+  const linkage = new Linkage(createMaterials());
+  linkage.update(motion, doc, 0.05, 0);
+  linkage.show({ ...motion, index: 0 });
+  linkage.group.updateMatrixWorld(true);
+  const middle = (place) => {
+    const box = new Box3();
+    linkage.group.traverse((object) => object.userData.place === place && box.expandByObject(object));
+    return box.getCenter(new Vector3());
+  };
+  assert.ok(middle('chains[0].joints[2]').distanceTo(new Vector3(1, 2, 5)) < 0.05);
+  // Links go from joint to joint.
+  assert.ok(middle('chains[0].joints[1].rows[0]').distanceTo(new Vector3(2, 3, 3)) < 0.05);
+  assert.ok(middle('chains[1].joints[1].rows[0]').distanceTo(new Vector3(1, 1, 4)) < 0.05);
+  assert.ok(measured(motion, doc).home.radius > 2, 'it is in view');
+  for (const other of [motionOf(sample, 1, 0.1), aboutPoint(centre, [{ axes: [x, y, z], base: 2 }])]) {
+    // One axis that passes the point.
+    if (other.report.chains.length === 1) other.rows[28] += 0.01;
+    assert.equal(ballOf(other), null);
+  }
+});
+
+test('the ghost of the best motion stands at the frame that is drawn, in a film too, which the playhead does not follow', () => {
+  const motion = motionOf(sample, 3, 0.1);
+  const best = { ...motion, pose: poses(3, 0.5) };
+  const doc = { chains: sample.chains, motion: { key_frames: [] } };
+  let part;
+  const scene = { drawAsOne() {}, added: { add: (one) => ((part = one), () => {}) }, linkRadius: 0.03, size: { ground: -0.1 }, canvas: { dataset: {} }, changed() {} };
+  const store = { view: { frame: 0, posture: null }, result: { motion, doc, plain: doc }, subscribe() {} };
+  const search = { now: { motion: best, which: 'both', doc }, isFoundWhereLost: () => false, subscribe() {} };
+  createBestGhost({ store }, scene, search);
+  for (const [index, x] of [[0, 0], [2, 1], [5, 1]]) {
+    part.pose({ index });
+    assert.equal(part.group.children[0].children[0].position.x, x, `frame ${index}`);
+  }
+  assert.ok(part.group.visible);
 });

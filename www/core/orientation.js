@@ -8,7 +8,8 @@
  */
 import { Matrix4, Quaternion } from 'three';
 import { entry } from './edits.js';
-import { POLE, frameMatrix, frameOf } from './poses.js';
+import { POLE, frameOf } from './frame-of.js';
+import { frameMatrix } from './poses.js';
 import { plain } from './shown-frame.js';
 
 const RADIANS = Math.PI / 180;

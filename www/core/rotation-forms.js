@@ -8,7 +8,8 @@
  * @typedef {import('./orientation.js').Turn} Turn a rotation matrix, nine numbers row by row
  */
 import { Matrix4, Quaternion } from 'three';
-import { frameMatrix, frameOf } from './poses.js';
+import { frameOf } from './frame-of.js';
+import { frameMatrix } from './poses.js';
 
 /** @type {Record<RotationForm, string>} */
 export const ROTATION_FORMS = {

@@ -2,7 +2,7 @@
  * The shown pose as a frame of the document: what a new key frame is made of.
  */
 import { frameAsWritten } from './document-angles.js';
-import { frameOf } from './poses.js';
+import { frameOf } from './frame-of.js';
 import { groupAt, shown } from './shown.js';
 
 /** Decimals of the coordinates in lengths and degrees: finer than a person can see, and short to read. */

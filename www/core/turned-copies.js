@@ -15,7 +15,8 @@ import { Matrix4, Quaternion, Vector3 } from 'three';
 import { isByAxes } from './by-axes.js';
 import { copyName } from './lists.js';
 import { chainVariables, JOINT_TYPES, plainLetter } from './joint-types.js';
-import { frameMatrix, frameOf } from './poses.js';
+import { frameOf } from './frame-of.js';
+import { frameMatrix } from './poses.js';
 
 const RADIANS = Math.PI / 180;
 const AXES = { x: new Vector3(1, 0, 0), y: new Vector3(0, 1, 0), z: new Vector3(0, 0, 1) };

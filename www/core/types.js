@@ -5,6 +5,7 @@
  * @typedef {import('../pkg/synthetica.js').Progress} Progress
  * @typedef {import('../pkg/synthetica.js').MakeRequest} MakeRequest
  * @typedef {import('../pkg/synthetica.js').ExportOptions} ExportOptions
+ * @typedef {'csv' | 'json' | 'mjcf'} ExportFormat what a motion is written as; mjcf is a model for MuJoCo
  * @typedef {import('../pkg/synthetica.js').PoseTableRequest} PoseTableRequest
  * @typedef {import('../pkg/synthetica.js').PoseTable} PoseTable
  * @typedef {import('../pkg/synthetica.js').Maker} Maker

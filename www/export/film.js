@@ -53,15 +53,23 @@ export async function exportFilm({ store, scene, player, say }) {
     setText(told, `${(share * seconds).toFixed(1)} of ${seconds.toFixed(1)} s`);
   };
 
-  try {
+  /** @returns {Promise<string>} what is told of it */
+  async function made() {
     const shot = { canvas, seconds, draw, stopped: () => cancelled };
     const film = (encodes() ? await encodeFilm(shot) : null) ?? (cancelled ? null : await recorded(shot));
-    if (typeof film === 'string') return say(film);
-    if (cancelled || !film) return say('The film was cancelled.');
+    if (typeof film === 'string') return film;
+    if (cancelled || !film) return 'The film was cancelled.';
     await checkFilm(film, seconds);
     const name = shownName(result, 'webm');
     saveFile(name, new Blob([film], { type: 'video/webm' }));
-    say(`Saved ${name}.`);
+    return `Saved ${name}.`;
+  }
+
+  try {
+    const words = await made();
+    // A notice below an open dialog is not spoken.
+    dialog.close();
+    say(words);
   } finally {
     dialog.close();
     player.frame = frame;

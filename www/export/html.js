@@ -3,6 +3,7 @@
  */
 import { script, style } from '../player-page/main.js?bundle';
 import { pack } from '../player-page/pack.js';
+import { withoutGhost } from '../core/best-motions.js';
 import { saveFile } from './save.js';
 import { shownName } from './shown-name.js';
 import { inert } from './inert.js';
@@ -13,7 +14,8 @@ export async function exportHtml({ store, say }) {
   if (!motion || !doc || !plain) return;
   const name = shownName(store.result, 'html');
   saveFile(name, new Blob([await page(doc, await pack(motion, doc, plain))], { type: 'text/html' }));
-  say(`Saved ${name}: it plays in any browser, also without a network.`);
+  const without = withoutGhost(motion);
+  say(`Saved ${name}: it plays in any browser, also without a network.${without && ` ${without}.`}`);
 }
 
 /** @param {import('../core/types.js').MechanismDocument} doc @param {string} motion packed */

@@ -2,11 +2,12 @@
  * The motion that is shown as text: a table, data, a MuJoCo model; the planner writes them.
  */
 import { ask } from '../core/ask.js';
-import { bestMotions } from '../core/best-motions.js';
+import { bestMotions, withoutGhost } from '../core/best-motions.js';
 import { textOf } from '../core/document-text.js';
 import { saveFile } from './save.js';
 import { shownName } from './shown-name.js';
 
+/** @type {Record<import('../core/types.js').ExportFormat, {ending: string, type: string}>} */
 const FILES = {
   csv: { ending: 'csv', type: 'text/csv' },
   json: { ending: 'motion.json', type: 'application/json' },
@@ -14,7 +15,7 @@ const FILES = {
 };
 
 /**
- * @param {import('../element/workbench.js').App} app @param {keyof typeof FILES} format
+ * @param {import('../element/workbench.js').App} app @param {import('../core/types.js').ExportFormat} format
  * @param {import('../core/types.js').ExportOptions} options
  */
 export async function exportMotion({ store, planner, say }, format, options) {
@@ -27,5 +28,6 @@ export async function exportMotion({ store, planner, say }, format, options) {
   const { ending, type } = FILES[format];
   const name = shownName({ doc, motion }, ending);
   saveFile(name, new Blob([text.value], { type }));
-  say(`Saved ${name}.${best ? ` ${best.words}${best.switches ? ': the file has all points of its path at a switch' : ''}.` : ''}`);
+  const what = best ? `${best.words}${best.switches ? ': the file has all points of its path at a switch' : ''}` : withoutGhost(motion);
+  say(`Saved ${name}.${what && ` ${what}.`}`);
 }

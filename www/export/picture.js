@@ -9,6 +9,7 @@
  * @property {Background} [background] the view's, if it is not given
  * @property {boolean} [whole] the linkage with its motions fills the picture; otherwise what the view shows
  * @property {import('three').Vector3[]} [fit] points that fill it instead of the linkage
+ * @property {import('three').Vector3} [from] direction that it is seen from, instead of the view's, where something fills it
  * @property {boolean} [names] with the names in the view
  * @property {import('./legend.js').Line[]} [legend] its lines, drawn at the foot
  * @property {boolean} [shadows] also where the view leaves them out while it moves
@@ -87,6 +88,12 @@ export function withoutTools(scene, wish, draw) {
   if (camera instanceof PerspectiveCamera) camera.aspect = aspect;
   else [camera.left, camera.right] = [camera.bottom * aspect, camera.top * aspect];
   camera.updateProjectionMatrix();
+  if (wish.from) {
+    const { centre } = scene.size;
+    const far = camera.position.distanceTo(centre);
+    camera.position.copy(centre).addScaledVector(wish.from, far);
+    camera.lookAt(centre);
+  }
   camera.updateMatrixWorld();
   if (wish.whole) {
     const foot = 2 * legendShare(wish, viewStyle(scene).font);

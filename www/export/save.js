@@ -12,18 +12,3 @@ export function saveFile(name, content) {
   element('a', { href: url, download: name }).click();
   setTimeout(() => URL.revokeObjectURL(url), UNTIL_READ);
 }
-
-/**
- * A file's name for a document: 3rps.csv.
- * @param {{name?: string} | null} doc
- * @param {string} ending
- */
-export function fileName(doc, ending) {
-  const plain = (doc?.name ?? '')
-    .normalize('NFKD')
-    .toLowerCase()
-    .replace(/[’'\u0300-\u036f]/g, '')
-    .replace(/[^\p{L}\p{N}]+/gu, '-')
-    .replace(/^-|-$/g, '');
-  return `${plain || 'linkage'}.${ending}`;
-}

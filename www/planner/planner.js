@@ -74,7 +74,7 @@ export class Planner {
 
   /**
    * The planned motion as a text for other programs.
-   * @param {string} text a document @param {'csv' | 'json' | 'mjcf'} format
+   * @param {string} text a document @param {import('../core/types.js').ExportFormat} format
    * @param {import('../core/types.js').ExportOptions} [options] @returns {Promise<string>}
    */
   exportMotion(text, format, options = {}) {

@@ -36,7 +36,7 @@ export class Search {
     return this.#ask('calm_motion', text, [price]);
   }
 
-  /** The best motion found so far, or its calm form at a price, for other programs. @param {string} text a document @param {'csv' | 'json' | 'mjcf'} format @param {import('../core/types.js').ExportOptions} options @param {number} [price] @returns {Promise<string>} */
+  /** The best motion found so far, or its calm form at a price, for other programs. @param {string} text a document @param {import('../core/types.js').ExportFormat} format @param {import('../core/types.js').ExportOptions} options @param {number} [price] @returns {Promise<string>} */
   exportBest(text, format, options, price) {
     return this.#ask('export_best', text, [format, JSON.stringify(options), price]);
   }

@@ -29,7 +29,8 @@ export function openDialogIn(place, title, ...body) {
     element('div', {}, ...body),
   );
   dialog.addEventListener('click', (event) => {
-    if (event.target === dialog) dialog.close();
+    // Not the second click of the double click that opened it.
+    if (event.target === dialog && event.detail < 2) dialog.close();
   });
   place.append(dialog);
   dialog.showModal();

@@ -2,7 +2,7 @@
  * The best motion in the view beside the followed one: its linkage as a ghost at the frame of the playhead, and its path, dashed.
  */
 import { Group, MeshStandardMaterial } from 'three';
-import { bestMotions } from '../core/best-motions.js';
+import { nameOf } from '../core/best-motions.js';
 import { curveThrough } from './scene/curve.js';
 import { Linkage } from './scene/linkage.js';
 import { Packed } from './scene/packed.js';
@@ -41,6 +41,10 @@ export function createBestGhost({ store }, scene, search) {
       material.color.copy(palette.closest);
       path.material.color.copy(palette.closest);
     },
+    pose({ index }) {
+      const { motion } = search.now;
+      if (motion && group.visible) linkage.show({ rows: motion.rows, pose: motion.pose, frames: motion.frames, index: Math.min(index, motion.frames - 1) });
+    },
   });
   /** What the bodies were built of. @type {unknown[]} */
   let built = [];
@@ -56,10 +60,9 @@ export function createBestGhost({ store }, scene, search) {
       const now = [what, store.result.plain, scene.linkRadius];
       if (now.some((part, i) => part !== built[i])) build(what);
       built = now;
-      linkage.show({ rows: what.rows, pose: what.pose, frames: what.frames, index: Math.min(frame, what.frames - 1) });
     }
     scene.canvas.dataset.best = what ? String(Math.min(frame, what.frames - 1)) : '';
-    const note = what ? `▨ ${bestMotions.get(what)?.name ?? 'best'} motion` : '';
+    const note = what ? `▨ ${nameOf(what)} motion` : '';
     // It draws too.
     if (note !== noted) told(note ? [note] : []);
     else if (what) scene.changed();

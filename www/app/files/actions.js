@@ -7,7 +7,8 @@
 import { ask } from '../../core/ask.js';
 import { MAX_PAYLOAD, MAX_TEXT, encode } from '../../core/link-codec.js';
 import { readText, RefusedFile } from './reading.js';
-import { fileName, saveFile } from '../../export/save.js';
+import { fileName } from '../../export/file-name.js';
+import { saveFile } from '../../export/save.js';
 import { openShare } from './share.js';
 import { withPart } from '../../ui/lazy.js';
 import { faultText } from '../../core/fault-text.js';

@@ -10,7 +10,8 @@ import { openDialog } from '../../ui/dialog.js';
 import { shareAddress } from '../../core/address.js';
 import { elementCode, fileCode, frameCode } from './codes.js';
 import { withPart } from '../../ui/lazy.js';
-import { fileName, saveFile } from '../../export/save.js';
+import { fileName } from '../../export/file-name.js';
+import { saveFile } from '../../export/save.js';
 
 /** What may stand beside the view in another page. */
 const PANELS = /** @type {const} */ ([['info', 'Info'], ['mechanism', 'Mechanism'], ['motion', 'Motion'], ['teach', 'Teach'], ['charts', 'Charts']]);

@@ -23,6 +23,9 @@ export function searchOf(app) {
   return search;
 }
 
+/** What it has found, if there is one. @param {Pick<App, 'signal'>} app */
+export const foundOf = ({ signal }) => made.get(signal)?.now;
+
 /** Whether it looks by itself. @param {Pick<App, 'interaction' | 'keys' | 'root'>} app */
 export const isApplet = ({ interaction, keys, root }) => interaction === 'full' && keys !== root;
 

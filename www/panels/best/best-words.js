@@ -50,6 +50,17 @@ export function unseenSentence({ starts, unseen, unseen_bound }, thing) {
   return `Every ${thing} was found more than once: at most ${oneIn(unseen_bound)} further starts would find another one (95 %).`;
 }
 
+/**
+ * How the branches that are known relate to the ways to assemble at a key frame, which are counted by another search; empty where
+ * the numbers are the same.
+ * @param {Pick<Best, 'branches'>} best @param {number} frame of the key frame @param {number} ways
+ */
+export function branchesSentence({ branches }, frame, ways) {
+  const here = branches.filter(({ first, metric }) => first <= frame && frame < first + metric.length).length;
+  if (branches.length === ways && here === ways) return '';
+  return `The search for the best motion knows ${plural(branches.length, 'branch', 'branches')}, ${here} of them at this key frame: it makes its own starts, over all frames.`;
+}
+
 /** How close the best motion is to what no motion can be better than. @param {Best} best */
 export function boundSentence({ best, lower_bound: bound }) {
   const above = best.mean - bound;

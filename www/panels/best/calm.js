@@ -27,18 +27,41 @@ export function pointsOf({ best, curve }, motion) {
   return all.flatMap((point, choice) => (choice > 0 && printed(point, motion) === printed(all[choice - 1], motion) ? [] : [{ point, choice }]));
 }
 
+/** Least steps of an end of the axis that the curve is high. */
+const COARSE = 4;
+
+/** An end of the axis of distances, which is a round number. @param {number} value */
+const tick = (value) => (value >= 1e-4 && value < 1000 ? String(Number(value.toPrecision(6))) : distance(value));
+
 /**
- * Where the points are in the picture: joint motion to the right, distance upwards, both from 0.
+ * The axis of distances: from 0 where the curve then has half of the height or more, else from a round number below it, or
+ * distances that are close together would be a flat line. The followed motion is on it unless the curve would be flat for it.
+ * @param {number[]} means of the curve @param {number} followed
+ * @returns {[from: number, to: number]}
+ */
+export function distanceAxis(means, followed) {
+  let [least, most] = [Math.min(...means), Math.max(...means)];
+  if (followed - most <= most - least && least - followed <= most - least) [least, most] = [Math.min(least, followed), Math.max(most, followed)];
+  const span = most - least;
+  const step = 10 ** Math.floor(Math.log10(span / COARSE));
+  // Rounding must not add a step.
+  const [from, to] = [Math.floor(least / step + 1e-9) * step, Math.ceil(most / step - 1e-9) * step];
+  return span > 0 && least > span && tick(from) !== tick(to) ? [from, to] : [0, Math.max(most, followed) || 1];
+}
+
+/**
+ * Where the points are in the picture: joint motion to the right, from 0, distance upwards. A followed motion that is not on the
+ * axis of distances stands at its end, and `beyond` is true.
  * @param {Pick<MotionCost, 'mean' | 'largest_step'>[]} points @param {Pick<MotionCost, 'mean' | 'largest_step'>} followed
  */
 export function placesOf(points, followed) {
-  const all = [...points, followed];
-  const [wide, high] = [Math.max(...all.map(({ largest_step }) => largest_step)) || 1, Math.max(...all.map(({ mean }) => mean)) || 1];
+  const wide = Math.max(...[...points, followed].map(({ largest_step }) => largest_step)) || 1;
+  const [low, high] = distanceAxis(points.map(({ mean }) => mean), followed.mean);
   const place = (/** @type {Pick<MotionCost, 'mean' | 'largest_step'>} */ { mean, largest_step }) => ({
     x: ROOM.left + ((WIDTH - ROOM.left - ROOM.right) * largest_step) / wide,
-    y: HEIGHT - ROOM.bottom - ((HEIGHT - ROOM.bottom - ROOM.top) * mean) / high,
+    y: HEIGHT - ROOM.bottom - ((HEIGHT - ROOM.bottom - ROOM.top) * (Math.min(high, Math.max(low, mean)) - low)) / (high - low),
   });
-  return { points: points.map(place), followed: place(followed), wide, high };
+  return { points: points.map(place), followed: place(followed), beyond: followed.mean < low || followed.mean > high, wide, low, high };
 }
 
 /** Share by which the largest joint step must fall for a motion to be calmer. */
@@ -49,19 +72,22 @@ export const getsCalmer = ({ best, curve }) => curve.some(({ largest_step }) => 
 
 /** @param {MotionCost[]} points @param {MotionCost} followed @param {number} chosen @param {Motion | null} motion @param {(index: number) => void} choose */
 function picture(points, followed, chosen, motion, choose) {
-  const { points: at, followed: other, wide, high } = placesOf(points, followed);
+  const { points: at, followed: other, beyond, wide, low, high } = placesOf(points, followed);
   const [right, bottom] = [WIDTH - ROOM.right, HEIGHT - ROOM.bottom];
-  return html`<svg class="calm-curve" viewBox=${`0 0 ${WIDTH} ${HEIGHT}`} width=${WIDTH} height=${HEIGHT} role="img" aria-label="Mean distance against the largest joint step, from closer to calmer; in numbers in the table">
+  const where = beyond ? `, ${followed.mean > high ? 'above' : 'below'} the picture at ${distance(followed.mean)}` : '';
+  return html`<svg class="calm-curve" viewBox=${`0 0 ${WIDTH} ${HEIGHT}`} width=${WIDTH} height=${HEIGHT} role="img" aria-label=${`Mean distance against the largest joint step, from closer to calmer; the axis of distances goes from ${tick(low)} to ${tick(high)}; in numbers in the table`}>
     <path class="axis" d=${`M${ROOM.left} ${ROOM.top}V${bottom}H${right}`} />
     <path class="curve" d=${`M${at.map(({ x, y }) => `${x.toFixed(1)} ${y.toFixed(1)}`).join('L')}`} />
     ${at.map(({ x, y }, index) => svg`<circle class=${index === chosen ? 'chosen' : ''} cx=${x} cy=${y} r=${index === chosen ? 5.5 : 3} @click=${() => choose(index)} />`)}
-    <path class="followed" d=${`M${other.x - 4} ${other.y - 4}l8 8m0 -8l-8 8`}><title>the followed motion</title></path>
-    <text x=${ROOM.left - 5} y=${ROOM.top + 8} text-anchor="end">${distance(high)}</text>
-    <text x=${ROOM.left - 5} y=${bottom + 3} text-anchor="end">0</text>
+    <path class="followed" d=${`M${other.x - 4} ${other.y - 4}l8 8m0 -8l-8 8`}><title>the followed motion${where}</title></path>
+    <text x=${ROOM.left - 5} y=${ROOM.top + 8} text-anchor="end">${tick(high)}</text>
+    <text x=${ROOM.left - 5} y=${bottom + 3} text-anchor="end">${tick(low)}</text>
+    <text x=${ROOM.left} y=${bottom + 12}>0</text>
     <text x=${right} y=${bottom + 12} text-anchor="end">${jointStep(wide, motion)}</text>
     <text x=${(ROOM.left + right) / 2} y=${HEIGHT - 4} text-anchor="middle">largest joint step</text>
     <text transform=${`translate(10 ${(ROOM.top + bottom) / 2}) rotate(-90)`} text-anchor="middle">mean distance</text>
-  </svg>`;
+  </svg>
+  <p class="muted key">✕ the followed motion${where}${low > 0 ? `; the upward axis begins at ${tick(low)}` : ''}</p>`;
 }
 
 /**
@@ -83,6 +109,5 @@ export function calmSlider({ best, motion, choice, waiting }, choose) {
     <label><span aria-hidden="true">closer</span><input type="range" min="0" max=${points.length - 1} step="1" .value=${live(String(at))} aria-label="From closer to calmer" aria-valuetext=${words} @input=${slide} /><span aria-hidden="true">calmer</span></label>
     <output aria-busy=${String(waiting)} class=${waiting ? 'waiting' : ''}>${choice === 0 ? `The best motion itself${best.switches.length ? ': it switches while the goal stands' : ''}; ` : ''}${words}.</output>
     ${picture(points, best.followed, at, motion, chooseAt)}
-    <p class="muted key">✕ the followed motion</p>
   </section>`;
 }

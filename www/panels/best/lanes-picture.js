@@ -31,7 +31,7 @@ const APART = 46;
  */
 export function createLanesPicture({ find, signal, goTo }) {
   const root = element('div', { class: 'lanes' });
-  /** @type {{best: Best, motion: import('../../core/types.js').Motion} | null} */
+  /** @type {{best: Best, motion: import('../../core/types.js').Motion, calmer: boolean} | null} */
   let shown = null;
   let [left, width] = [NAMES, 300];
   let { lane: laneHeight, above } = DESK;
@@ -82,7 +82,7 @@ export function createLanesPicture({ find, signal, goTo }) {
 
   function draw() {
     if (!shown) return;
-    const { best, motion } = shown;
+    const { best, motion, calmer } = shown;
     const { lanes, more, top } = lanesOf(best);
     const rowOf = new Map(lanes.map(({ branch }, row) => [branch, row]));
     const y = (/** @type {number} */ branch) => above + laneHeight * ((rowOf.get(branch) ?? 0) + 1) - 3;
@@ -117,7 +117,8 @@ export function createLanesPicture({ find, signal, goTo }) {
           <div class="lane-playhead" aria-hidden="true"></div>
         </div>
         <div class="lane-numbers" aria-hidden="true">${withNumbers ? lanes.map(({ mean }) => html`<span>mean ${distance(mean)}</span>`) : nothing}</div>
-        ${more > 0 ? html`<p class="muted more">and ${plural(more, 'branch', 'branches')} more, farther from the goal</p>` : nothing}`,
+        ${more > 0 ? html`<p class="muted more">and ${plural(more, 'branch', 'branches')} more, farther from the goal</p>` : nothing}
+        ${calmer ? html`<p class="muted more">Marks and switches are those of the best motion, from which the calmer one departs.</p>` : nothing}`,
       root,
     );
     showAt(frame);
@@ -133,10 +134,10 @@ export function createLanesPicture({ find, signal, goTo }) {
   return {
     root,
     showAt,
-    /** @param {Best | null} best @param {import('../../core/types.js').Motion | null} motion */
-    update(best, motion) {
+    /** @param {Best | null} best @param {import('../../core/types.js').Motion | null} motion @param {boolean} calmer whether a calmer motion is chosen, which is on no branch */
+    update(best, motion, calmer) {
       const isNew = !shown;
-      shown = best && motion ? { best, motion } : null;
+      shown = best && motion ? { best, motion, calmer } : null;
       root.hidden = !shown;
       if (!shown) return render(nothing, root);
       if (isNew) measure();

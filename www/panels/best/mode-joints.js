@@ -1,5 +1,5 @@
 /**
- * The joint values of a way to assemble in words: where axes meet in a point, as in a spherical linkage, pictures of the ways are
+ * The joint values of a way to assemble in words: where only joints are turned over, as universal joints are, pictures of the ways are
  * alike. Only what differs from way to way. Knows no DOM.
  *
  * @typedef {import('../../core/types.js').Mode} Mode
@@ -7,7 +7,7 @@
 import { chainName } from '../../core/chain-name.js';
 import { angle, short } from '../../core/format.js';
 
-/** More values than these are no words any more: of a hexapod's legs, say. */
+/** More values than these are no words any more, of a hexapod's legs, say: only the chains are named. */
 const MOST = 12;
 
 /** Values that are nearer are the same, rad or lengths as a share of the largest. */
@@ -18,6 +18,23 @@ function differs(ways, index) {
   const values = ways.map(({ joints }) => joints[index]);
   const largest = values.reduce((most, value) => Math.max(most, Math.abs(value)), 1e-9);
   return values.some((value) => Math.abs(value - values[0]) > SAME * Math.max(1e-3, Math.min(1, largest)));
+}
+
+/**
+ * Of many values: in which chains they are others than the document's start has.
+ * @param {Mode} mode @param {Mode[]} ways @param {import('../../core/types.js').Motion['report']['chains']} chains
+ * @returns {string[]} none for that itself, or where it is not among the ways
+ */
+function otherChains(mode, ways, chains) {
+  const start = ways.find(({ is_start }) => is_start);
+  if (!start || mode === start) return [];
+  let first = 0;
+  const names = chains.flatMap((chain, number) => {
+    const own = chain.variables.map((_, i) => first + i);
+    first += own.length;
+    return own.some((index) => differs([start, mode], index)) ? [chainName(chain, number)] : [];
+  });
+  return names.length ? [`from the document’s start it differs in ${names.join(', ')}`] : [];
 }
 
 /**
@@ -40,5 +57,5 @@ export function jointLines(mode, ways, chains) {
     count += values.length;
     return values.length ? [`${chainName(chain, number)}: ${values.join(', ')}`] : [];
   });
-  return count > MOST ? [] : lines;
+  return count > MOST ? otherChains(mode, ways, chains) : lines;
 }

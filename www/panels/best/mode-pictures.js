@@ -1,13 +1,14 @@
 /**
- * Small pictures of the linkage in each of its ways to assemble, seen from where the view looks, all with one camera: it takes in
- * what differs from way to way, so that they are told apart. One after the other, so that the page answers in between.
+ * Small pictures of the linkage in each of its ways to assemble, all with one camera: it takes in what differs from way to way, and
+ * looks from where the view does, or from where the ways are told apart better. One after the other, so that the page answers in between.
  *
  * @typedef {import('../../core/types.js').Mode} Mode
  * @typedef {typeof import('../../export/picture.js')} Pictures
  * @typedef {{canvas: HTMLCanvasElement, mode: Mode, frame: number}} Wanted `frame` of the key frame
  */
+import { Vector3 } from 'three';
 import { groupAt } from '../../core/shown.js';
-import { differing, spanOf } from './mode-framing.js';
+import { clearestDirection, differing, spanOf } from './mode-framing.js';
 
 /** In CSS pixels. */
 export const PICTURE = { width: 210, height: 150 };
@@ -29,8 +30,8 @@ export function createModePictures({ store, player }, scene, { drawPicture, poin
   /** What is still to be drawn. @type {Wanted[]} */
   let waiting = [];
   let working = false;
-  /** What the camera takes in, and the ways that it was found for. @type {{points: import('three').Vector3[] | undefined, of: string}} */
-  let fit = { points: undefined, of: '' };
+  /** What the camera takes in and where it looks from, and the ways that this was found for. @type {{points?: Vector3[], from?: Vector3, of: string}} */
+  let fit = { of: '' };
 
   const pause = () => new Promise((resolve) => setTimeout(resolve));
 
@@ -44,7 +45,7 @@ export function createModePictures({ store, player }, scene, { drawPicture, poin
       if (!waiting.length) break;
       const of = wanted.map(({ mode, frame }) => `${frame} ${mode.joints.join()}`).join('\n');
       if (fit.of !== of) {
-        fit = { points: framed(), of };
+        fit = { ...framed(), of };
         waiting = [...wanted];
         await pause();
         continue;
@@ -74,20 +75,34 @@ export function createModePictures({ store, player }, scene, { drawPicture, poin
     }
   }
 
-  /** Where the camera must look: at what differs and at the workpiece; at all where nothing differs. */
+  /** The joints' places. @param {import('three').Object3D} linkage */
+  function jointsOf(linkage) {
+    /** @type {Vector3[]} */
+    const places = [];
+    linkage.updateWorldMatrix(false, true);
+    linkage.traverse((object) => /\.joints\[\d+\]$/.test(object.userData.place ?? '') && places.push(object.getWorldPosition(new Vector3())));
+    return places;
+  }
+
+  /** Where the camera must look: at what differs and at the workpiece; at all where nothing differs. And where it looks from. */
   function framed() {
     const linkage = scene.pictured.filter(({ name }) => name === 'linkage');
     /** @type {import('three').Object3D[]} */
     const carried = [];
     linkage[0]?.traverse((object) => object.userData.place === 'workpiece' && carried.push(object));
-    const all = wanted.flatMap((one) => posed(one, () => [{ points: pointsOf(linkage), workpiece: pointsOf(carried) }]) ?? []);
-    const points = differing(all.map(({ points }) => points), APART * scene.linkRadius);
-    return spanOf(points) > LEAST * scene.linkRadius ? [...points, ...all.flatMap(({ workpiece }) => workpiece)] : undefined;
+    const all = wanted.flatMap((one) => posed(one, () => [{ points: pointsOf(linkage), workpiece: pointsOf(carried), joints: jointsOf(linkage[0]) }]) ?? []);
+    const apart = APART * scene.linkRadius;
+    const points = differing(all.map(({ points }) => points), apart);
+    const from = clearestDirection(all.map(({ joints }) => joints), scene.camera.getWorldDirection(new Vector3()).negate(), apart);
+    return {
+      points: spanOf(points) > LEAST * scene.linkRadius ? [...points, ...all.flatMap(({ workpiece }) => workpiece)] : undefined,
+      from,
+    };
   }
 
   /** @param {Wanted} one */
   function draw(one) {
-    posed(one, () => drawPicture(scene, { ...PICTURE, ratio: Math.min(2, devicePixelRatio), names: false, whole: true, fit: fit.points, shadows: true }, one.canvas));
+    posed(one, () => drawPicture(scene, { ...PICTURE, ratio: Math.min(2, devicePixelRatio), names: false, whole: true, fit: fit.points, from: fit.from, shadows: true }, one.canvas));
     one.canvas.dataset.drawn = '';
   }
 

@@ -19,7 +19,8 @@ import { openDialogIn } from '../../ui/dialog.js';
 import { element, setText } from '../../ui/dom.js';
 import { attach, html, live, nothing, render, renderRows, repeat } from '../../ui/render.js';
 import { wear } from '../../ui/style-sheets.js';
-import { distance, isNothing, unseenSentence } from './best-words.js';
+import { foundOf } from './at-rest.js';
+import { branchesSentence, distance, isNothing, unseenSentence } from './best-words.js';
 import { jointLines } from './mode-joints.js';
 import { bestMode, ordered } from './mode-order.js';
 import { createModePictures, PICTURE } from './mode-pictures.js';
@@ -131,7 +132,7 @@ export function openModes({ root, find, store, player, scene, say, signal }, fir
       html`<label>at <select aria-label="Key frame" .value=${live(String(key))} @change=${chooseKey}>${keyFramesOf(doc).map((_, index) => html`<option value=${index} ?selected=${index === key}>${keyName(index)}</option>`)}</select></label>
         <label>order <select aria-label="Order" .value=${live(order)} @change=${chooseOrder}><option value="key">nearest at the key frame</option><option value="motion">closest motion</option></select></label>
         ${running
-          ? html`<button @click=${stop}>Stop</button><progress max="100" value=${Math.floor(100 * progress)} aria-label="Search for ways to assemble"></progress><span class="muted">${doing}, ${Math.floor(100 * progress)} %</span>`
+          ? html`<progress max="100" value=${Math.floor(100 * progress)} aria-label="Search for ways to assemble"></progress><span class="muted">${doing}, ${Math.floor(100 * progress)} %</span><button @click=${stop}>Stop</button>`
           : progress < 1 ? html`<button @click=${begin}>Go on searching</button>` : nothing}
         ${best && !store.readonly ? html`<button class="best-mode" ?disabled=${best.is_start} title="Start from the way whose motion is closest on average" @click=${() => startFrom(best, numberOf(best))}>${best.is_start ? 'Its start is the best mode' : 'Start from the best mode'}</button>` : nothing}`,
       head,
@@ -156,7 +157,7 @@ export function openModes({ root, find, store, player, scene, say, signal }, fir
       };
     };
     return html`<li class=${best ? 'best' : ''}>
-      ${pictures ? html`<canvas role="img" aria-label=${`Way ${number}, as seen from the present side`} width=${PICTURE.width} height=${PICTURE.height} ${attach(picture, mode)}></canvas>` : nothing}
+      ${pictures ? html`<canvas role="img" aria-label=${`Way ${number}, seen from the same side as the others`} width=${PICTURE.width} height=${PICTURE.height} ${attach(picture, mode)}></canvas>` : nothing}
       <h3>Way ${number} ${mode.is_start ? html`<small>the document’s start</small>` : nothing}${best ? html`<small class="mark">best mode</small>` : nothing}</h3>
       <p>${closeness(mode)}</p>
       ${[...facts(mode, modes?.starts ?? 0, motion?.goal_frames ?? 0), ...jointLines(mode, modes?.found ?? [], motion?.report.chains ?? [])].map((text) => html`<p class="muted">${text}</p>`)}
@@ -167,8 +168,10 @@ export function openModes({ root, find, store, player, scene, say, signal }, fir
   function draw() {
     drawHead();
     const found = modes?.found ?? [];
-    const text = message || (modes ? `${plural(found.length, 'way')} found by ${plural(modes.starts, 'start')}. ${unseenSentence(modes, 'way')}` : 'Looking for ways to put the chains together …');
-    setText(note, text);
+    const { best, doc: searched } = foundOf({ signal }) ?? {};
+    const branches = modes && best && searched === doc && !running ? branchesSentence(best, modes.frame, found.length) : '';
+    const text = message || (modes ? `${plural(found.length, 'way')} found by ${plural(modes.starts, 'start')}. ${unseenSentence(modes, 'way')} ${branches}` : 'Looking for ways to put the chains together …');
+    setText(note, text.trim());
     renderRows(repeat(ordered(found, order), ({ index }) => index, card), list);
   }
 

@@ -2,10 +2,11 @@
  * The panel of the best motion: the search with its progress, branches as lanes, what is known and what may be missing in words,
  * and how much calmer it may be. Loaded when it is first seen.
  */
+import { nameOf } from '../../core/best-motions.js';
 import { plural } from '../../core/format.js';
 import { keyFrameFrames, allTimes } from '../../core/playhead.js';
 import { element, setText } from '../../ui/dom.js';
-import { html, live, nothing, render } from '../../ui/render.js';
+import { html, ifDefined, live, nothing, render } from '../../ui/render.js';
 import { recall, remember } from '../../ui/kept-layout.js';
 import { wear } from '../../ui/style-sheets.js';
 import look from '../../style/best.css?inline';
@@ -14,11 +15,11 @@ import { boundSentence, branchName, distance, jointMotion, jointStep, jointUnit,
 import { calmSlider, pointsOf } from './calm.js';
 import { createLanesPicture } from './lanes-picture.js';
 
-/** What can be shown in the view. @type {[import('./search-state.js').Which, string, string][]} */
-const SHOWN = [
+/** What can be shown in the view. @type {(name: 'best' | 'calmer') => [import('./search-state.js').Which, string, string][]} */
+const shownBy = (name) => [
   ['followed', 'followed', 'The motion that the planner follows from frame to frame'],
-  ['both', 'both', 'The followed motion, and the best one as a ghost'],
-  ['best', 'best', 'The best motion alone; its numbers stand in the panels'],
+  ['both', 'both', `The followed motion, and the ${name} one as a ghost`],
+  ['best', name, `The ${name} motion alone; its numbers stand in the panels`],
 ];
 
 /**
@@ -53,20 +54,27 @@ export function createBestPanel({ root, find, store, player, signal, keys, inter
   foot.hidden = !byItself;
   panel.replaceChildren(head, words, status, lanes.root, body, foot);
 
+  // In a row of its own, where no other button is before or after: a double click meets its place twice.
+  function stop() {
+    search.stop();
+    head.querySelector('button')?.focus();
+  }
+
   function drawHead() {
     const { running, best, motion, which } = search.now;
     const obstacle = search.obstacle();
     const percent = Math.floor(100 * (best?.progress ?? 0));
     const isOver = best?.progress === 1;
-    const choices = html`<fieldset class="which" ?disabled=${!motion}><legend>Shown</legend>${SHOWN.map(
+    const choices = html`<fieldset class="which" ?disabled=${!motion}><legend>Shown</legend>${shownBy(nameOf(motion)).map(
       ([which_, label, title]) => html`<label title=${title}><input type="radio" name="best-shown" .checked=${live(which === which_)} @change=${() => search.show(which_)} />${label}</label>`,
     )}</fieldset>`;
     render(
-      html`${running
-          ? html`<button class="search" @click=${search.stop}>Stop the search</button><progress max="100" value=${percent} aria-label="Search for a better motion"></progress>
-              <span class="muted">${percent} %, ${plural(best?.starts ?? 0, 'start')}</span>`
-          : html`<button class="search" ?disabled=${obstacle !== '' || isOver} @click=${search.begin}>${best && !isOver ? 'Go on searching' : 'Look for a better motion'}</button>`}
-        ${obstacle ? nothing : html`<button @click=${() => openModes(keyHere())} title="All ways to assemble the linkage at a key frame">Ways to assemble…</button>${choices}`}`,
+      html`<button ?disabled=${obstacle !== '' || isOver} aria-disabled=${ifDefined(running ? 'true' : undefined)} @click=${search.begin}>${best && !isOver && !running ? 'Go on searching' : 'Look for a better motion'}</button>
+        ${obstacle ? nothing : html`<button @click=${() => openModes(keyHere())} title="All ways to assemble the linkage at a key frame">Ways to assemble…</button>${choices}`}
+        ${running
+          ? html`<div class="doing"><button @click=${stop}>Stop the search</button><progress max="100" value=${percent} aria-label="Search for a better motion"></progress>
+              <span class="muted">${percent} %, ${plural(best?.starts ?? 0, 'start')}</span></div>`
+          : nothing}`,
       head,
     );
   }
@@ -77,7 +85,7 @@ export function createBestPanel({ root, find, store, player, signal, keys, inter
     setText(words, text);
     // Said once it is over; while it goes on the numbers change too often.
     if (!running) setText(status, best ? text : '');
-    lanes.update(best, store.result.motion);
+    lanes.update(best, store.result.motion, nameOf(motion) === 'calmer');
     if (!best) return render(nothing, body);
     const now = motion ?? store.result.motion;
     /** @type {[string, (cost: import('../../core/types.js').MotionCost) => string][]} */

@@ -12,7 +12,7 @@
  *   cost: import('../../core/types.js').MotionCost | null, choice: number, waiting: boolean, which: Which}} State
  */
 import { ask } from '../../core/ask.js';
-import { bestMotions } from '../../core/best-motions.js';
+import { bestMotions, ghosts } from '../../core/best-motions.js';
 import { textOf } from '../../core/document-text.js';
 import { drivesJoints } from '../../core/driven.js';
 import { Search } from '../../planner/search.js';
@@ -95,7 +95,15 @@ export function createSearchState({ store, signal }, search = new Search()) {
     });
     const isShown = store.result.motion === state.motion && state.motion !== null;
     set({ motion, cost, choice, waiting: false });
+    noteGhost();
     if (isShown || state.which === 'best') show(state.which);
+  }
+
+  /** For what is exported. */
+  function noteGhost() {
+    const { which, followed, motion } = state;
+    if (followed && motion && which === 'both') ghosts.set(followed, motion);
+    else if (followed) ghosts.delete(followed);
   }
 
   /** A person ends it: what is found stays. */
@@ -109,6 +117,7 @@ export function createSearchState({ store, signal }, search = new Search()) {
     const { motion, followed } = state;
     if (which !== 'followed' && !motion) return;
     set({ which });
+    noteGhost();
     const wanted = which === 'best' ? motion : followed;
     if (wanted && store.result.motion !== wanted && store.result.doc === state.doc) store.setResult({ motion: wanted });
   }
@@ -132,6 +141,7 @@ export function createSearchState({ store, signal }, search = new Search()) {
 
   function reset() {
     life.abort();
+    if (state.followed) ghosts.delete(state.followed);
     mean = Infinity;
     fetched = -Infinity;
     if (state !== NOTHING) set(NOTHING);

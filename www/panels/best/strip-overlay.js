@@ -2,6 +2,7 @@
  * In the strip of the animation bar: the distances of the motion that is not shown there, the followed or the best one, as a dashed
  * line in the scale of the shown one, and the switches as verticals.
  */
+import { nameOf } from '../../core/best-motions.js';
 import { stripGaps } from '../../bar/strip.js';
 
 const SVG = 'http://www.w3.org/2000/svg';
@@ -24,9 +25,11 @@ export function createStripOverlay({ find, store }, search) {
 
   function draw() {
     const { motion: best, followed, doc, best: found } = search.now;
+    // A calmer motion has none.
+    const switches = nameOf(best) === 'best' ? found?.switches : undefined;
     const { motion } = store.result;
     const other = motion === best ? followed : best;
-    const now = doc === store.result.doc && motion && other && other !== motion ? [motion, other, found] : [];
+    const now = doc === store.result.doc && motion && other && other !== motion ? [motion, other, found, switches] : [];
     if (now.length === drawn.length && now.every((part, i) => part === drawn[i])) return;
     drawn = now;
     root.replaceChildren();
@@ -38,7 +41,7 @@ export function createStripOverlay({ find, store }, search) {
     let path = '';
     for (let frame = 0; frame < other.frames; frame += step) path += `${path ? 'L' : 'M'}${frame} ${(TOP - (highest > 0 ? Math.min(1, gaps[frame] / highest) : 0) * (TOP - 1)).toFixed(2)}`;
     add('other', path);
-    for (const { frame } of found?.switches ?? []) add('switch', `M${Math.max(0, frame - 0.5)} 0V${HEIGHT}`);
+    for (const { frame } of switches ?? []) add('switch', `M${Math.max(0, frame - 0.5)} 0V${HEIGHT}`);
   }
 
   /** @param {string} name @param {string} d */

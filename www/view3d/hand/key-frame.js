@@ -16,7 +16,8 @@ import { frameNumbers, withoutForms } from '../../core/frame-numbers.js';
 import { setValue } from '../../core/edits.js';
 import { setKeyFramePose } from '../../core/key-frame-edits.js';
 import { angle, short } from '../../core/format.js';
-import { frameMatrix, frameOf } from '../../core/poses.js';
+import { frameOf } from '../../core/frame-of.js';
+import { frameMatrix } from '../../core/poses.js';
 import { ANGLE_DIGITS, lengthDigits, rounded } from './steps.js';
 
 const LENGTHS = /** @type {const} */ (['x', 'y', 'z']);

@@ -1,7 +1,8 @@
 /**
  * What other files add to the scene, which is pictured, pointed at and named as the linkage is; and what the legend says of it.
  *
- * @typedef {{group: import('three').Group, names: () => import('./labels.js').Label[], paint: (palette: import('./palette.js').Palette) => void}} Part
+ * @typedef {{group: import('three').Group, names: () => import('./labels.js').Label[], paint: (palette: import('./palette.js').Palette) => void,
+ *   pose?: (what: import('../../core/poses.js').Shown) => void}} Part `pose` puts it to a frame, also of a film, which the playhead is not at
  */
 
 /** @param {(part: Part) => void} take a new one @param {() => void} changed */
@@ -17,6 +18,10 @@ export function createAdded(take, changed) {
     /** @param {import('./palette.js').Palette} palette */
     paint(palette) {
       for (const part of parts) part.paint(palette);
+    },
+    /** @param {import('../../core/poses.js').Shown} what */
+    pose(what) {
+      for (const part of parts) part.pose?.(what);
     },
     get notes() {
       return [...notes.values()].flat();

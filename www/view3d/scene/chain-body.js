@@ -7,11 +7,12 @@
  * @typedef {import('../../core/types.js').JointType} JointType
  * @typedef {import('./joint-shapes.js').JointShape} JointShape
  * @typedef {import('three').Material} Material
- * @typedef {{shape: JointShape, first: number, last: number, stops: ReturnType<typeof createStops> | null}} PlacedJoint
+ * @typedef {{shape: JointShape, first: number, last: number, centre: number, stops: ReturnType<typeof createStops> | null}} PlacedJoint
+ *   `centre`: the pose of its first row at which it stands, 0 the seat, 1 the moved frame
  */
 import { Group, Quaternion, Vector3 } from 'three';
 import { createBase } from './base.js';
-import { originOf, moveTo, turnOf } from '../../core/poses.js';
+import { POSE, originOf, moveTo, turnOf } from '../../core/poses.js';
 import { PLATE, jointShape } from './joint-shapes.js';
 import { rod } from './solids.js';
 import { createStops, travelLimits } from './stops.js';
@@ -26,8 +27,6 @@ const SHAFT = 0.75;
 
 export class ChainBody {
   group = new Group();
-  /** Its end in the fixed frame, at frame 0. */
-  end = new Vector3();
   #r;
   /** @type {PlacedJoint[]} */
   #joints = [];
@@ -47,20 +46,26 @@ export class ChainBody {
     this.base = createBase(base, materials, r);
     this.base.group.userData.place = `${place}.base`;
     this.group.add(this.base.group);
-    /** The body that the next link belongs to, and the point before it. */
+    /** The body that the next link belongs to, where the link begins, and the point before it. */
     let body = this.base.seat;
-    let before = placeOf(body).add(new Vector3(0, 0, -1));
+    let from = body.position.clone();
+    let before = from.clone().add(new Vector3(0, 0, -1));
     this.group.add(body);
 
     jointsOf(motion.report.chains[index].rows, firstRow).forEach(([first, last, type], joint) => {
       const shape = jointShape(type, r, materials);
-      const seat = originOf(rows, PER_ROW * first);
+      // S and T stand where their axes meet: an offset along the first axis is part of the link before.
+      const centre = type === 'S' || type === 'T' ? 1 : 0;
+      const seat = originOf(rows, PER_ROW * first + centre);
       const end = originOf(rows, PER_ROW * last + 1);
-      const link = addRod(body, placeOf(body), seat, LINK * r, materials.link);
+      const link = addRod(body, from, seat, LINK * r, materials.link);
       if (link) link.userData.place = `${place}.joints[${joint}].rows[0]`;
-      if (seat.distanceTo(placeOf(body)) > r) before = placeOf(body);
+      if (seat.distanceTo(from) > r) before = from;
       moveTo(shape.fixed, rows, PER_ROW * first);
+      shape.fixed.position.copy(seat);
       moveTo(shape.moved, rows, PER_ROW * last + 1);
+      // One along the last axis is part of the link after.
+      if (centre) shape.moved.children[0].position.copy(within(shape.moved, seat));
       if (type === 'S') faceSocket(shape.fixed, before);
       // A constant offset along a revolute axis: the shaft lies on the axis, so it may turn with either side.
       if (type === 'R') addRod(shape.moved, end, seat, SHAFT * r, materials.dark);
@@ -75,11 +80,13 @@ export class ChainBody {
       }
       const stops = type === 'P' || type === 'C' ? createStops(type, materials, r) : null;
       if (stops) shape.fixed.add(stops.group);
-      this.#joints.push({ shape, first, last, stops });
+      this.#joints.push({ shape, first, last, centre, stops });
       if (end.distanceTo(seat) > r) before = seat;
       body = shape.moved;
+      from = centre ? seat : end;
     });
-    this.end = placeOf(body);
+    // To where the workpiece has it.
+    addRod(body, from, body.position, LINK * r, materials.link);
   }
 
   /** Sizes what slides to another motion of the same chain, and to other limits. @param {Motion} motion @param {import('../../core/types.js').Joint[]} joints */
@@ -92,15 +99,13 @@ export class ChainBody {
     });
   }
 
-  /**
-   * @param {Float64Array} rows
-   * @param {number} offset poses before the shown frame
-   */
-  show(rows, offset) {
-    const at = (/** @type {number} */ row) => offset + PER_ROW * row;
-    for (const { shape, first, last, stops } of this.#joints) {
+  /** @param {Float64Array} rows of the shown frame */
+  show(rows) {
+    const at = (/** @type {number} */ row) => PER_ROW * row;
+    for (const { shape, first, last, centre, stops } of this.#joints) {
       const seatTurn = shape.fixed.userData.turn;
       moveTo(shape.fixed, rows, at(first));
+      shape.fixed.position.fromArray(rows, POSE * (at(first) + centre));
       if (seatTurn) shape.fixed.quaternion.multiply(seatTurn);
       moveTo(shape.moved, rows, at(last) + 1);
       if (shape.cross) moveTo(shape.cross, rows, at(first + 1));
@@ -124,8 +129,8 @@ export class ChainBody {
   }
 }
 
-/** @param {import('three').Object3D} body */
-const placeOf = (body) => body.position.clone();
+/** A point of the fixed frame in a body, as it lies in frame 0. @param {Group} body @param {Vector3} point */
+const within = (body, point) => point.clone().sub(body.position).applyQuaternion(body.quaternion.clone().invert());
 
 /**
  * A rod in a moving body between two points given in the fixed frame, as they lie in frame 0.
@@ -133,9 +138,7 @@ const placeOf = (body) => body.position.clone();
  */
 function addRod(body, from, to, radius, material) {
   if (from.distanceTo(to) < radius * 0.2) return null;
-  const turn = body.quaternion.clone().invert();
-  const local = (/** @type {Vector3} */ point) => point.clone().sub(body.position).applyQuaternion(turn);
-  const made = rod(local(from), local(to), radius, material);
+  const made = rod(within(body, from), within(body, to), radius, material);
   body.add(made);
   return made;
 }
@@ -181,7 +184,7 @@ function seatPlate({ fixed, plate, puck }, { rows }, first, r) {
  * @param {Vector3} before a point of that link, in the fixed frame
  */
 function faceSocket(fixed, before) {
-  const towards = before.clone().sub(fixed.position).applyQuaternion(fixed.quaternion.clone().invert());
+  const towards = within(fixed, before);
   if (towards.lengthSq() < 1e-18) return;
   fixed.userData.turn = new Quaternion().setFromUnitVectors(new Vector3(0, 0, -1), towards.normalize());
 }

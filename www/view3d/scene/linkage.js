@@ -7,10 +7,12 @@
  * @typedef {{chain: Material[], metal: Material, dark: Material, contact: Material, limit: Material, workpiece: Material, axes: Material[]}} LinkageMaterials
  */
 import { Group, Mesh, Quaternion, Vector3 } from 'three';
+import { groupAt } from '../../core/shown.js';
 import { ChainBody, PER_ROW } from './chain-body.js';
-import { POSE, moveTo, originOf, turnOf } from '../../core/poses.js';
+import { moveTo, originOf, turnOf } from '../../core/poses.js';
 import { barrel, part } from './joint-shapes.js';
 import { rod, roundedHull, solid } from './solids.js';
+import { ballOf, onBall } from './spherical.js';
 
 /** Widths in link radii. */
 const BODY = 1.25;
@@ -25,6 +27,8 @@ export class Linkage {
   #bodyShape = '';
   /** `from`: the chain of a document that it was built for, which an edit of something else keeps. @type {{body: ChainBody, shape: string, from: object}[]} */
   #chains = [];
+  /** @type {ReturnType<typeof ballOf>} */
+  #ball = null;
 
   /** @param {LinkageMaterials} materials */
   constructor(materials) {
@@ -46,12 +50,14 @@ export class Linkage {
    * @returns {boolean} whether bodies were built anew
    */
   update(motion, doc, r, ground) {
+    this.#ball = ballOf(motion);
+    if (this.#ball) motion = { ...motion, rows: onBall(this.#ball, motion.rows) };
     let anew = this.#chains.length !== motion.report.chains.length;
     let firstRow = 0;
     motion.report.chains.forEach((chain, index) => {
       const { joints, base } = doc.chains[index];
       const own = this.#chains[index];
-      const size = `${r} ${firstRow} `;
+      const size = `${r} ${firstRow} ${this.#ball?.reaches} `;
       const shape = own?.from === doc.chains[index] && own.shape.startsWith(size) ? own.shape : size + JSON.stringify([base, joints.map(({ type, rows }) => [type, rows])]);
       if (own?.shape !== shape) {
         anew = true;
@@ -74,7 +80,8 @@ export class Linkage {
   /** @param {Pick<import('../../core/poses.js').Shown, 'rows' | 'pose' | 'frames' | 'index'>} what */
   show({ rows, pose, frames, index }) {
     moveTo(this.#workpiece, pose, index);
-    for (const { body } of this.#chains) body.show(rows, index * (rows.length / frames / POSE));
+    const own = groupAt(rows, { index, frames });
+    for (const { body } of this.#chains) body.show(this.#ball ? onBall(this.#ball, own) : own);
   }
 
   /** The hull of the chains' ends, with a flange where each chain holds it. @param {Motion} motion @param {number} r */

@@ -146,6 +146,7 @@ export function createScene({ canvas, labels: layer, signal, turned = () => {} }
     if (!built) return;
     linkage.show(what);
     paths.show(what);
+    added.pose(what);
   }
 
   /** @param {import('../../core/poses.js').Shown} what the columns and the frame in them that are drawn */
