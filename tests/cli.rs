@@ -446,6 +446,19 @@ fn what_is_no_text_is_at_fault() {
             1
         )
     );
+    let (_, err, code) = run(&[
+        "plan",
+        &format!("{SAMPLES}/3rps.json"),
+        "--key-frames",
+        path,
+    ]);
+    assert_eq!(
+        (err, code),
+        (
+            format!("{path}: The table: byte 12 is no text. Accepted: text in UTF-8.\n"),
+            1
+        )
+    );
 }
 
 /// The others are checked all the same, and the worst decides.

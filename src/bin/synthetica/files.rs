@@ -15,11 +15,31 @@ pub fn name(file: &Path) -> String {
     }
 }
 
-/// The text of a document.
-pub fn read(file: &Path) -> Result<String, Failure> {
+/// What a file has to be: its name in messages, and what is accepted.
+pub struct Kind {
+    name: &'static str,
+    accepted: &'static str,
+}
+
+/// A document.
+pub const DOCUMENT: Kind = Kind {
+    name: "document",
+    accepted: "JSON text in UTF-8",
+};
+/// A table of key frames.
+pub const TABLE: Kind = Kind {
+    name: "table",
+    accepted: "text in UTF-8",
+};
+
+/// The text of a file.
+pub fn read(file: &Path, kind: &Kind) -> Result<String, Failure> {
     let bytes = if is_standard(file) {
         if io::stdin().is_terminal() {
-            tell("synthetica: reads a document from the terminal, up to Ctrl-D");
+            tell(&format!(
+                "synthetica: reads a {} from the terminal, up to Ctrl-D",
+                kind.name
+            ));
         }
         let mut bytes = Vec::new();
         io::stdin().read_to_end(&mut bytes).map(|_| bytes)
@@ -29,19 +49,19 @@ pub fn read(file: &Path) -> Result<String, Failure> {
     let bytes = bytes.map_err(|error| Failure::file(&name(file), error))?;
     String::from_utf8(bytes).map_err(|error| Failure::Fault {
         file: name(file),
-        fault: Box::new(not_text(error.utf8_error().valid_up_to())),
+        fault: Box::new(not_text(error.utf8_error().valid_up_to(), kind)),
     })
 }
 
-fn not_text(byte: usize) -> Fault {
-    let accepted = "JSON text in UTF-8";
-    let what = format!("The document: byte {byte} is no text");
+fn not_text(byte: usize, kind: &Kind) -> Fault {
+    let Kind { name, accepted } = kind;
+    let what = format!("The {name}: byte {byte} is no text");
     Fault {
         code: FaultCode::Syntax,
         message: format!("{what}. Accepted: {accepted}."),
         what,
         place: String::new(),
-        accepted: accepted.to_owned(),
+        accepted: (*accepted).to_owned(),
         optional: false,
         line: None,
         column: None,

@@ -59,7 +59,7 @@ pub fn planned(
     planning: &Planning,
     key_frames: Option<&KeyFrames>,
 ) -> Result<Planned, Failure> {
-    let text = files::read(file)?;
+    let text = files::read(file, &files::DOCUMENT)?;
     let table = match key_frames {
         Some(asked) => read_key_frames(asked)?,
         None => None,
@@ -91,7 +91,7 @@ fn read_key_frames(asked: &KeyFrames) -> Result<Option<Vec<KeyFrameEntry>>, Fail
     let Some(path) = &asked.key_frames else {
         return Ok(None);
     };
-    let (text, file) = (files::read(path)?, files::name(path));
+    let (text, file) = (files::read(path, &files::TABLE)?, files::name(path));
     let table = read_pose_table(&text, &asked.table).map_err(|fault| Failure::Fault {
         file: file.clone(),
         fault: Box::new(fault),

@@ -90,6 +90,12 @@ export function openModes({ root, find, store, player, scene, say, signal }, fir
     setText(status, message || `${plural(modes?.found.length ?? 0, 'way')} to assemble found.`);
   }
 
+  /** Stop takes the button's place, and the focus with it. */
+  function goOn() {
+    begin();
+    head.querySelector('button')?.focus();
+  }
+
   function stop() {
     life.abort();
     running = false;
@@ -133,7 +139,7 @@ export function openModes({ root, find, store, player, scene, say, signal }, fir
         <label>order <select aria-label="Order" .value=${live(order)} @change=${chooseOrder}><option value="key">nearest at the key frame</option><option value="motion">closest motion</option></select></label>
         ${running
           ? html`<progress max="100" value=${Math.floor(100 * progress)} aria-label="Search for ways to assemble"></progress><span class="muted">${doing}, ${Math.floor(100 * progress)} %</span><button @click=${stop}>Stop</button>`
-          : progress < 1 ? html`<button @click=${begin}>Go on searching</button>` : nothing}
+          : progress < 1 ? html`<button @click=${goOn}>Go on searching</button>` : nothing}
         ${best && !store.readonly ? html`<button class="best-mode" ?disabled=${best.is_start} title="Start from the way whose motion is closest on average" @click=${() => startFrom(best, numberOf(best))}>${best.is_start ? 'Its start is the best mode' : 'Start from the best mode'}</button>` : nothing}`,
       head,
     );
