@@ -187,7 +187,7 @@ fn lanczos_finds_the_largest_eigenvalue() {
             let along = 2.0 * dot(axis, x) / dot(axis, axis);
             x.iter_mut().zip(axis).for_each(|(x, a)| *x -= along * a);
         };
-        let found = lanczos.largest(n, 0.0, |x| {
+        let found = lanczos.largest(n, 0.0, f64::INFINITY, |x| {
             turn(x);
             x.iter_mut().zip(&values).for_each(|(x, v)| *x *= v);
             turn(x);

@@ -38,11 +38,14 @@ pub struct PoseTableRequest {
 }
 
 impl PoseTableRequest {
-    /// From JSON.
+    /// From JSON; empty text asks for nothing.
     ///
     /// # Errors
     /// Where that is no request.
     pub fn read(json: &str) -> Result<Self, Fault> {
+        if json.trim().is_empty() {
+            return Ok(Self::default());
+        }
         let node: Node = serde_json::from_str(json).map_err(|error| not_json(&error))?;
         let request = Self::deserialize(&node).map_err(|refusal| refusal.fault(&Place::WHOLE))?;
         check_request(&request)?;
@@ -95,14 +98,11 @@ pub struct ColumnRead {
     pub role: String,
 }
 
-/// The same with the request in JSON; empty text asks for nothing.
+/// [`read_pose_table`] with the request in JSON.
 ///
 /// # Errors
 /// Where the request is none, or [`read_pose_table`] has an error.
 pub fn read_pose_table_asked(text: &str, request: &str) -> Result<PoseTable, Fault> {
-    if request.trim().is_empty() {
-        return read_pose_table(text, &PoseTableRequest::default());
-    }
     read_pose_table(text, &PoseTableRequest::read(request)?)
 }
 

@@ -28,7 +28,7 @@ const SEED: u64 = 2003;
 /// Newton steps for an eigenvalue of the tridiagonal matrix, a guard only: five are the most seen.
 const NEWTON_STEPS: usize = 40;
 
-/// The largest eigenvalue of a symmetric operator M of positive eigenvalues.
+/// The largest eigenvalue of a symmetric operator M that has no negative ones.
 ///
 /// Close eigenvalues cost steps, not digits as they do in the power method. The buffers are kept
 /// between calls.
@@ -44,9 +44,15 @@ pub struct Lanczos {
 
 impl Lanczos {
     /// The largest eigenvalue θ of the operator of order `order` ≥ 1 by which `apply` multiplies a
-    /// vector. The first vector is [`scatter`]'s. What is wanted is known as well as [`RESIDUAL`] says where it is
-    /// `shift` + 1 / θ: θ itself then less well, by that times θ.
-    pub fn largest(&mut self, order: usize, shift: f64, mut apply: impl FnMut(&mut [f64])) -> f64 {
+    /// vector. The first vector is [`scatter`]'s. Stops when λ = `shift` + 1 / θ has a relative error of [`RESIDUAL`]; θ
+    /// itself then has one of that times λ θ. Stops too when θ is found to be above `enough`.
+    pub fn largest(
+        &mut self,
+        order: usize,
+        shift: f64,
+        enough: f64,
+        mut apply: impl FnMut(&mut [f64]),
+    ) -> f64 {
         let allowed = |theta: f64| RESIDUAL * (theta + shift * theta * theta);
         self.diagonal.clear();
         self.beside.clear();
@@ -88,7 +94,7 @@ impl Lanczos {
             } else {
                 (alpha + above, beside * last)
             };
-            let end = steps == STEPS * order;
+            let end = steps == STEPS * order || theta > enough;
             if !(residual > GUESS * allowed(theta)) || steps.is_multiple_of(CORRECTED) || end {
                 let last = self.find_largest(&mut theta);
                 residual = beside * last;

@@ -126,11 +126,12 @@ pub struct Branches {
     /// Walks at random that were made.
     pub(super) random_walks: Vec<RandomWalk>,
     pub(super) random: Random,
-    /// Starts made, and those that led to a certified pose.
+    /// Starts made.
     pub starts: usize,
-    /// Those that led to a certified pose.
+    /// Those that led to a branch: one that is known, one that a closed walk joins, or one too many to be followed. A pose
+    /// that no walk was found to is none of what is looked for, and counts once a walk is.
     pub arrived: usize,
-    /// Of these the ones whose pose was new and is not followed.
+    /// Of these the ones that led to one too many.
     pub lost: usize,
     /// How far rounded dimensions may contradict each other.
     pub(super) tolerance: f64,

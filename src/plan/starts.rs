@@ -10,7 +10,7 @@ use std::f64::consts::PI;
 /// Lengths of the random walks of starts, root of the joints' squared motions, rad and sizes.
 const LENGTHS: [f64; 4] = [0.4, 0.8, 1.6, 3.2];
 /// Share of these starts that fall to a goal at random instead. That goes farther, and comes to branches that the
-/// others seldom find: of linkages with sliders they mostly follow the slider.
+/// others seldom find: random walks of linkages with sliders are mostly motions of the sliders.
 const AIMED: f64 = 0.5;
 /// Walks that are tried to a pose that is no closer than those that are known.
 const FEW_TRIES: usize = 3;
@@ -62,7 +62,7 @@ impl Branches {
         }
         let Some(walk) = self.walk_by(&from.theta, points, passed, &end) else {
             // The steps downhill have leapt: the pose is one from anywhere.
-            if found.is_none() {
+            if found.is_none() && !self.is_apart(slot, &axes) {
                 self.set_apart(slot, end, axes, solved);
             }
             return;
@@ -141,14 +141,12 @@ impl Branches {
 
     /// Notes a closest pose that no walk was found to.
     fn set_apart(&mut self, slot: usize, theta: Vec<f64>, axes: Vec<f64>, solved: Solved) {
-        if !self.is_apart(slot, &axes) {
-            self.apart.push(Apart {
-                slot,
-                theta,
-                axes,
-                solved,
-            });
-        }
+        self.apart.push(Apart {
+            slot,
+            theta,
+            axes,
+            solved,
+        });
     }
 
     /// Looks for a closed walk to a closest pose, and follows that from there: its branch, none where there is

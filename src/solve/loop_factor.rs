@@ -7,7 +7,7 @@ const LOOP: usize = 6;
 /// Entries of a row: those in one chain's columns, and those in the columns of any later chain.
 const WIDTH: usize = 2 * LOOP;
 /// Length of the rows of \[J_E\], which are orthogonal: η is the workpiece's twist by half.
-const TWIST: f64 = 2.0;
+pub const TWIST: f64 = 2.0;
 
 /// Bᵀ = Q R, where row block i of B is J_i θ̇_i − 2 η: chain i moves the workpiece by the twist 2 η.
 ///

@@ -14,7 +14,7 @@ const PIVOT: f64 = 1e-12;
 ///
 /// All chains share the block 4 I. Once the first chain's unknowns are eliminated, the later ones share another block in its
 /// place, S ← S − S A⁻¹ S with A = P + S, and so on: the cost grows with the number of chains. Blocks are kept as inverses:
-/// products with them do not wait as substitutions do, each unknown for the one before.
+/// products with them are independent operations, where substitutions find each unknown from the one before.
 #[derive(Clone, Debug, Default)]
 pub struct LoopNormal {
     blocks: Vec<Block>,
@@ -22,7 +22,7 @@ pub struct LoopNormal {
 
 type Matrix = [[f64; LOOP]; LOOP];
 
-/// A⁻¹, and A⁻¹ S by rows and by columns: all products with vectors add up rows, whose entries do not wait for each other.
+/// A⁻¹, and A⁻¹ S by rows and by columns: all products with vectors add up rows.
 #[derive(Clone, Copy, Debug, Default)]
 struct Block {
     inverse: Matrix,
@@ -46,19 +46,19 @@ impl LoopNormal {
         let mut largest = 0.0_f64;
         for jacobian in jacobians {
             let mut a = shared;
+            let mut diagonal = [TWIST2; LOOP];
             for i in 0..LOOP {
                 a[i][i] -= shift;
             }
             for column in jacobian {
                 for i in 0..LOOP {
+                    diagonal[i] += column[i] * column[i];
                     for j in 0..LOOP {
                         a[i][j] += column[i] * column[j];
                     }
                 }
             }
-            for i in 0..LOOP {
-                largest = largest.max(a[i][i]);
-            }
+            largest = diagonal.into_iter().fold(largest, f64::max);
             if !invert(&mut a, PIVOT * largest) {
                 return None;
             }

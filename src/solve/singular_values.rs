@@ -2,7 +2,7 @@
 
 use crate::math::lanczos::{Lanczos, scatter};
 use crate::math::linalg::dot;
-use crate::solve::loop_factor::LoopFactor;
+use crate::solve::loop_factor::{LoopFactor, TWIST};
 use crate::solve::loop_normal::LoopNormal;
 use nalgebra::Vector6;
 
@@ -14,14 +14,14 @@ const OF_CONDITIONS: f64 = 1.0;
 /// Share of the largest diagonal entry of B Bᵀ from which its smallest eigenvalue is found from B Bᵀ itself: rounding then
 /// leaves it nine digits.
 const PLAIN: f64 = 1e-6;
+/// The same with surplus constraints: higher, so that four inverse iterations separate their wrench systems from the others.
+const PLAIN_OF_SURPLUS: f64 = 1e-4;
 /// How far below an expected σ_min the shift is, as a share of it: less makes Lanczos's method no faster.
 const BELOW: f64 = 1e-3;
-/// The same where there are surplus constraints: their wrench systems have less of other ones then.
-const PLAIN_OF_SURPLUS: f64 = 1e-4;
-/// By how much all eigenvalues are raised there before B Bᵀ is inverted: some are 0.
+/// With surplus constraints some eigenvalues are 0: by this much all are raised before B Bᵀ is inverted.
 const RAISED: f64 = 1e-5;
-/// The same for the singular values, where R is divided by.
-const RAISED_ROOTS: f64 = 3e-13;
+/// With surplus constraints R is singular: so many times I, times the largest entry of B, is appended to each J_i.
+const APPENDED: f64 = 3e-13;
 
 /// The smallest singular value of the linearised loops, position after position.
 ///
@@ -39,9 +39,9 @@ const RAISED_ROOTS: f64 = 3e-13;
 /// > B = \[diag(J_1, …, J_k) | −2 I\],   ‖Bᵀu‖² = Σ ‖J_iᵀ u_i‖² + 4 ‖Σ u_i‖²,
 ///
 /// one wrench u_i a chain: σ_min is small where chains can hold wrenches against each other that their
-/// joints hardly feel. It is the root of the smallest eigenvalue of B Bᵀ, shifted to just below it where a value is
-/// expected. Where it is small that has lost half of the digits, and it is found from R of Bᵀ = Q R: relative 1e-6 where
-/// σ_min > 1e-7, absolute 1e-12 below.
+/// joints hardly feel. It is the root of the smallest eigenvalue of B Bᵀ, found from the inverse of B Bᵀ less a shift just
+/// below it. A small eigenvalue of B Bᵀ has lost half of its digits: σ_min is then found from R of Bᵀ = Q R. Relative 1e-6
+/// where σ_min > 1e-7, absolute 1e-12 below.
 #[derive(Clone, Debug, Default)]
 pub struct SingularValues {
     normal: LoopNormal,
@@ -49,6 +49,8 @@ pub struct SingularValues {
     lanczos: Lanczos,
     /// Wrench systems of the surplus constraints: orthonormal, those with the smallest ‖Bᵀu‖.
     wrenches: Vec<f64>,
+    /// The largest diagonal entry of the last B Bᵀ that was factored.
+    size: f64,
 }
 
 impl SingularValues {
@@ -65,7 +67,7 @@ impl SingularValues {
         self.smallest_after(jacobians, surplus, &[])
     }
 
-    /// The same after the values of the positions `before`, which only make it faster.
+    /// The same after the values of the positions `before`, which make it faster, and change it by no more than rounding.
     pub fn smallest_after<'a>(
         &mut self,
         jacobians: impl IntoIterator<Item = &'a [Vector6<f64>], IntoIter: Clone>,
@@ -86,32 +88,56 @@ impl SingularValues {
             (-RAISED, PLAIN_OF_SURPLUS)
         };
         // Where the last one was small, this is likely to be as well.
-        let is_small = before.last().is_some_and(|last| last * last < plain);
+        let is_small = before
+            .last()
+            .is_some_and(|last| last * last < plain * self.size);
         let mut normal = |shift| Some((shift, self.normal.factor(jacobians.clone(), shift)?));
-        let factored = if is_small {
-            None
-        } else {
-            normal(shift).or_else(|| normal(0.5 * shift))
-        };
-        if let Some((shift, largest)) = factored {
-            let least = shift + 1.0 / self.largest(n, shift, surplus, true);
-            if least > plain * largest {
+        let mut factored = None;
+        if !is_small {
+            factored = normal(shift);
+            if factored.is_none() && shift > 0.0 {
+                // The value has fallen by more than expected.
+                factored = normal(0.5 * shift).or_else(|| normal(0.0));
+            }
+        }
+        if let Some((shift, size)) = factored {
+            self.size = size;
+            let small = plain * size;
+            let enough = if shift < small {
+                1.0 / (small - shift)
+            } else {
+                f64::INFINITY
+            };
+            let least = shift + 1.0 / self.largest(n, shift, enough, surplus, true);
+            if least > small {
                 return least.sqrt().min(OF_CONDITIONS);
             }
         }
+        let mut raise = 0.0;
+        if surplus > 0 {
+            let entries = jacobians.clone().flatten().flat_map(|column| column.iter());
+            raise = APPENDED * entries.fold(TWIST, |most, x| most.max(x.abs()));
+        }
         self.factor.clear();
-        let raise = if surplus == 0 { 0.0 } else { RAISED_ROOTS };
         jacobians.for_each(|j| self.factor.push(j, raise));
         if !self.factor.factor() {
             return 0.0;
         }
-        let above = self.largest(n, 0.0, surplus, false);
-        (1.0 / above.sqrt()).min(OF_CONDITIONS)
+        let above = self.largest(n, 0.0, f64::INFINITY, surplus, false);
+        let least = (1.0 / above - raise * raise).max(0.0);
+        least.sqrt().min(OF_CONDITIONS)
     }
 
     /// The largest eigenvalue of the inverse, across the wrench systems of the surplus constraints. An error of their
     /// directions changes it by its square only.
-    fn largest(&mut self, n: usize, shift: f64, surplus: usize, is_normal: bool) -> f64 {
+    fn largest(
+        &mut self,
+        n: usize,
+        shift: f64,
+        enough: f64,
+        surplus: usize,
+        is_normal: bool,
+    ) -> f64 {
         /// Inverse iterations. One suffices where the dimensions are exact. Where dimensions are
         /// rounded, each one brings u nearer by the square of the ratio of the singular value that
         /// ought to be 0 to σ_min: four give six digits of σ_min up to a ratio of a third.
@@ -138,7 +164,7 @@ impl SingularValues {
             }
         }
         let wrenches = &self.wrenches;
-        self.lanczos.largest(n, shift, |x| {
+        self.lanczos.largest(n, shift, enough, |x| {
             put_away(wrenches, x);
             divide(x);
             put_away(wrenches, x);

@@ -7,9 +7,10 @@
 import { ConeGeometry, Group, Mesh, MeshBasicMaterial, CylinderGeometry, Plane, Quaternion, Raycaster, SphereGeometry, Vector2, Vector3 } from 'three';
 import { isByAxes } from '../core/by-axes.js';
 import { POSE, originOf } from '../core/poses.js';
-import { shown } from '../core/shown.js';
+import { groupAt, shown } from '../core/shown.js';
 import { typedNumber } from '../core/typed-number.js';
 import { readPalette } from './scene/palette.js';
+import { drawnRows } from './scene/spherical.js';
 
 /** How near to a known point a click takes it, in pixels. */
 const SNAP = 16;
@@ -85,13 +86,13 @@ export function createAxesView({ store, scene, signal }) {
   store.subscribe('result', follow);
   signal.addEventListener('abort', () => group.removeFromParent());
 
-  /** Points that a click takes exactly: those of joints, the origins of the shown joints, key frames and the workpiece. */
+  /** Points that a click takes exactly: those of joints, the origins of the shown joints where they are drawn, key frames and the workpiece. */
   function known() {
     const points = store.doc.chains.flatMap((chain, c) => (isByAxes(chain) ? pointsOf(c).filter((point) => point !== null) : []));
-    const now = shown(store);
-    if (now) {
-      const rows = now.rows.length / now.frames / POSE;
-      for (let i = 0; i < rows; i++) points.push(originOf(now.rows, now.index * rows + i));
+    const [now, { motion }] = [shown(store), store.result];
+    if (now && motion) {
+      const rows = drawnRows(groupAt(now.rows, now), motion.report);
+      for (let i = 0; i < rows.length / POSE; i++) points.push(originOf(rows, i));
       points.push(originOf(now.pose, now.index));
     }
     store.doc.motion.key_frames?.forEach((_, k) => {

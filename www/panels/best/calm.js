@@ -46,7 +46,7 @@ export function distanceAxis(means, followed) {
   const step = 10 ** Math.floor(Math.log10(span / COARSE));
   // Rounding must not add a step.
   const [from, to] = [Math.floor(least / step + 1e-9) * step, Math.ceil(most / step - 1e-9) * step];
-  return span > 0 && least > span && tick(from) !== tick(to) ? [from, to] : [0, Math.max(most, followed) || 1];
+  return span > 0 && least > span && tick(from) !== tick(to) ? [from, to] : [0, (span > 0 ? most : Math.max(most, followed)) || 1];
 }
 
 /**

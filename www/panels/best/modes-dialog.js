@@ -138,7 +138,7 @@ export function openModes({ root, find, store, player, scene, say, signal }, fir
       html`<label>at <select aria-label="Key frame" .value=${live(String(key))} @change=${chooseKey}>${keyFramesOf(doc).map((_, index) => html`<option value=${index} ?selected=${index === key}>${keyName(index)}</option>`)}</select></label>
         <label>order <select aria-label="Order" .value=${live(order)} @change=${chooseOrder}><option value="key">nearest at the key frame</option><option value="motion">closest motion</option></select></label>
         ${running
-          ? html`<progress max="100" value=${Math.floor(100 * progress)} aria-label="Search for ways to assemble"></progress><span class="muted">${doing}, ${Math.floor(100 * progress)} %</span><button @click=${stop}>Stop</button>`
+          ? html`<progress max="100" value=${Math.floor(100 * progress)} aria-label="Search for ways to assemble"></progress><button @click=${stop}>Stop</button><span class="muted">${doing}, ${Math.floor(100 * progress)} %</span>`
           : progress < 1 ? html`<button @click=${goOn}>Go on searching</button>` : nothing}
         ${best && !store.readonly ? html`<button class="best-mode" ?disabled=${best.is_start} title="Start from the way whose motion is closest on average" @click=${() => startFrom(best, numberOf(best))}>${best.is_start ? 'Its start is the best mode' : 'Start from the best mode'}</button>` : nothing}`,
       head,

@@ -5,10 +5,11 @@
  */
 import { Group, Vector3 } from 'three';
 import { chainName } from '../../core/chain-name.js';
-import { POSE, originOf } from '../../core/poses.js';
+import { originOf } from '../../core/poses.js';
 import { percentages } from '../../core/percentages.js';
-import { hasNoGoal, shown, shownEnd } from '../../core/shown.js';
+import { groupAt, hasNoGoal, shown, shownEnd } from '../../core/shown.js';
 import { POINTS, REACH, across, arrow, footOn, free, line, screwPath, tint } from './screw-shapes.js';
+import { drawnRows } from '../scene/spherical.js';
 import { wrenchAt } from './screws.js';
 
 /** Lengths as shares of the scene's radius: the arrow of the largest share and of the least, a moment's arrow, heads. */
@@ -142,12 +143,12 @@ export function createHolds({ store, signal }, scene) {
       const origin = originOf(what.pose, what.index);
       const shares = percentages(why.chains.map(({ share }) => share));
       const most = Math.max(...shares);
-      const rows = what.rows.length / what.frames / POSE;
-      let last = what.index * rows - 1;
+      const rows = drawnRows(groupAt(what.rows, what), motion.report);
+      let last = -1;
       why.chains.forEach((_, chain) => {
         last += 2 * motion.report.chains[chain].rows.length;
         if (!holds || !(shares[chain] > 0)) return;
-        const { drawn, tip, kinds: own } = wrench(chain, shares[chain] / most, origin, originOf(what.rows, last), motion.report.metric.length);
+        const { drawn, tip, kinds: own } = wrench(chain, shares[chain] / most, origin, originOf(rows, last), motion.report.metric.length);
         wrenches.push({ chain, drawn });
         names.push({ at: tip, text: `${chainName(why.of.doc.chains[chain], chain)} ${shares[chain]} %`, place: `chains[${chain}].wrench` });
         for (const kind of own) kinds.add(kind);

@@ -51,7 +51,8 @@ export class Linkage {
    */
   update(motion, doc, r, ground) {
     this.#ball = ballOf(motion);
-    if (this.#ball) motion = { ...motion, rows: onBall(this.#ball, motion.rows) };
+    // What is built anew is built for the first frame.
+    const placed = this.#ball ? { ...motion, rows: onBall(this.#ball, groupAt(motion.rows, { index: 0, frames: motion.frames })) } : motion;
     let anew = this.#chains.length !== motion.report.chains.length;
     let firstRow = 0;
     motion.report.chains.forEach((chain, index) => {
@@ -63,7 +64,7 @@ export class Linkage {
         anew = true;
         own?.body.group.removeFromParent();
         const link = this.#materials.chain[index % this.#materials.chain.length];
-        const body = new ChainBody(motion, { index, firstRow, base }, { ...this.#materials, link }, r);
+        const body = new ChainBody(placed, { index, firstRow, base }, { ...this.#materials, link }, r);
         this.#chains[index] = { body, shape, from: doc.chains[index] };
         this.group.add(body.group);
       }
@@ -74,14 +75,15 @@ export class Linkage {
       firstRow += chain.rows.length;
     });
     for (const { body } of this.#chains.splice(motion.report.chains.length)) body.group.removeFromParent();
-    return this.#shapeWorkpiece(motion, r) || anew;
+    return this.#shapeWorkpiece(placed, r) || anew;
   }
 
   /** @param {Pick<import('../../core/poses.js').Shown, 'rows' | 'pose' | 'frames' | 'index'>} what */
   show({ rows, pose, frames, index }) {
     moveTo(this.#workpiece, pose, index);
     const own = groupAt(rows, { index, frames });
-    for (const { body } of this.#chains) body.show(this.#ball ? onBall(this.#ball, own) : own);
+    const placed = this.#ball ? onBall(this.#ball, own) : own;
+    for (const { body } of this.#chains) body.show(placed);
   }
 
   /** The hull of the chains' ends, with a flange where each chain holds it. @param {Motion} motion @param {number} r */

@@ -12,7 +12,7 @@ import { Box3, Vector3 } from 'three';
 import { drivesJoints } from '../../core/driven.js';
 import { POSE } from '../../core/poses.js';
 import { spreadOver } from '../../core/spread.js';
-import { ballOf, onBall } from './spherical.js';
+import { drawnRows } from './spherical.js';
 
 /** How much the scene may grow, shrink or move by, in its own sizes, before its bodies are drawn in new proportions. */
 const KEEP_SIZE = 1.5;
@@ -106,8 +106,7 @@ function boxesOf(motion, doc) {
   const some = (/** @type {Float64Array} */ column) => thinned(column, frames);
   [rows, pose, goal] = [rows, pose, goal].map(some);
   frames = Math.min(frames, FRAMES);
-  const ball = ballOf(motion);
-  if (ball) rows = onBall(ball, rows);
+  rows = drawnRows(rows, motion.report);
   const start = [rows.subarray(0, rows.length / frames), pose.subarray(0, POSE)];
   const asked = new Box3();
   walk([...start, goal, keys], (point) => asked.expandByPoint(point));

@@ -9,6 +9,8 @@ import { POSE, originOf, turnOf } from '../../core/poses.js';
 
 /** How far an axis may pass the centre, as a share of the ball's radius. */
 const EXACT = 1e-6;
+/** Share of the mechanism's distances below which a base is at the centre, but for rounding. */
+const ROUNDING = 1e-9;
 
 /**
  * The ball is as large as the farthest base is away; 1 where all are at the centre.
@@ -30,7 +32,7 @@ export function ballOf({ rows, report: { chains } }) {
     radius = Math.max(radius, Math.abs(along));
     return along < 0 ? -1 : 1;
   });
-  radius ||= 1;
+  if (radius <= ROUNDING * Math.max(1, centre.length())) radius = 1;
   return off < EXACT * radius ? { centre, reaches: sides.map((side) => side * radius) } : null;
 }
 
@@ -41,4 +43,10 @@ export function onBall({ centre, reaches }, rows) {
     new Vector3(0, 0, reaches[(pose >> 1) % reaches.length]).applyQuaternion(turnOf(rows, pose)).add(centre).toArray(moved, pose * POSE);
   }
   return moved;
+}
+
+/** Rows of some frames where they are drawn. @param {Float64Array} rows @param {import('../../core/types.js').Motion['report']} report */
+export function drawnRows(rows, report) {
+  const ball = ballOf({ rows, report });
+  return ball ? onBall(ball, rows) : rows;
 }
