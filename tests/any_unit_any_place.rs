@@ -11,7 +11,8 @@ use synthetica::document::report::Report;
 use synthetica::document::schema::Document;
 use synthetica::math::pose::Pose;
 use synthetica::math::random::Random;
-use synthetica::motion::trajectory::Trajectory;
+use synthetica::motion::trajectory::{LengthSource, Trajectory};
+use synthetica::source::typed::Typed;
 use synthetica::study::why::explain;
 
 /// Samples, and every `step`th random assembly.
@@ -242,4 +243,53 @@ fn any_place_moves_the_same() {
 #[ignore = "minutes in release: cargo test --release --test any_unit_any_place -- --ignored"]
 fn any_place_moves_the_same_in_all_assemblies() {
     any_place(1);
+}
+
+/// A linkage whose axes meet in one point has no lengths, and no motion about that point has any: what rounding leaves of one
+/// is no length to measure by. All places of the point, and of what the rows have as points along their axes, give one answer.
+#[test]
+fn rounding_is_no_length_to_measure_by() {
+    let axes = [
+        [
+            [1.0, 0.0, 0.0],
+            [0.7544065067354889, 0.133022221559489, 0.6427876096865393],
+        ],
+        [
+            [0.25881904510252074, 0.9659258262890683, 0.0],
+            [0.21984631039295427, 0.6040227735550536, 0.766044443118978],
+        ],
+    ];
+    let planned = |centre: [f64; 3], radius: f64| {
+        let joint = |axis: [f64; 3]| {
+            let point: Vec<f64> = (0..3).map(|i| centre[i] + radius * axis[i]).collect();
+            serde_json::json!({"type": "R", "point": point, "axis": axis})
+        };
+        let chain = |axes: [[f64; 3]; 2]| serde_json::json!({"joints": axes.map(joint)});
+        let [x, y, z] = centre;
+        let document = serde_json::json!({
+            "version": 1, "length_unit": "mm", "home": {"x": x, "y": y, "z": z}, "chains": axes.map(chain),
+            "motion": {"frames": 33, "key_frames": [
+                {"x": x, "y": y, "z": z, "roll_pitch_yaw": [0, 0, 0]},
+                {"x": x, "y": y, "z": z, "roll_pitch_yaw": [10, 25, -40]},
+            ]},
+        });
+        let typed = Typed::read(&document.to_string()).expect("a document");
+        Problem::new(&typed.document).expect("a problem").plan()
+    };
+    let with_lengths = planned([0.0; 3], 100.0);
+    assert_eq!(with_lengths.length_source, LengthSource::Mechanism);
+    for centre in [[0.0; 3], [1000.0, -300.0, 0.1], [-0.7, 1e5, 3e4]] {
+        let motion = planned(centre, 0.0);
+        assert_eq!(
+            (motion.length_source, motion.metric_used.length),
+            (LengthSource::None, 1.0),
+            "{centre:?}"
+        );
+        for (found, expected) in motion.metric.iter().zip(&with_lengths.metric) {
+            assert!(
+                (found - expected).abs() < 1e-9,
+                "{centre:?}: {found} for {expected}"
+            );
+        }
+    }
 }

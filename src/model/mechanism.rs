@@ -6,6 +6,9 @@ use crate::model::chain::Chain;
 /// More chains than any linkage that a person would enter; bounds the time that a document can cost.
 pub const MAX_CHAINS: usize = 24;
 
+/// Share of a distance below which a difference of two such distances is rounding.
+pub const ROUNDING: f64 = 1e-12;
+
 /// The chains that share a workpiece.
 #[derive(Clone, Debug)]
 pub struct Mechanism {
@@ -53,22 +56,21 @@ impl Mechanism {
     }
 
     /// A length typical of the mechanism: the longest chain, or the largest distance of a base from the first chain's if
-    /// that is more; none for a mechanism without lengths, such as a spherical one.
+    /// that is more; none for a mechanism without lengths, such as a spherical one, but for rounding.
     pub fn size(&self) -> Option<f64> {
         /// Below it, 1/size and its square are no longer safe from overflow.
         const NONE: f64 = 1e-100;
         let origin = self.chains[0].base().translation.vector;
+        let rounding = ROUNDING * norm(&origin);
         let span = |c: &Chain| norm(&(c.base().translation.vector - origin));
         let longest = |m: f64, c: &Chain| m.max(c.reach()).max(span(c));
         let size = self.chains.iter().fold(0.0, longest);
-        (size > NONE).then_some(size)
+        (size > NONE && size > rounding).then_some(size)
     }
 
     /// The size, unless it is rounding beside the extent of the mechanism's motion: 1e-15 that a conversion of units left
     /// in a row does not make a spherical linkage one of that size.
     pub fn size_beside(&self, extent: f64) -> Option<f64> {
-        /// Share of the extent.
-        const ROUNDING: f64 = 1e-12;
         self.size().filter(|size| *size > ROUNDING * extent)
     }
 

@@ -109,6 +109,7 @@ pub struct Curve {
 enum Segments {
     Bezier {
         reference: Vector3<f64>,
+        /// 0 where all key frames are at the reference point: its multiples of rounding would be all the distance there is.
         radius: f64,
         controls: Vec<[Bezier; 2]>,
     },
@@ -153,7 +154,7 @@ impl Curve {
         let segments = match how {
             Interpolation::Bezier => Segments::Bezier {
                 reference,
-                radius,
+                radius: if farthest > 0.0 { radius } else { 0.0 },
                 controls: controls(&keys, &times, &reference, radius),
             },
             Interpolation::Sclerp => Segments::Sclerp(

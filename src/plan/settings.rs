@@ -2,7 +2,7 @@
 
 use crate::math::metric::{Metric, MetricKind};
 use crate::math::norm::norm;
-use crate::model::mechanism::Mechanism;
+use crate::model::mechanism::{Mechanism, ROUNDING};
 use crate::model::scaled::Scaled;
 use crate::motion::goal::Goal;
 use crate::motion::trajectory::LengthSource;
@@ -135,13 +135,22 @@ pub fn characteristic_length(mechanism: &Mechanism, extent: f64) -> (f64, Length
     (mechanism.size_or(extent), source)
 }
 
-/// The extent of a motion: the largest distance of its positions from the first.
+/// The extent of a motion: the largest distance of its positions from the first; 0 where it is rounding beside their
+/// distances from the fixed frame's origin.
 pub fn extent(goals: &[Goal]) -> f64 {
-    let positions = goals.iter().map(|goal| goal.pose.translation.vector);
-    let Some(first) = goals.first().map(|goal| goal.pose.translation.vector) else {
+    let positions = || goals.iter().map(|goal| goal.pose.translation.vector);
+    let Some(first) = positions().next() else {
         return 0.0;
     };
-    positions
+    let away = positions()
+        .map(|position| norm(&position))
+        .fold(0.0, f64::max);
+    let extent = positions()
         .map(|position| norm(&(position - first)))
-        .fold(0.0, f64::max)
+        .fold(0.0, f64::max);
+    if extent > ROUNDING * away {
+        extent
+    } else {
+        0.0
+    }
 }
