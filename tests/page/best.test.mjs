@@ -53,10 +53,14 @@ test('the bound, the verdict and a switch are told as they are', () => {
   assert.match(boundSentence(best), /closer on average than 0\.025; this one is 0\.001 above it, the price of switching\.$/);
   assert.match(boundSentence({ ...best, lower_bound: 0.026 }), /and this one is as close\.$/);
   assert.equal(verdict(best), 'A motion with 1 switch to another branch is closer on average by 35 %.');
-  assert.match(verdict({ ...best, best: best.followed, switches: [] }), /is the best one over the 4 branches found/);
+  const stays = { ...best, best: best.followed, switches: [], lane: new Int32Array(5) };
+  assert.match(verdict(stays), /is the best one over the 4 branches found/);
   assert.equal(verdict({ ...best, best: best.followed, progress: 0.5 }), '', 'nothing is claimed before the end');
   assert.equal(verdict({ ...best, best: best.followed, branches: [best.branches[0]], switches: [], starts: 0 }), 'Every frame reaches its goal: nothing can be closer.');
-  assert.match(verdict({ ...best, best: best.followed, branches: [best.branches[0]], switches: [] }), /^No other branch was found/);
+  assert.match(verdict({ ...stays, branches: [best.branches[0]] }), /^No other branch was found/);
+  // Not the followed one, though its mean is as good.
+  assert.equal(verdict({ ...best, best: best.followed }), 'The best motion is not the one that the planner follows: it has 1 switch to another branch, and on average it is as close.');
+  assert.equal(verdict({ ...best, best: cost(best.followed.mean * (1 - 1e-5)), switches: [] }), 'The best motion is not the one that the planner follows: it is on another branch, and on average it is hardly closer.');
   assert.equal(switchSentence(best.switches[0], motionOf('rad')), 'Before frame 2: from the followed branch to branch 2, joint motion 90°, at most 0.08 from the goal on the way.');
   assert.match(switchSentence({ ...best.switches[0], frame: 0 }, motionOf('length')), /^At the start: .* joint motion 1\.571,/);
   assert.deepEqual([branchName(0), branchName(3)], ['followed', 'branch 4']);

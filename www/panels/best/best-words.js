@@ -68,12 +68,20 @@ export function boundSentence({ best, lower_bound: bound }) {
   return above > ROUNDING + 1e-6 * bound ? `${least}; this one is ${distance(above)} above it, the price of switching.` : `${least}, and this one is as close.`;
 }
 
-/** The result of the search in a sentence. @param {Best} best */
-export function verdict({ followed, best, branches, switches, progress, starts }) {
+/** What the best motion is where its mean says no more: on other branches than the followed one, hardly closer or as close. @param {Best} best */
+function otherSentence({ followed, best, switches }) {
+  const how = switches.length ? `it has ${plural(switches.length, 'switch', 'switches')} to another branch` : 'it is on another branch';
+  return `The best motion is not the one that the planner follows: ${how}, and on average it is ${best.mean < followed.mean ? 'hardly closer' : 'as close'}.`;
+}
+
+/** The result of the search in a sentence. @param {Best} found */
+export function verdict(found) {
+  const { followed, best, branches, lane, switches, progress, starts } = found;
   if (progress < 1 && !isCloser(best.mean, followed.mean)) return '';
   if (!isCloser(best.mean, followed.mean)) {
     // No other branch is looked for where there is nothing to gain.
     if (starts === 0 && branches.length > 0) return 'Every frame reaches its goal: nothing can be closer.';
+    if (switches.length || lane.some((branch) => branch > 0)) return otherSentence(found);
     return branches.length > 1
       ? `The motion that the planner follows is the best one over the ${branches.length} branches found.`
       : 'No other branch was found: the motion that the planner follows is the best one known.';
