@@ -5,6 +5,8 @@ import { Vector3 } from 'three';
 import { boundSentence, branchName, branchesSentence, calmWords, distance, isCloser, jointMotion, jointStep, oneIn, switchSentence, unseenSentence, verdict } from '../../www/panels/best/best-words.js';
 import { lanesOf, outlineOf, runsOf } from '../../www/panels/best/lanes.js';
 import { distanceAxis, getsCalmer, placesOf, pointsOf } from '../../www/panels/best/calm.js';
+import { gapLine } from '../../www/panels/best/strip-overlay.js';
+import { highestGap } from '../../www/bar/strip.js';
 import { createSearchState } from '../../www/panels/best/search-state.js';
 import { clearestDirection, differing, spanOf } from '../../www/panels/best/mode-framing.js';
 import { jointLines } from '../../www/panels/best/mode-joints.js';
@@ -90,6 +92,13 @@ test('a lane’s outline: roots as heights, the largest of each piece, and what 
   assert.deepEqual(outline([0, 0.04, 0.16, 0], 2).map(({ frame }) => frame), [11, 12]);
   assert.equal(outline([NaN], 2)[0].height, 1);
   assert.deepEqual(outlineOf({ first: 0, metric: Float64Array.of(0) }, 0, 2), [{ frame: 0, height: 0 }]);
+});
+
+test('in the strip the followed and the best motion stand in one scale, that of the higher one', () => {
+  const [followed, best] = [motionOf('rad', [0, 0.04, 0.01]), motionOf('rad', [0, 0.16, 0.09])];
+  const heights = (motion) => [...gapLine(motion, Math.max(highestGap(followed), highestGap(best))).matchAll(/ ([\d.]+)/g)].map(([, y]) => (18 - Number(y)) / 17);
+  assert.deepEqual(heights(best).map((share) => share.toFixed(2)), ['0.00', '1.00', '0.75'], 'what is higher than the other is not cut off');
+  assert.deepEqual(heights(followed).map((share) => share.toFixed(2)), ['0.00', '0.50', '0.25']);
 });
 
 test('the slider goes over the best motion and the points of the curve; the picture holds them all', () => {
