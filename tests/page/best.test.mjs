@@ -120,6 +120,7 @@ test('the slider goes over the best motion and the points of the curve; the pict
   assert.deepEqual(ends, { low: 0.02571, high: 0.02583, beyond: false, inside: true });
   assert.deepEqual([heights([0.0257, 0.0258], 0.04), heights([0.0257, 0.0258], 0.001)].map(({ beyond, inside, low }) => [beyond, inside, low]), [[true, true, 0.0257], [true, true, 0.0257]]);
   assert.deepEqual([distanceAxis([0.01, 0.05], 0.03), distanceAxis([0.03, 0.03], 0.04), distanceAxis([0, 0], 0)], [[0, 0.05], [0, 0.04], [0, 1]]);
+  assert.deepEqual([[0.004, 0.0224923], [0.0224923, 0.0224923]].map((means) => distanceAxis(means, 0.001).map((end) => Number(end.toFixed(9)))), [[0, 0.023], [0, 0.023]], 'its end is a round number');
   // Where the best motion is far closer than the followed one, that is at the edge.
   assert.deepEqual([distanceAxis([0.001, 0.002], 0.1), heights([0.001, 0.002], 0.1).beyond], [[0, 0.002], true]);
   const still = placesOf([{ mean: 0, largest_step: 0 }], { mean: 0, largest_step: 0 });
