@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { Vector3 } from 'three';
-import { boundSentence, branchName, branchesSentence, calmWords, distance, isCloser, jointMotion, jointStep, oneIn, switchSentence, unseenSentence, verdict } from '../../www/panels/best/best-words.js';
+import { boundSentence, branchName, branchesSentence, calmWords, distance, isCloser, jointMotion, jointStep, oneIn, searchWords, switchSentence, unseenSentence, verdict } from '../../www/panels/best/best-words.js';
 import { lanesOf, outlineOf, runsOf } from '../../www/panels/best/lanes.js';
 import { distanceAxis, getsCalmer, placesOf, pointsOf } from '../../www/panels/best/calm.js';
 import { gapLine } from '../../www/panels/best/strip-overlay.js';
@@ -73,6 +73,22 @@ test('the bound, the verdict and a switch are told as they are', () => {
   assert.deepEqual([0.0172, 0.036, 1.5e-7, 1.1e-12, 9e-13, -3e-31, 0].map(distance), ['0.0172', '0.036', '1.5e−7', '1.1e−12', '0', '0', '0']);
   assert.ok(isCloser(0.0172, 0.036) && !isCloser(0.036 - 1e-8, 0.036) && !isCloser(0, 5e-7));
   assert.equal(statusWords('passing').word, 'Passing');
+});
+
+test('how far a search came is said where it was stopped; switching has a price only where there is a switch', () => {
+  const alone = { ...best, best: best.followed, branches: [best.branches[0]], switches: [], lane: new Int32Array(5), progress: 0.376 };
+  assert.match(boundSentence(alone), /; this one is 0\.015 above it\.$/);
+  assert.equal(searchWords({ best: alone, running: false }, null), 'Nothing closer has been found so far. The search was stopped at 37 %.');
+  assert.equal(searchWords({ best: alone, running: true }, null), 'Nothing closer has been found so far.');
+  assert.equal(searchWords({ best: { ...best, progress: 0.5 }, running: false }, null), 'A motion with 1 switch to another branch is closer on average by 35 %. The search was stopped at 50 %.');
+  assert.equal(searchWords({ best, running: false }, null), verdict(best));
+  assert.equal(searchWords({ best: null, running: true }, null), 'Searching …');
+});
+
+test('before a search it is said whether there is anything to gain', () => {
+  const closest = motionOf('rad');
+  assert.match(searchWords({ best: null, running: false }, closest), /Another branch may be closer/);
+  assert.equal(searchWords({ best: null, running: false }, { ...closest, status: new Uint8Array(5) }), 'Every frame reaches its goal: nothing can be closer.');
 });
 
 test('lanes: the followed branch, those of the best motion, then the closest others; many are left out and counted', () => {

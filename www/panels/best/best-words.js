@@ -62,10 +62,27 @@ export function branchesSentence({ branches }, frame, ways) {
 }
 
 /** How close the best motion is to what no motion can be better than. @param {Best} best */
-export function boundSentence({ best, lower_bound: bound }) {
+export function boundSentence({ best, lower_bound: bound, switches }) {
   const above = best.mean - bound;
   const least = `No motion over the branches known is closer on average than ${distance(bound)}`;
-  return above > ROUNDING + 1e-6 * bound ? `${least}; this one is ${distance(above)} above it, the price of switching.` : `${least}, and this one is as close.`;
+  return above > ROUNDING + 1e-6 * bound ? `${least}; this one is ${distance(above)} above it${switches.length ? ', the price of switching' : ''}.` : `${least}, and this one is as close.`;
+}
+
+/** Where nothing can be gained. */
+const ALL_REACHED = 'Every frame reaches its goal: nothing can be closer.';
+
+/** Whether nothing can be gained by a search. @param {Pick<Motion, 'status' | 'report'>} motion */
+export const reachesAll = ({ status, report }) => status.every((code) => /** @type {readonly string[]} */ (report.statuses)[code] === 'reached');
+
+/**
+ * What the search has come to, in words: before it, while it goes on, where it was stopped, and at its end.
+ * @param {{best: Best | null, running: boolean}} state @param {Motion | null} motion that the planner follows
+ */
+export function searchWords({ best, running }, motion) {
+  if (!best && running) return 'Searching …';
+  if (!best) return motion && reachesAll(motion) ? ALL_REACHED : 'The planner follows one branch of the linkage from frame to frame. Another branch may be closer to the goal.';
+  const found = verdict(best) || 'Nothing closer has been found so far.';
+  return running || best.progress === 1 ? found : `${found} The search was stopped at ${Math.floor(100 * best.progress)} %.`;
 }
 
 /** What the best motion is where its mean says no more: on other branches than the followed one, hardly closer or as close. @param {Best} best */
@@ -80,7 +97,7 @@ export function verdict(found) {
   if (progress < 1 && !isCloser(best.mean, followed.mean)) return '';
   if (!isCloser(best.mean, followed.mean)) {
     // No other branch is looked for where there is nothing to gain.
-    if (starts === 0 && branches.length > 0) return 'Every frame reaches its goal: nothing can be closer.';
+    if (starts === 0 && branches.length > 0) return ALL_REACHED;
     if (switches.length || lane.some((branch) => branch > 0)) return otherSentence(found);
     return branches.length > 1
       ? `The motion that the planner follows is the best one over the ${branches.length} branches found.`

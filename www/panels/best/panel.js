@@ -11,7 +11,7 @@ import { recall, remember } from '../../ui/kept-layout.js';
 import { wear } from '../../ui/style-sheets.js';
 import look from '../../style/best.css?inline';
 import { isApplet } from './at-rest.js';
-import { boundSentence, branchName, distance, jointMotion, jointStep, jointUnit, unseenSentence, verdict } from './best-words.js';
+import { boundSentence, branchName, distance, jointMotion, jointStep, jointUnit, searchWords, unseenSentence } from './best-words.js';
 import { calmSlider, pointsOf } from './calm.js';
 import { createLanesPicture } from './lanes-picture.js';
 
@@ -81,7 +81,7 @@ export function createBestPanel({ root, find, store, player, signal, keys, inter
 
   function drawBody() {
     const { best, motion, message, running } = search.now;
-    const text = search.obstacle() || message || (best ? verdict(best) || (running ? 'Nothing closer has been found so far.' : '') : running ? 'Searching …' : 'The planner follows one branch of the linkage from frame to frame. Another branch may be closer to the goal.');
+    const text = search.obstacle() || message || searchWords(search.now, store.result.motion);
     setText(words, text);
     // Said once it is over; while it goes on the numbers change too often.
     if (!running) setText(status, best ? text : '');

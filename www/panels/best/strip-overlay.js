@@ -26,7 +26,8 @@ export function gapLine(motion, highest) {
 
 /** @param {Pick<import('../../element/workbench.js').App, 'find' | 'store'>} app @param {import('./search-state.js').SearchState} search */
 export function createStripOverlay({ find, store }, search) {
-  const strip = /** @type {SVGSVGElement & HTMLElement} */ (find('strip'));
+  /** @type {SVGSVGElement} */
+  const strip = find('strip');
   const root = document.createElementNS(SVG, 'svg');
   root.id = 'strip-best';
   root.setAttribute('preserveAspectRatio', 'none');
