@@ -120,6 +120,9 @@ export const jointStep = (value, motion) => (isByAngles(motion) ? `${threeDigits
 /** What such a number means. @param {Motion | null} motion */
 export const jointUnit = (motion) => (isByAngles(motion) ? '' : 'rad or sizes');
 
+/** The largest joint step with its unit. @param {number} value rad or sizes @param {Motion | null} motion */
+const stepWords = (value, motion) => `largest joint step ${jointStep(value, motion)}${jointUnit(motion) && ` ${jointUnit(motion)}`}`;
+
 /** What a branch is called. @param {number} branch */
 export const branchName = (branch) => (branch === 0 ? 'followed' : `branch ${branch + 1}`);
 
@@ -129,11 +132,11 @@ export const branchName = (branch) => (branch === 0 ? 'followed' : `branch ${bra
  */
 export function switchSentence({ frame, from, to, length, largest }, motion) {
   const when = frame === 0 ? 'At the start' : `Before frame ${frame + 1}`;
-  return `${when}: from ${from === 0 ? 'the followed branch' : `branch ${from + 1}`} to ${to === 0 ? 'the followed one' : `branch ${to + 1}`}, joint motion ${jointMotion(length, motion)}, at most ${distance(largest)} from the goal on the way.`;
+  return `${when}: from ${from === 0 ? 'the followed branch' : `branch ${from + 1}`} to ${to === 0 ? 'the followed one' : `branch ${to + 1}`}, joint motion ${jointMotion(length, motion)}${jointUnit(motion) && ` ${jointUnit(motion)}`}, at most ${distance(largest)} from the goal on the way.`;
 }
 
 /** A point of the curve from closer to calmer. @param {{mean: number, largest_step: number}} point @param {Motion | null} motion */
-export const calmWords = ({ mean, largest_step }, motion) => `mean distance ${distance(mean)}, largest joint step ${jointStep(largest_step, motion)}`;
+export const calmWords = ({ mean, largest_step }, motion) => `mean distance ${distance(mean)}, ${stepWords(largest_step, motion)}`;
 
 /**
  * That a motion is shown in place of the followed one; of a calmer one beside what the best one costs.
@@ -141,5 +144,5 @@ export const calmWords = ({ mean, largest_step }, motion) => `mean distance ${di
  */
 export const shownWords = (calmer, best, motion) =>
   calmer
-    ? `A calmer motion is shown: mean ${distance(calmer.mean)} (best ${distance(best.mean)}), largest joint step ${jointStep(calmer.largest_step, motion)} (best ${jointStep(best.largest_step, motion)})`
+    ? `A calmer motion is shown: mean ${distance(calmer.mean)} (best ${distance(best.mean)}), ${stepWords(calmer.largest_step, motion)} (best ${jointStep(best.largest_step, motion)})`
     : 'The best motion is shown';

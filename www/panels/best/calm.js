@@ -7,7 +7,7 @@
  * @typedef {import('../../core/types.js').Motion} Motion
  */
 import { html, live, nothing, svg } from '../../ui/render.js';
-import { calmWords, distance, jointStep } from './best-words.js';
+import { calmWords, distance, jointStep, jointUnit } from './best-words.js';
 
 /** Of the picture, in pixels, with the room for its scales. */
 const WIDTH = 260;
@@ -90,7 +90,7 @@ function picture(points, followed, chosen, motion, choose) {
     <text x=${ROOM.left - 5} y=${bottom + 3} text-anchor="end">${tick(low)}</text>
     <text x=${ROOM.left} y=${bottom + 12}>0</text>
     <text x=${right} y=${bottom + 12} text-anchor="end">${jointStep(wide, motion)}</text>
-    <text x=${(ROOM.left + right) / 2} y=${HEIGHT - 4} text-anchor="middle">largest joint step</text>
+    <text x=${(ROOM.left + right) / 2} y=${HEIGHT - 4} text-anchor="middle">largest joint step${jointUnit(motion) && `, ${jointUnit(motion)}`}</text>
     <text transform=${`translate(10 ${(ROOM.top + bottom) / 2}) rotate(-90)`} text-anchor="middle">mean distance</text>
   </svg>
   <p class="muted key">✕ the followed motion${where}${low > 0 ? `; the upward axis begins at ${tick(low)}` : ''}</p>`;

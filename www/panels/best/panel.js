@@ -22,6 +22,9 @@ const shownBy = (name) => [
   ['best', name, `The ${name} motion alone; its numbers stand in the panels`],
 ];
 
+/** What joint motions are measured in, where the numbers do not have it. @param {import('../../core/types.js').Motion | null} motion */
+const unit = (motion) => (jointUnit(motion) ? html` <small>${jointUnit(motion)}</small>` : nothing);
+
 /**
  * @param {Pick<import('../../element/workbench.js').App, 'root' | 'find' | 'store' | 'player' | 'signal' | 'keys' | 'interaction'>} app @param {HTMLElement} panel
  * @param {import('./search-state.js').SearchState} search
@@ -101,7 +104,7 @@ export function createBestPanel({ root, find, store, player, signal, keys, inter
           <table class="plain best-numbers">
             <caption>Distances from the goal, ½‖q − g‖², over all frames</caption>
             <thead><tr><td></td><th scope="col">followed</th><th scope="col">best</th>${calm ? html`<th scope="col">calmer</th>` : nothing}</tr></thead>
-            <tbody>${rows.map(([name, write]) => html`<tr><th scope="row">${name}${name === 'largest joint step' && jointUnit(now) ? html` <small>${jointUnit(now)}</small>` : nothing}</th><td>${write(best.followed)}</td><td>${write(best.best)}</td>${calm ? html`<td>${write(calm)}</td>` : nothing}</tr>`)}</tbody>
+            <tbody>${rows.map(([name, write]) => html`<tr><th scope="row">${name}${name === 'largest joint step' ? unit(now) : nothing}</th><td>${write(best.followed)}</td><td>${write(best.best)}</td>${calm ? html`<td>${write(calm)}</td>` : nothing}</tr>`)}</tbody>
           </table>
           <p>${boundSentence(best)}</p>
           <p>${plural(best.starts, 'start')} made, ${plural(best.branches.length, 'branch', 'branches')} found. ${unseenSentence(best, 'branch')}</p>
@@ -123,11 +126,11 @@ export function createBestPanel({ root, find, store, player, signal, keys, inter
         <tbody>${best.branches.map(({ first, metric }, branch) => html`<tr><th scope="row">${branchName(branch)}</th><td>${jump(first)}</td><td>${first + metric.length}</td><td>${mean(metric)}</td><td>${used.has(branch) ? 'yes' : 'no'}</td></tr>`)}</tbody>
       </table>
       ${best.switches.length ? html`<table class="plain"><caption>Switches of the best motion</caption>
-        <thead><tr><th scope="col">before frame</th><th scope="col">from</th><th scope="col">to</th><th scope="col">joint motion</th><th scope="col">largest distance on the way</th></tr></thead>
+        <thead><tr><th scope="col">before frame</th><th scope="col">from</th><th scope="col">to</th><th scope="col">joint motion${unit(motion)}</th><th scope="col">largest distance on the way</th></tr></thead>
         <tbody>${best.switches.map(({ frame, from, to, length, largest }) => html`<tr><th scope="row">${jump(frame)}</th><td>${branchName(from)}</td><td>${branchName(to)}</td><td>${jointMotion(length, motion)}</td><td>${distance(largest)}</td></tr>`)}</tbody>
       </table>` : nothing}
       ${best.curve.length ? html`<table class="plain"><caption>From closer to calmer</caption>
-        <thead><tr><th scope="col">position</th><th scope="col">mean distance</th><th scope="col">largest distance</th><th scope="col">largest joint step</th></tr></thead>
+        <thead><tr><th scope="col">position</th><th scope="col">mean distance</th><th scope="col">largest distance</th><th scope="col">largest joint step${unit(motion)}</th></tr></thead>
         <tbody>${pointsOf(best, motion).map(({ point }, index) => html`<tr><th scope="row">${index + 1}</th><td>${distance(point.mean)}</td><td>${distance(point.largest)}</td><td>${jointStep(point.largest_step, motion)}</td></tr>`)}</tbody>
       </table>` : nothing}
     </div>`;
