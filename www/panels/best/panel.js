@@ -3,6 +3,7 @@
  * and how much calmer it may be. Loaded when it is first seen.
  */
 import { nameOf } from '../../core/best-motions.js';
+import { drivesJoints } from '../../core/driven.js';
 import { plural } from '../../core/format.js';
 import { keyFrameFrames, allTimes } from '../../core/playhead.js';
 import { element, setText } from '../../ui/dom.js';
@@ -68,12 +69,14 @@ export function createBestPanel({ root, find, store, player, signal, keys, inter
     const obstacle = search.obstacle();
     const percent = Math.floor(100 * (best?.progress ?? 0));
     const isOver = best?.progress === 1;
+    // While an edit is planned the button stays, and with it the focus that comes back from the dialog.
+    const isDriven = drivesJoints(store.result.motion);
     const choices = html`<fieldset class="which" ?disabled=${!motion}><legend>Shown</legend>${shownBy(nameOf(motion)).map(
       ([which_, label, title]) => html`<label title=${title}><input type="radio" name="best-shown" .checked=${live(which === which_)} @change=${() => search.show(which_)} />${label}</label>`,
     )}</fieldset>`;
     render(
       html`<button ?disabled=${obstacle !== '' || isOver} aria-disabled=${ifDefined(running ? 'true' : undefined)} @click=${search.begin}>${best && !isOver && !running ? 'Go on searching' : 'Look for a better motion'}</button>
-        ${obstacle ? nothing : html`<button @click=${() => openModes(keyHere())} title="All ways to assemble the linkage at a key frame">Ways to assemble…</button>${choices}`}
+        ${isDriven ? nothing : html`<button aria-disabled=${ifDefined(obstacle ? 'true' : undefined)} @click=${() => search.obstacle() || openModes(keyHere())} title="All ways to assemble the linkage at a key frame">Ways to assemble…</button>${choices}`}
         ${running
           ? html`<div class="doing"><button @click=${stop}>Stop the search</button><progress max="100" value=${percent} aria-label="Search for a better motion"></progress>
               <span class="muted">${percent} %, ${plural(best?.starts ?? 0, 'start')}</span></div>`
