@@ -3,12 +3,12 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { Vector3 } from 'three';
 import { boundSentence, branchName, branchesSentence, calmWords, distance, isCloser, jointMotion, jointStep, oneIn, searchWords, switchSentence, unseenSentence, verdict } from '../../www/panels/best/best-words.js';
-import { lanesOf, outlineOf, runsOf } from '../../www/panels/best/lanes.js';
+import { labelsOf, lanesOf, outlineOf, runsOf } from '../../www/panels/best/lanes.js';
 import { distanceAxis, getsCalmer, placesOf, pointsOf } from '../../www/panels/best/calm.js';
 import { gapLine } from '../../www/panels/best/strip-overlay.js';
 import { highestGap } from '../../www/bar/strip.js';
 import { createSearchState } from '../../www/panels/best/search-state.js';
-import { clearestDirection, differing, spanOf } from '../../www/panels/best/mode-framing.js';
+import { clearestDirection, framingOf } from '../../www/panels/best/mode-framing.js';
 import { jointLines } from '../../www/panels/best/mode-joints.js';
 import { bestMode, ordered } from '../../www/panels/best/mode-order.js';
 import { bestMotions, closestName } from '../../www/core/best-motions.js';
@@ -103,6 +103,14 @@ test('lanes: the followed branch, those of the best motion, then the closest oth
   assert.deepEqual([lanesOf(many).lanes.length, lanesOf(many).more], [8, 26]);
 });
 
+test('labels of switches leave out what would cover a neighbour', () => {
+  const at = (...places) => labelsOf(places.map((place) => ({ at: place, text: '0.405' })), 24).map(({ text }) => text);
+  assert.deepEqual(at(10, 100, 200), ['0.405', '0.405', '0.405']);
+  assert.deepEqual(at(10, 30, 200), ['·', '·', '0.405'], 'neither over its neighbour’s mark');
+  assert.deepEqual(at(10, 48, 200), ['0.405', '·', '0.405']);
+  assert.deepEqual(labelsOf([{ at: 0, text: '1.234 rad' }, { at: 48, text: '2' }], 24).map(({ text }) => text), ['·', '2'], 'a long one needs more room');
+});
+
 test('a lane’s outline: roots as heights, the largest of each piece, and what has run away is full', () => {
   const outline = (metric, pieces) => outlineOf({ first: 10, metric: Float64Array.from(metric) }, 0.16, pieces);
   assert.deepEqual(outline([0, 0.04, 0.16], 9), [{ frame: 10, height: 0 }, { frame: 11, height: 0.5 }, { frame: 12, height: 1 }]);
@@ -166,12 +174,13 @@ test('modes: by nearness or by their motions; the best one is known when all are
   assert.equal(bestMode({ progress: 1, found: alike })?.index, 1);
 });
 
-test('ways to assemble: what differs is framed, and told where it is little', () => {
+test('ways to assemble: the whole linkage is framed in each, and what differs is told', () => {
   const at = (...xs) => xs.map((x) => new Vector3(x, 0, 0));
-  const ways = [at(0, 1, 2), at(0, 1.2, 5)];
-  assert.deepEqual(differing(ways, 0.5).map(({ x }) => x), [2, 5]);
-  assert.deepEqual([differing([ways[0]], 0.5), differing([], 0.5)], [[], []]);
-  assert.deepEqual([spanOf(differing(ways, 0.5)), spanOf([]) > 0], [3, false]);
+  const ways = [at(0, 1, 2), at(0, 1.2, 5)].map((points) => ({ points, joints: points }));
+  const { points, from } = framingOf(ways, new Vector3(1, 0, 0), 0.5);
+  assert.deepEqual(points.map(({ x }) => x), [0, 1, 2, 0, 1.2, 5], 'also what is alike in all, such as motors and feet');
+  assert.ok(Math.abs(from.x) < 0.9, 'not along what differs');
+  assert.deepEqual(framingOf([], new Vector3(1, 0, 0), 0.5), { points: [], from: undefined });
   const chains = [{ name: 'leg', variables: [{ unit: 'rad', label: 'θ1', joint: 0 }, { unit: 'rad', label: 'θ2', joint: 0 }] }, { variables: [{ unit: 'length', label: 'd1', joint: 0 }] }];
   const found = [{ joints: [0, Math.PI / 2, 3] }, { joints: [0, -Math.PI / 2, 3] }];
   assert.deepEqual(jointLines(found[1], found, chains), ['leg: θ2 −90°']);
