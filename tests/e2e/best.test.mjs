@@ -108,7 +108,7 @@ test('lanes, switches and the slider go by keyboard, and are a table too', async
   await page.keyboard.press('ArrowRight');
   await page.locator('#canvas[data-best="16"]').waitFor();
   const next = await slider.getAttribute('aria-valuetext');
-  const step = (words) => number(/largest joint step (.*)$/.exec(words)[1]);
+  const step = (words) => number(/largest joint step ([\d.]+) rad or sizes$/.exec(words)[1]);
   assert.ok(step(next) <= step(first), `${next} after ${first}`);
   await panel(page).locator('output[aria-busy="false"]').waitFor();
   await panel(page).getByRole('columnheader', { name: 'calmer' }).waitFor();
@@ -119,7 +119,11 @@ test('lanes, switches and the slider go by keyboard, and are a table too', async
   assert.equal(await page.locator('#strip-best .switch').count(), 0);
   await shown(page, 'calmer').check();
   const pill = page.locator('#best-shown');
-  await pill.filter({ hasText: /^A calmer motion is shown: mean [\d.e−]+ \(best [\d.e−]+\), largest joint step [\d.]+°? \(best [\d.]+°?\)\. Show the best one Back to the followed one$/ }).waitFor();
+  await pill.filter({ hasText: /^A calmer motion is shown: mean [\d.e−]+ \(best [\d.e−]+\), largest joint step [\d.]+ rad or sizes \(best [\d.]+\)\. Show the best one Back to the followed one$/ }).waitFor();
+  // Its frames are no closest poses: nothing is said to hold them back.
+  await page.locator('#why-title').filter({ hasText: 'What is free here' }).waitFor();
+  assert.equal(await page.locator('#why .shares').count(), 0);
+  assert.equal(await page.locator('#canvas').getAttribute('data-wrenches'), '');
   await pill.getByRole('button', { name: 'Show the best one' }).click();
   await pill.filter({ hasText: 'The best motion is shown.' }).waitFor();
   assert.ok(await shown(page, 'best').isChecked());

@@ -1,7 +1,7 @@
 // The ways to assemble at a key frame: pictures, numbers, an order, and a start that undo takes back.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { cell, doTo, notice, openBrowser, openSample, scrubTo } from './browser.mjs';
+import { cell, doTo, notice, openBrowser, openSample, scrubTo, unfoldCharts } from './browser.mjs';
 
 let browser;
 before(async () => {
@@ -38,7 +38,7 @@ test('each way has its picture, its distance, who found it and what its motion c
   for (const one of await ways(page).all()) {
     const words = await one.textContent();
     assert.match(words, /reaches the key frame|distance [\d.e−]+ from the key frame/);
-    assert.match(words, /found by \d+ of \d+ starts?/);
+    assert.match(words, /\d+ starts? or more of each chain led to it/);
     assert.match(words, /motion from it: every frame reaches its goal/);
     await one.locator('canvas[data-drawn]').waitFor();
   }
@@ -86,6 +86,31 @@ test('a way becomes the start, an edit that undo takes back', async () => {
   await notice(page, /was made the start/).waitFor();
   await page.keyboard.press('Control+z');
   await notice(page, /was made the start/).getByRole('button', { name: 'Undo' }).waitFor({ state: 'detached', timeout: 4000 });
+  assert.deepEqual(problems, []);
+});
+
+test('after a way became the start the focus is where the dialog was opened from', async () => {
+  const { page, problems } = await openDialog();
+  const takeOther = async () => {
+    const other = ways(page).filter({ hasNotText: 'the document’s start' }).first().getByRole('button', { name: /^Start from this/ });
+    await other.focus();
+    await page.keyboard.press('Enter');
+    await notice(page, /was made the start/).waitFor();
+    await dialog(page).waitFor({ state: 'detached' });
+  };
+  await takeOther();
+  await page.locator('#motion button:focus').waitFor();
+  assert.equal(await page.locator('#motion button:focus').getAttribute('aria-label'), 'Actions of key frame 1');
+  await page.keyboard.press('Control+z');
+  await unfoldCharts(page);
+  await page.getByRole('tab', { name: 'Best motion' }).click();
+  const opener = page.getByRole('button', { name: 'Ways to assemble…' });
+  await opener.focus();
+  await page.keyboard.press('Enter');
+  await takeOther();
+  await page.locator('#best button:focus').filter({ hasText: 'Ways to assemble…' }).waitFor();
+  // Also when it is planned.
+  await page.locator('#best button:focus:not([aria-disabled])').filter({ hasText: 'Ways to assemble…' }).waitFor();
   assert.deepEqual(problems, []);
 });
 

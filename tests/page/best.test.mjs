@@ -2,14 +2,16 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { Vector3 } from 'three';
-import { boundSentence, branchName, branchesSentence, calmWords, distance, isCloser, jointMotion, jointStep, oneIn, switchSentence, unseenSentence, verdict } from '../../www/panels/best/best-words.js';
-import { lanesOf, outlineOf, runsOf } from '../../www/panels/best/lanes.js';
+import { boundSentence, branchName, branchesSentence, calmWords, distance, isCloser, jointMotion, jointStep, oneIn, searchWords, switchSentence, unseenSentence, verdict } from '../../www/panels/best/best-words.js';
+import { labelsOf, lanesOf, outlineOf, runsOf } from '../../www/panels/best/lanes.js';
 import { distanceAxis, getsCalmer, placesOf, pointsOf } from '../../www/panels/best/calm.js';
+import { gapLine } from '../../www/panels/best/strip-overlay.js';
+import { highestGap } from '../../www/bar/strip.js';
 import { createSearchState } from '../../www/panels/best/search-state.js';
-import { clearestDirection, differing, spanOf } from '../../www/panels/best/mode-framing.js';
+import { clearestDirection, framingOf } from '../../www/panels/best/mode-framing.js';
 import { jointLines } from '../../www/panels/best/mode-joints.js';
 import { bestMode, ordered } from '../../www/panels/best/mode-order.js';
-import { bestMotions } from '../../www/core/best-motions.js';
+import { bestMotions, closestName } from '../../www/core/best-motions.js';
 import { shownName } from '../../www/export/shown-name.js';
 import { createStore } from '../../www/core/store.js';
 import { statusWords } from '../../www/core/status-words.js';
@@ -53,20 +55,41 @@ test('the bound, the verdict and a switch are told as they are', () => {
   assert.match(boundSentence(best), /closer on average than 0\.025; this one is 0\.001 above it, the price of switching\.$/);
   assert.match(boundSentence({ ...best, lower_bound: 0.026 }), /and this one is as close\.$/);
   assert.equal(verdict(best), 'A motion with 1 switch to another branch is closer on average by 35 %.');
-  assert.match(verdict({ ...best, best: best.followed, switches: [] }), /is the best one over the 4 branches found/);
+  const stays = { ...best, best: best.followed, switches: [], lane: new Int32Array(5) };
+  assert.match(verdict(stays), /is the best one over the 4 branches found/);
   assert.equal(verdict({ ...best, best: best.followed, progress: 0.5 }), '', 'nothing is claimed before the end');
   assert.equal(verdict({ ...best, best: best.followed, branches: [best.branches[0]], switches: [], starts: 0 }), 'Every frame reaches its goal: nothing can be closer.');
-  assert.match(verdict({ ...best, best: best.followed, branches: [best.branches[0]], switches: [] }), /^No other branch was found/);
+  assert.match(verdict({ ...stays, branches: [best.branches[0]] }), /^No other branch was found/);
+  // Not the followed one, though its mean is as good.
+  assert.equal(verdict({ ...best, best: best.followed }), 'The best motion is not the one that the planner follows: it has 1 switch to another branch, and on average it is as close.');
+  assert.equal(verdict({ ...best, best: cost(best.followed.mean * (1 - 1e-5)), switches: [] }), 'The best motion is not the one that the planner follows: it is on another branch, and on average it is hardly closer.');
   assert.equal(switchSentence(best.switches[0], motionOf('rad')), 'Before frame 2: from the followed branch to branch 2, joint motion 90°, at most 0.08 from the goal on the way.');
-  assert.match(switchSentence({ ...best.switches[0], frame: 0 }, motionOf('length')), /^At the start: .* joint motion 1\.571,/);
+  assert.match(switchSentence({ ...best.switches[0], frame: 0 }, motionOf('length')), /^At the start: .* joint motion 1\.571 rad or sizes,/);
   assert.deepEqual([branchName(0), branchName(3)], ['followed', 'branch 4']);
   assert.equal(jointMotion(0.5, motionOf('length')), '0.5');
   assert.deepEqual([0.00031234, Math.PI / 2, 0].map((value) => jointStep(value, motionOf('rad'))), ['0.0179°', '90°', '0°']);
   assert.equal(jointStep(0.00031234, motionOf('length')), '0.000312');
-  assert.equal(calmWords(best.curve[0], motionOf('length')), 'mean distance 0.03, largest joint step 0.3');
+  assert.equal(calmWords(best.curve[0], motionOf('length')), 'mean distance 0.03, largest joint step 0.3 rad or sizes');
+  assert.equal(calmWords(best.curve[0], motionOf('rad')), 'mean distance 0.03, largest joint step 17.2°');
   assert.deepEqual([0.0172, 0.036, 1.5e-7, 1.1e-12, 9e-13, -3e-31, 0].map(distance), ['0.0172', '0.036', '1.5e−7', '1.1e−12', '0', '0', '0']);
   assert.ok(isCloser(0.0172, 0.036) && !isCloser(0.036 - 1e-8, 0.036) && !isCloser(0, 5e-7));
   assert.equal(statusWords('passing').word, 'Passing');
+});
+
+test('how far a search came is said where it was stopped; switching has a price only where there is a switch', () => {
+  const alone = { ...best, best: best.followed, branches: [best.branches[0]], switches: [], lane: new Int32Array(5), progress: 0.376 };
+  assert.match(boundSentence(alone), /; this one is 0\.015 above it\.$/);
+  assert.equal(searchWords({ best: alone, running: false }, null), 'Nothing closer has been found so far. The search was stopped at 37 %.');
+  assert.equal(searchWords({ best: alone, running: true }, null), 'Nothing closer has been found so far.');
+  assert.equal(searchWords({ best: { ...best, progress: 0.5 }, running: false }, null), 'A motion with 1 switch to another branch is closer on average by 35 %. The search was stopped at 50 %.');
+  assert.equal(searchWords({ best, running: false }, null), verdict(best));
+  assert.equal(searchWords({ best: null, running: true }, null), 'Searching …');
+});
+
+test('before a search it is said whether there is anything to gain', () => {
+  const closest = motionOf('rad');
+  assert.match(searchWords({ best: null, running: false }, closest), /Another branch may be closer/);
+  assert.equal(searchWords({ best: null, running: false }, { ...closest, status: new Uint8Array(5) }), 'Every frame reaches its goal: nothing can be closer.');
 });
 
 test('lanes: the followed branch, those of the best motion, then the closest others; many are left out and counted', () => {
@@ -80,12 +103,27 @@ test('lanes: the followed branch, those of the best motion, then the closest oth
   assert.deepEqual([lanesOf(many).lanes.length, lanesOf(many).more], [8, 26]);
 });
 
+test('labels of switches leave out what would cover a neighbour', () => {
+  const at = (...places) => labelsOf(places.map((place) => ({ at: place, text: '0.405' })), 24).map(({ text }) => text);
+  assert.deepEqual(at(10, 100, 200), ['0.405', '0.405', '0.405']);
+  assert.deepEqual(at(10, 30, 200), ['·', '·', '0.405'], 'neither over its neighbour’s mark');
+  assert.deepEqual(at(10, 48, 200), ['0.405', '·', '0.405']);
+  assert.deepEqual(labelsOf([{ at: 0, text: '1.234 rad' }, { at: 48, text: '2' }], 24).map(({ text }) => text), ['·', '2'], 'a long one needs more room');
+});
+
 test('a lane’s outline: roots as heights, the largest of each piece, and what has run away is full', () => {
   const outline = (metric, pieces) => outlineOf({ first: 10, metric: Float64Array.from(metric) }, 0.16, pieces);
   assert.deepEqual(outline([0, 0.04, 0.16], 9), [{ frame: 10, height: 0 }, { frame: 11, height: 0.5 }, { frame: 12, height: 1 }]);
   assert.deepEqual(outline([0, 0.04, 0.16, 0], 2).map(({ frame }) => frame), [11, 12]);
   assert.equal(outline([NaN], 2)[0].height, 1);
   assert.deepEqual(outlineOf({ first: 0, metric: Float64Array.of(0) }, 0, 2), [{ frame: 0, height: 0 }]);
+});
+
+test('in the strip the followed and the best motion stand in one scale, that of the higher one', () => {
+  const [followed, best] = [motionOf('rad', [0, 0.04, 0.01]), motionOf('rad', [0, 0.16, 0.09])];
+  const heights = (motion) => [...gapLine(motion, Math.max(highestGap(followed), highestGap(best))).matchAll(/ ([\d.]+)/g)].map(([, y]) => (18 - Number(y)) / 17);
+  assert.deepEqual(heights(best).map((share) => share.toFixed(2)), ['0.00', '1.00', '0.75'], 'what is higher than the other is not cut off');
+  assert.deepEqual(heights(followed).map((share) => share.toFixed(2)), ['0.00', '0.50', '0.25']);
 });
 
 test('the slider goes over the best motion and the points of the curve; the picture holds them all', () => {
@@ -107,6 +145,7 @@ test('the slider goes over the best motion and the points of the curve; the pict
   assert.deepEqual(ends, { low: 0.02571, high: 0.02583, beyond: false, inside: true });
   assert.deepEqual([heights([0.0257, 0.0258], 0.04), heights([0.0257, 0.0258], 0.001)].map(({ beyond, inside, low }) => [beyond, inside, low]), [[true, true, 0.0257], [true, true, 0.0257]]);
   assert.deepEqual([distanceAxis([0.01, 0.05], 0.03), distanceAxis([0.03, 0.03], 0.04), distanceAxis([0, 0], 0)], [[0, 0.05], [0, 0.04], [0, 1]]);
+  assert.deepEqual([[0.004, 0.0224923], [0.0224923, 0.0224923]].map((means) => distanceAxis(means, 0.001).map((end) => Number(end.toFixed(9)))), [[0, 0.023], [0, 0.023]], 'its end is a round number');
   // Where the best motion is far closer than the followed one, that is at the edge.
   assert.deepEqual([distanceAxis([0.001, 0.002], 0.1), heights([0.001, 0.002], 0.1).beyond], [[0, 0.002], true]);
   const still = placesOf([{ mean: 0, largest_step: 0 }], { mean: 0, largest_step: 0 });
@@ -135,12 +174,13 @@ test('modes: by nearness or by their motions; the best one is known when all are
   assert.equal(bestMode({ progress: 1, found: alike })?.index, 1);
 });
 
-test('ways to assemble: what differs is framed, and told where it is little', () => {
+test('ways to assemble: the whole linkage is framed in each, and what differs is told', () => {
   const at = (...xs) => xs.map((x) => new Vector3(x, 0, 0));
-  const ways = [at(0, 1, 2), at(0, 1.2, 5)];
-  assert.deepEqual(differing(ways, 0.5).map(({ x }) => x), [2, 5]);
-  assert.deepEqual([differing([ways[0]], 0.5), differing([], 0.5)], [[], []]);
-  assert.deepEqual([spanOf(differing(ways, 0.5)), spanOf([]) > 0], [3, false]);
+  const ways = [at(0, 1, 2), at(0, 1.2, 5)].map((points) => ({ points, joints: points }));
+  const { points, from } = framingOf(ways, new Vector3(1, 0, 0), 0.5);
+  assert.deepEqual(points.map(({ x }) => x), [0, 1, 2, 0, 1.2, 5], 'also what is alike in all, such as motors and feet');
+  assert.ok(Math.abs(from.x) < 0.9, 'not along what differs');
+  assert.deepEqual(framingOf([], new Vector3(1, 0, 0), 0.5), { points: [], from: undefined });
   const chains = [{ name: 'leg', variables: [{ unit: 'rad', label: 'θ1', joint: 0 }, { unit: 'rad', label: 'θ2', joint: 0 }] }, { variables: [{ unit: 'length', label: 'd1', joint: 0 }] }];
   const found = [{ joints: [0, Math.PI / 2, 3] }, { joints: [0, -Math.PI / 2, 3] }];
   assert.deepEqual(jointLines(found[1], found, chains), ['leg: θ2 −90°']);
@@ -210,6 +250,7 @@ test('partial results are there at once; the best motion takes the followed one�
   assert.deepEqual(JSON.parse(await bestMotions.get(store.result.motion).write('csv', {})).slice(1), ['csv', {}, 1], 'written as it is shown');
   assert.deepEqual([bestMotions.get(store.result.motion).switches, bestMotions.get(closer).switches, bestMotions.has(followed)], [0, 1, false]);
   assert.equal(bestMotions.get(store.result.motion).words, 'A calmer motion is shown: mean 1 (best 0.026), largest joint step 5.73° (best 34.4°)');
+  assert.deepEqual([store.result.motion, closer, followed, null].map(closestName), ['calmer motion', 'best motion', 'closest motion', 'closest motion']);
   assert.equal(bestMotions.get(closer).words, 'The best motion is shown');
   assert.deepEqual([store.result.motion, closer, followed].map((motion) => shownName({ doc: { name: '3-PRS' }, motion }, 'csv')), ['3-prs-calmer.csv', '3-prs-best.csv', '3-prs.csv']);
   assert.equal(shownName({ doc: {}, motion: closer }, 'csv'), 'linkage-best.csv');

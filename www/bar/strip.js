@@ -18,13 +18,13 @@ const PIECES = 4_000;
 /** Ends that need a look stand higher, so that they are told apart without colour. @type {Record<string, number>} */
 const HIGHER = { at_limit: 7, stalled: 11, closure_lost: HEIGHT };
 
-/** @param {SVGSVGElement} svg @param {Motion} motion */
-export function drawStrip(svg, motion) {
+/** @param {SVGSVGElement} svg @param {Motion} motion @param {number} [highest] the gap that is drawn full */
+export function drawStrip(svg, motion, highest = highestGap(motion)) {
   const last = Math.max(1, motion.goal_frames - 1);
   put(svg, 'viewBox', `0 0 ${last} ${HEIGHT}`);
   /** @type {Shape[]} */
   const shapes = [];
-  if (!drivesJoints(motion)) shapes.push(gapsOf(motion));
+  if (!drivesJoints(motion)) shapes.push(gapsOf(motion, highest));
   if (motion.partial) shapes.push({ tag: 'path', d: `M${motion.frames - 0.5} ${HEIGHT - BAND / 2}H${last}`, class: 'unplanned' });
 
   const piece = pieceOf(motion);
@@ -54,10 +54,9 @@ export function drawStrip(svg, motion) {
   lay(svg, shapes);
 }
 
-/** @param {Motion} motion @returns {Shape} */
-function gapsOf(motion) {
+/** @param {Motion} motion @param {number} highest @returns {Shape} */
+function gapsOf(motion, highest) {
   const gaps = stripGaps(motion);
-  const highest = gaps.reduce((most, gap) => Math.max(most, gap), 0);
   const top = HEIGHT - BAND - 2;
   let path = `M0 ${top}`;
   // Of a long motion the largest gap of each piece.
@@ -81,6 +80,9 @@ const pieceOf = ({ frames }) => Math.ceil(frames / PIECES);
  */
 export const stripGaps = (motion) =>
   motion.metric.map((value, frame) => (motion.report.statuses[motion.status[frame]] === 'reached' ? 0 : Math.sqrt(value)));
+
+/** @param {Parameters<typeof stripGaps>[0]} motion */
+export const highestGap = (motion) => stripGaps(motion).reduce((most, gap) => Math.max(most, gap), 0);
 
 /**
  * Lays shapes into the strip. Those that stand there stay, and only what is different is written: most motions differ from the

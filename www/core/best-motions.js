@@ -19,3 +19,6 @@ export function withoutGhost(motion) {
 
 /** What the motion beside the followed one is called wherever it is named; 'best' until there is one. @param {import('./types.js').Motion | null} motion */
 export const nameOf = (motion) => (motion && bestMotions.get(motion)?.name) ?? 'best';
+
+/** What the light motion in the view is called: a calmer one gives up closeness. @param {import('./types.js').Motion | null} motion */
+export const closestName = (motion) => `${(motion && bestMotions.get(motion)?.name) ?? 'closest'} motion`;

@@ -6,6 +6,7 @@
  * @typedef {import('./types.js').MechanismDocument} MechanismDocument
  * @typedef {Pick<import('./store.js').Store, 'result' | 'view'>} Shown
  */
+import { closestName } from './best-motions.js';
 import { keyFramesOf } from './key-frames.js';
 import { drivesJoints } from './driven.js';
 import { chainName } from './chain-name.js';
@@ -51,7 +52,7 @@ export function nameOf(place, { result, view }) {
   if (!doc) return '';
   if (place === 'workpiece') return 'workpiece';
   if (place === 'goal') return 'goal motion';
-  if (place === 'closest') return drivesJoints(result.motion) ? 'path of the workpiece' : 'closest motion';
+  if (place === 'closest') return drivesJoints(result.motion) ? 'path of the workpiece' : closestName(result.motion);
   if (head === 'gap') return gapName(typeof first === 'number' ? first : null, { result, view });
   if (head === 'ghost') return `ghost of the workpiece at frame ${Number(first) + 1}`;
   if (head === 'motion' && first === 'key_frames' && typeof part === 'number') {

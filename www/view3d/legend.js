@@ -3,6 +3,7 @@
  * long as nobody has said, it does so where there is little room.
  */
 import { atRest } from '../core/at-rest.js';
+import { closestName } from '../core/best-motions.js';
 import { length } from '../core/format.js';
 import { drivesJoints } from '../core/driven.js';
 import { hasNoGoal } from '../core/shown.js';
@@ -30,7 +31,7 @@ export function legendItems({ store, scene }) {
   /** @type {[boolean, string, string][]} */
   const lines = [
     [goal, 'goal', 'goal motion'],
-    [store.view.show.closest, 'closest', driven ? 'path of the workpiece' : 'closest motion'],
+    [store.view.show.closest, 'closest', driven ? 'path of the workpiece' : closestName(motion)],
     [gaps, 'gap', store.view.posture ? 'gap here' : 'gap at this frame'],
     [seen.has(0), 'gap-0', `gap < ${size(steps[1])}`],
     [seen.has(1), 'gap-1', `gap ≥ ${size(steps[1])}`],

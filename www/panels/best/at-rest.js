@@ -6,9 +6,9 @@
  * @typedef {import('../../element/workbench.js').App} App
  */
 import { drivesJoints } from '../../core/driven.js';
-import { statusName } from '../../core/status-words.js';
 import { recall } from '../../ui/kept-layout.js';
 import { createBestMotion } from './best-motion.js';
+import { reachesAll } from './best-words.js';
 
 /** How long all rests before, in milliseconds. */
 const REST = 1500;
@@ -48,8 +48,7 @@ export function searchAtRest(app) {
     waiting = setTimeout(() => {
       if (signal.aborted || recall().search === false || isBusy() || !motion || motion !== store.result.motion) return;
       seen = doc;
-      const isAllReached = motion.status.every((_, frame) => statusName(motion, frame) === 'reached');
-      if (!isAllReached && !drivesJoints(motion)) searchOf(app).begin();
+      if (!reachesAll(motion) && !drivesJoints(motion)) searchOf(app).begin();
     }, REST);
   }
   for (const part of /** @type {const} */ (['document', 'result', 'view', 'planning'])) store.subscribe(part, follow);

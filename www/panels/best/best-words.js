@@ -62,18 +62,43 @@ export function branchesSentence({ branches }, frame, ways) {
 }
 
 /** How close the best motion is to what no motion can be better than. @param {Best} best */
-export function boundSentence({ best, lower_bound: bound }) {
+export function boundSentence({ best, lower_bound: bound, switches }) {
   const above = best.mean - bound;
   const least = `No motion over the branches known is closer on average than ${distance(bound)}`;
-  return above > ROUNDING + 1e-6 * bound ? `${least}; this one is ${distance(above)} above it, the price of switching.` : `${least}, and this one is as close.`;
+  return above > ROUNDING + 1e-6 * bound ? `${least}; this one is ${distance(above)} above it${switches.length ? ', the price of switching' : ''}.` : `${least}, and this one is as close.`;
 }
 
-/** The result of the search in a sentence. @param {Best} best */
-export function verdict({ followed, best, branches, switches, progress, starts }) {
+/** Where nothing can be gained. */
+const ALL_REACHED = 'Every frame reaches its goal: nothing can be closer.';
+
+/** Whether nothing can be gained by a search. @param {Pick<Motion, 'status' | 'report'>} motion */
+export const reachesAll = ({ status, report }) => status.every((code) => /** @type {readonly string[]} */ (report.statuses)[code] === 'reached');
+
+/**
+ * What the search has come to, in words: before it, while it goes on, where it was stopped, and at its end.
+ * @param {{best: Best | null, running: boolean}} state @param {Motion | null} motion that the planner follows
+ */
+export function searchWords({ best, running }, motion) {
+  if (!best && running) return 'Searching …';
+  if (!best) return motion && reachesAll(motion) ? ALL_REACHED : 'The planner follows one branch of the linkage from frame to frame. Another branch may be closer to the goal.';
+  const found = verdict(best) || 'Nothing closer has been found so far.';
+  return running || best.progress === 1 ? found : `${found} The search was stopped at ${Math.floor(100 * best.progress)} %.`;
+}
+
+/** What the best motion is where its mean says no more: on other branches than the followed one, hardly closer or as close. @param {Best} best */
+function otherSentence({ followed, best, switches }) {
+  const how = switches.length ? `it has ${plural(switches.length, 'switch', 'switches')} to another branch` : 'it is on another branch';
+  return `The best motion is not the one that the planner follows: ${how}, and on average it is ${best.mean < followed.mean ? 'hardly closer' : 'as close'}.`;
+}
+
+/** The result of the search in a sentence. @param {Best} found */
+export function verdict(found) {
+  const { followed, best, branches, lane, switches, progress, starts } = found;
   if (progress < 1 && !isCloser(best.mean, followed.mean)) return '';
   if (!isCloser(best.mean, followed.mean)) {
     // No other branch is looked for where there is nothing to gain.
-    if (starts === 0 && branches.length > 0) return 'Every frame reaches its goal: nothing can be closer.';
+    if (starts === 0 && branches.length > 0) return ALL_REACHED;
+    if (switches.length || lane.some((branch) => branch > 0)) return otherSentence(found);
     return branches.length > 1
       ? `The motion that the planner follows is the best one over the ${branches.length} branches found.`
       : 'No other branch was found: the motion that the planner follows is the best one known.';
@@ -95,6 +120,9 @@ export const jointStep = (value, motion) => (isByAngles(motion) ? `${threeDigits
 /** What such a number means. @param {Motion | null} motion */
 export const jointUnit = (motion) => (isByAngles(motion) ? '' : 'rad or sizes');
 
+/** The largest joint step with its unit. @param {number} value rad or sizes @param {Motion | null} motion */
+const stepWords = (value, motion) => `largest joint step ${jointStep(value, motion)}${jointUnit(motion) && ` ${jointUnit(motion)}`}`;
+
 /** What a branch is called. @param {number} branch */
 export const branchName = (branch) => (branch === 0 ? 'followed' : `branch ${branch + 1}`);
 
@@ -104,11 +132,11 @@ export const branchName = (branch) => (branch === 0 ? 'followed' : `branch ${bra
  */
 export function switchSentence({ frame, from, to, length, largest }, motion) {
   const when = frame === 0 ? 'At the start' : `Before frame ${frame + 1}`;
-  return `${when}: from ${from === 0 ? 'the followed branch' : `branch ${from + 1}`} to ${to === 0 ? 'the followed one' : `branch ${to + 1}`}, joint motion ${jointMotion(length, motion)}, at most ${distance(largest)} from the goal on the way.`;
+  return `${when}: from ${from === 0 ? 'the followed branch' : `branch ${from + 1}`} to ${to === 0 ? 'the followed one' : `branch ${to + 1}`}, joint motion ${jointMotion(length, motion)}${jointUnit(motion) && ` ${jointUnit(motion)}`}, at most ${distance(largest)} from the goal on the way.`;
 }
 
 /** A point of the curve from closer to calmer. @param {{mean: number, largest_step: number}} point @param {Motion | null} motion */
-export const calmWords = ({ mean, largest_step }, motion) => `mean distance ${distance(mean)}, largest joint step ${jointStep(largest_step, motion)}`;
+export const calmWords = ({ mean, largest_step }, motion) => `mean distance ${distance(mean)}, ${stepWords(largest_step, motion)}`;
 
 /**
  * That a motion is shown in place of the followed one; of a calmer one beside what the best one costs.
@@ -116,5 +144,5 @@ export const calmWords = ({ mean, largest_step }, motion) => `mean distance ${di
  */
 export const shownWords = (calmer, best, motion) =>
   calmer
-    ? `A calmer motion is shown: mean ${distance(calmer.mean)} (best ${distance(best.mean)}), largest joint step ${jointStep(calmer.largest_step, motion)} (best ${jointStep(best.largest_step, motion)})`
+    ? `A calmer motion is shown: mean ${distance(calmer.mean)} (best ${distance(best.mean)}), ${stepWords(calmer.largest_step, motion)} (best ${jointStep(best.largest_step, motion)})`
     : 'The best motion is shown';

@@ -7,12 +7,12 @@
  * @typedef {import('../../core/types.js').Motion} Motion
  */
 import { html, live, nothing, svg } from '../../ui/render.js';
-import { calmWords, distance, jointStep } from './best-words.js';
+import { calmWords, distance, jointStep, jointUnit } from './best-words.js';
 
 /** Of the picture, in pixels, with the room for its scales. */
 const WIDTH = 260;
 const HEIGHT = 112;
-const ROOM = { left: 62, right: 12, top: 8, bottom: 28 };
+const ROOM = { left: 70, right: 12, top: 8, bottom: 28 };
 
 /** What is printed of a point. @param {MotionCost} point @param {Motion | null} motion */
 const printed = ({ mean, largest, largest_step }, motion) => [distance(mean), distance(largest), jointStep(largest_step, motion)].join();
@@ -33,6 +33,14 @@ const COARSE = 4;
 /** An end of the axis of distances, which is a round number. @param {number} value */
 const tick = (value) => (value >= 1e-4 && value < 1000 ? String(Number(value.toPrecision(6))) : distance(value));
 
+/** Round numbers below and above two. @param {number} least @param {number} most @returns {[from: number, to: number]} */
+function rounded(least, most) {
+  if (!(most > least)) return [least, most];
+  const step = 10 ** Math.floor(Math.log10((most - least) / COARSE));
+  // Rounding must not add a step.
+  return [Math.floor(least / step + 1e-9) * step, Math.ceil(most / step - 1e-9) * step];
+}
+
 /**
  * The axis of distances: from 0 where the curve then has half of the height or more, else from a round number below it, or
  * distances that are close together would be a flat line. The followed motion is on it unless the curve would be flat for it.
@@ -43,10 +51,8 @@ export function distanceAxis(means, followed) {
   let [least, most] = [Math.min(...means), Math.max(...means)];
   if (followed - most <= most - least && least - followed <= most - least) [least, most] = [Math.min(least, followed), Math.max(most, followed)];
   const span = most - least;
-  const step = 10 ** Math.floor(Math.log10(span / COARSE));
-  // Rounding must not add a step.
-  const [from, to] = [Math.floor(least / step + 1e-9) * step, Math.ceil(most / step - 1e-9) * step];
-  return span > 0 && least > span && tick(from) !== tick(to) ? [from, to] : [0, (span > 0 ? most : Math.max(most, followed)) || 1];
+  const [from, to] = rounded(least, most);
+  return span > 0 && least > span && tick(from) !== tick(to) ? [from, to] : [0, rounded(0, span > 0 ? most : Math.max(most, followed))[1] || 1];
 }
 
 /**
@@ -84,7 +90,7 @@ function picture(points, followed, chosen, motion, choose) {
     <text x=${ROOM.left - 5} y=${bottom + 3} text-anchor="end">${tick(low)}</text>
     <text x=${ROOM.left} y=${bottom + 12}>0</text>
     <text x=${right} y=${bottom + 12} text-anchor="end">${jointStep(wide, motion)}</text>
-    <text x=${(ROOM.left + right) / 2} y=${HEIGHT - 4} text-anchor="middle">largest joint step</text>
+    <text x=${(ROOM.left + right) / 2} y=${HEIGHT - 4} text-anchor="middle">largest joint step${jointUnit(motion) && `, ${jointUnit(motion)}`}</text>
     <text transform=${`translate(10 ${(ROOM.top + bottom) / 2}) rotate(-90)`} text-anchor="middle">mean distance</text>
   </svg>
   <p class="muted key">✕ the followed motion${where}${low > 0 ? `; the upward axis begins at ${tick(low)}` : ''}</p>`;

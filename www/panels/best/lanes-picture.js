@@ -9,22 +9,20 @@ import { plural } from '../../core/format.js';
 import { element } from '../../ui/dom.js';
 import { html, nothing, render, svg } from '../../ui/render.js';
 import { branchName, distance, jointMotion, switchSentence } from './best-words.js';
-import { lanesOf, outlineOf, runsOf } from './lanes.js';
+import { labelsOf, lanesOf, outlineOf, runsOf } from './lanes.js';
 
-/** Heights in pixels: of a lane with its name and of the row of switches above, where there is a mouse and on a phone; and of the distance drawn in a lane. */
-const DESK = { lane: 24, above: 27 };
-const PHONE = { lane: 32, above: 35 };
+/** In pixels: heights of a lane with its name and of the row of switches above, and the width of a switch without a label, where there is a mouse and on a phone; and the height of the distance drawn in a lane. */
+const DESK = { lane: 24, above: 27, mark: 24 };
+const PHONE = { lane: 32, above: 35, mark: 32 };
 const HIGH = 15;
 
 /** The width of the workbench up to which it is one of a phone, as in its style sheets. */
 const NARROW = 759;
 
 /** Least room for the names of lanes, in pixels: beside the animation bar's buttons there is more. */
-const NAMES = 116;
+const NAMES = 124;
 /** What is left for their numbers. */
 const NUMBERS = 92;
-/** Least distance of two switches that are labelled, in pixels. */
-const APART = 46;
 
 /**
  * @param {{find: import('../../ui/dom.js').Find, signal: AbortSignal, goTo: (frame: number) => void}} app
@@ -34,7 +32,7 @@ export function createLanesPicture({ find, signal, goTo }) {
   /** @type {{best: Best, motion: import('../../core/types.js').Motion, calmer: boolean} | null} */
   let shown = null;
   let [left, width] = [NAMES, 300];
-  let { lane: laneHeight, above } = DESK;
+  let { lane: laneHeight, above, mark } = DESK;
   let frame = 0;
 
   /** In line with the track of the animation bar, where it stands above. */
@@ -47,7 +45,7 @@ export function createLanesPicture({ find, signal, goTo }) {
     const heights = find('bench').clientWidth <= NARROW ? PHONE : DESK;
     if (next[0] === left && next[1] === width && heights.lane === laneHeight) return;
     [left, width] = next;
-    ({ lane: laneHeight, above } = heights);
+    ({ lane: laneHeight, above, mark } = heights);
     draw();
   }
   const sizes = new ResizeObserver(measure);
@@ -88,7 +86,7 @@ export function createLanesPicture({ find, signal, goTo }) {
     const y = (/** @type {number} */ branch) => above + laneHeight * ((rowOf.get(branch) ?? 0) + 1) - 3;
     const runs = runsOf(best.lane);
     const height = above + laneHeight * lanes.length;
-    let free = -Infinity;
+    const labels = labelsOf(best.switches.map((one) => ({ at: xOf(Math.max(0, one.frame - 0.5)), text: jointMotion(one.length, motion) })), mark);
     root.style.setProperty('--left', `${left}px`);
     root.style.setProperty('--width', `${width}px`);
     root.style.setProperty('--lane', `${laneHeight}px`);
@@ -107,12 +105,10 @@ export function createLanesPicture({ find, signal, goTo }) {
             ${best.switches.map(({ frame: at, from, to }) => svg`<path class="switch-line" d=${`M${xOf(Math.max(0, at - 0.5))} ${y(from)}V${y(to)}M${xOf(Math.max(0, at - 0.5))} ${above - 3}V${Math.min(y(from), y(to)) - HIGH}`} />`)}
             ${runs.map(({ branch, from, to }) => svg`<path class="best-line" d=${`M${xOf(Math.max(0, from - 0.5))} ${y(branch)}H${xOf(Math.min(last(), to + 0.5))}`} />`)}
           </svg>
-          ${best.switches.map((one) => {
-            const at = xOf(Math.max(0, one.frame - 0.5));
-            const isLabelled = at - free >= APART;
-            if (isLabelled) free = at;
+          ${best.switches.map((one, index) => {
+            const { at, text } = labels[index];
             const words = switchSentence(one, motion);
-            return html`<button class="switch" .style=${`left: ${at}px`} title=${words} aria-label=${words} @click=${() => goTo(one.frame)}>${isLabelled ? jointMotion(one.length, motion) : '·'}</button>`;
+            return html`<button class="switch" .style=${`left: ${at}px`} title=${words} aria-label=${words} @click=${() => goTo(one.frame)}>${text}</button>`;
           })}
           <div class="lane-playhead" aria-hidden="true"></div>
         </div>

@@ -65,3 +65,22 @@ export function outlineOf({ first, metric }, top, pieces) {
   }
   return points;
 }
+
+/** The width of a label in pixels: its edges, and a digit at most. */
+const LABEL = { edges: 14, digit: 7 };
+
+/**
+ * What stands at switches from left to right: a label that would cover a neighbour, or the mark of one, is left out for a mark.
+ * @param {{at: number, text: string}[]} switches in pixels @param {number} mark its width
+ * @returns {{at: number, text: string}[]}
+ */
+export function labelsOf(switches, mark) {
+  let free = -Infinity;
+  return switches.map(({ at, text }, index) => {
+    const half = Math.max(mark, LABEL.edges + LABEL.digit * text.length) / 2;
+    const next = switches[index + 1]?.at ?? Infinity;
+    const isLabelled = at - half >= free && at + half <= next - mark / 2;
+    free = at + (isLabelled ? half : mark / 2);
+    return { at, text: isLabelled ? text : '·' };
+  });
+}

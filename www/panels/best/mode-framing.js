@@ -1,5 +1,5 @@
 /**
- * Which points of a linkage differ from one of its ways to assemble to another, and from which side that is seen best. Knows no DOM.
+ * What pictures of a linkage in its ways to assemble show, and from which side it is seen best how they differ. Knows no DOM.
  */
 import { Vector3 } from 'three';
 
@@ -12,16 +12,6 @@ const BETTER = 1.4;
 
 /** At most so many ways are compared, each with each. */
 const MOST = 24;
-
-/**
- * Of the same points in each way those that are apart in at least two of them.
- * @param {Vector3[][]} ways @param {number} apart least distance @returns {Vector3[]} in all ways
- */
-export function differing(ways, apart) {
-  const [first, ...others] = ways.filter(({ length }) => length === ways[0].length);
-  if (!others.length) return [];
-  return first.flatMap((point, index) => (others.some((way) => way[index].distanceTo(point) > apart) ? [point, ...others.map((way) => way[index])] : []));
-}
 
 /** How much of the difference of the two ways that look most alike is seen from a direction. @param {Vector3[][]} differences of each pair of ways, point by point @param {Vector3} from unit */
 const seen = (differences, from) => Math.min(...differences.map((points) => Math.max(...points.map((apart) => apart.clone().addScaledVector(from, -apart.dot(from)).length()))));
@@ -50,8 +40,11 @@ export function clearestDirection(ways, present, apart) {
   return best;
 }
 
-/** The longest edge of the box around points. @param {Vector3[]} points */
-export function spanOf(points) {
-  const edge = (/** @type {'x' | 'y' | 'z'} */ axis) => points.reduce((most, point) => Math.max(most, point[axis]), -Infinity) - points.reduce((least, point) => Math.min(least, point[axis]), Infinity);
-  return Math.max(edge('x'), edge('y'), edge('z'));
-}
+/**
+ * What the one camera of all pictures takes in, the whole linkage in each of its ways, and where it looks from.
+ * @param {{points: Vector3[], joints: Vector3[]}[]} ways @param {Vector3} present unit @param {number} apart least distance of joints that differ
+ */
+export const framingOf = (ways, present, apart) => ({
+  points: ways.flatMap(({ points }) => points),
+  from: clearestDirection(ways.map(({ joints }) => joints), present, apart),
+});

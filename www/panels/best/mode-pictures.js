@@ -1,6 +1,6 @@
 /**
- * Small pictures of the linkage in each of its ways to assemble, all with one camera: it takes in what differs from way to way, and
- * looks from where the view does, or from where the ways are told apart better. One after the other, so that the page answers in between.
+ * Small pictures of the linkage in each of its ways to assemble, all with one camera: it takes in all of each way, and looks
+ * from where the view does, or from where the ways are told apart better. One after the other, so that the page answers in between.
  *
  * @typedef {import('../../core/types.js').Mode} Mode
  * @typedef {typeof import('../../export/picture.js')} Pictures
@@ -8,16 +8,13 @@
  */
 import { Vector3 } from 'three';
 import { groupAt } from '../../core/shown.js';
-import { clearestDirection, differing, spanOf } from './mode-framing.js';
+import { framingOf } from './mode-framing.js';
 
 /** In CSS pixels. */
 export const PICTURE = { width: 210, height: 150 };
 
 /** How many radii of a link a point must be apart from one way to another: one of a rod that only turns is less. */
 const APART = 2.5;
-
-/** What spans fewer radii is no more than joints on one spot: the linkage is shown whole then. */
-const LEAST = 10;
 
 /**
  * @param {Pick<import('../../element/workbench.js').App, 'store' | 'player'>} app
@@ -84,20 +81,10 @@ export function createModePictures({ store, player }, scene, { drawPicture, poin
     return places;
   }
 
-  /** Where the camera must look: at what differs and at the workpiece; at all where nothing differs. And where it looks from. */
   function framed() {
     const linkage = scene.pictured.filter(({ name }) => name === 'linkage');
-    /** @type {import('three').Object3D[]} */
-    const carried = [];
-    linkage[0]?.traverse((object) => object.userData.place === 'workpiece' && carried.push(object));
-    const all = wanted.flatMap((one) => posed(one, () => [{ points: pointsOf(linkage), workpiece: pointsOf(carried), joints: jointsOf(linkage[0]) }]) ?? []);
-    const apart = APART * scene.linkRadius;
-    const points = differing(all.map(({ points }) => points), apart);
-    const from = clearestDirection(all.map(({ joints }) => joints), scene.camera.getWorldDirection(new Vector3()).negate(), apart);
-    return {
-      points: spanOf(points) > LEAST * scene.linkRadius ? [...points, ...all.flatMap(({ workpiece }) => workpiece)] : undefined,
-      from,
-    };
+    const all = wanted.flatMap((one) => posed(one, () => [{ points: pointsOf(linkage), joints: jointsOf(linkage[0]) }]) ?? []);
+    return framingOf(all, scene.camera.getWorldDirection(new Vector3()).negate(), APART * scene.linkRadius);
   }
 
   /** @param {Wanted} one */

@@ -1,5 +1,5 @@
 /**
- * All ways to assemble the linkage at a key frame: each with its picture, how close it is there, how many starts found it, and what
+ * All ways to assemble the linkage at a key frame: each with its picture, how close it is there, how many starts led to it, and what
  * the motion that is planned from it costs. Each can become the document's start.
  *
  * @typedef {import('../../core/types.js').Mode} Mode
@@ -28,9 +28,12 @@ import { createModePictures, PICTURE } from './mode-pictures.js';
 /** How close a mode is at the key frame. @param {Mode} mode */
 const closeness = ({ reached, metric }) => (reached ? 'reaches the key frame' : `distance ${distance(metric)} from the key frame`);
 
-/** @param {Mode} mode @param {number} all starts that were made @param {number} frames of the motion */
-const facts = ({ starts, mean, largest = 0, certified }, all, frames) => [
-  `found by ${starts} of ${plural(all, 'start')}`,
+/**
+ * Chains make their starts by themselves, and one start of a chain is in all ways with its configuration: those of the ways have no sum.
+ * @param {Mode} mode @param {number} frames of the motion
+ */
+const facts = ({ starts, mean, largest = 0, certified }, frames) => [
+  `${plural(starts, 'start')} or more of each chain led to it`,
   mean === undefined ? 'its motion is not planned yet' : isNothing(largest) ? 'motion from it: every frame reaches its goal' : `motion from it: mean distance ${distance(mean)}, largest ${distance(largest)}`,
   ...(certified === undefined || certified >= frames ? [] : [`${plural(certified, 'frame')} of ${frames} certified`]),
 ];
@@ -166,7 +169,7 @@ export function openModes({ root, find, store, player, scene, say, signal }, fir
       ${pictures ? html`<canvas role="img" aria-label=${`Way ${number}, seen from the same side as the others`} width=${PICTURE.width} height=${PICTURE.height} ${attach(picture, mode)}></canvas>` : nothing}
       <h3>Way ${number} ${mode.is_start ? html`<small>the document’s start</small>` : nothing}${best ? html`<small class="mark">best mode</small>` : nothing}</h3>
       <p>${closeness(mode)}</p>
-      ${[...facts(mode, modes?.starts ?? 0, motion?.goal_frames ?? 0), ...jointLines(mode, modes?.found ?? [], motion?.report.chains ?? [])].map((text) => html`<p class="muted">${text}</p>`)}
+      ${[...facts(mode, motion?.goal_frames ?? 0), ...jointLines(mode, modes?.found ?? [], motion?.report.chains ?? [])].map((text) => html`<p class="muted">${text}</p>`)}
       ${store.readonly ? nothing : html`<button ?disabled=${mode.is_start} aria-label=${`Start from this: way ${number}`} @click=${() => startFrom(mode, number)}>Start from this</button>`}
     </li>`;
   }

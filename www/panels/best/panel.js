@@ -3,6 +3,7 @@
  * and how much calmer it may be. Loaded when it is first seen.
  */
 import { nameOf } from '../../core/best-motions.js';
+import { drivesJoints } from '../../core/driven.js';
 import { plural } from '../../core/format.js';
 import { keyFrameFrames, allTimes } from '../../core/playhead.js';
 import { element, setText } from '../../ui/dom.js';
@@ -11,7 +12,7 @@ import { recall, remember } from '../../ui/kept-layout.js';
 import { wear } from '../../ui/style-sheets.js';
 import look from '../../style/best.css?inline';
 import { isApplet } from './at-rest.js';
-import { boundSentence, branchName, distance, jointMotion, jointStep, jointUnit, unseenSentence, verdict } from './best-words.js';
+import { boundSentence, branchName, distance, jointMotion, jointStep, jointUnit, searchWords, unseenSentence } from './best-words.js';
 import { calmSlider, pointsOf } from './calm.js';
 import { createLanesPicture } from './lanes-picture.js';
 
@@ -21,6 +22,9 @@ const shownBy = (name) => [
   ['both', 'both', `The followed motion, and the ${name} one as a ghost`],
   ['best', name, `The ${name} motion alone; its numbers stand in the panels`],
 ];
+
+/** What joint motions are measured in, where the numbers do not have it. @param {import('../../core/types.js').Motion | null} motion */
+const unit = (motion) => (jointUnit(motion) ? html` <small>${jointUnit(motion)}</small>` : nothing);
 
 /**
  * @param {Pick<import('../../element/workbench.js').App, 'root' | 'find' | 'store' | 'player' | 'signal' | 'keys' | 'interaction'>} app @param {HTMLElement} panel
@@ -65,12 +69,14 @@ export function createBestPanel({ root, find, store, player, signal, keys, inter
     const obstacle = search.obstacle();
     const percent = Math.floor(100 * (best?.progress ?? 0));
     const isOver = best?.progress === 1;
+    // While an edit is planned the button stays, and with it the focus that comes back from the dialog.
+    const isDriven = drivesJoints(store.result.motion);
     const choices = html`<fieldset class="which" ?disabled=${!motion}><legend>Shown</legend>${shownBy(nameOf(motion)).map(
       ([which_, label, title]) => html`<label title=${title}><input type="radio" name="best-shown" .checked=${live(which === which_)} @change=${() => search.show(which_)} />${label}</label>`,
     )}</fieldset>`;
     render(
       html`<button ?disabled=${obstacle !== '' || isOver} aria-disabled=${ifDefined(running ? 'true' : undefined)} @click=${search.begin}>${best && !isOver && !running ? 'Go on searching' : 'Look for a better motion'}</button>
-        ${obstacle ? nothing : html`<button @click=${() => openModes(keyHere())} title="All ways to assemble the linkage at a key frame">Ways to assemble…</button>${choices}`}
+        ${isDriven ? nothing : html`<button aria-disabled=${ifDefined(obstacle ? 'true' : undefined)} @click=${() => search.obstacle() || openModes(keyHere())} title="All ways to assemble the linkage at a key frame">Ways to assemble…</button>${choices}`}
         ${running
           ? html`<div class="doing"><button @click=${stop}>Stop the search</button><progress max="100" value=${percent} aria-label="Search for a better motion"></progress>
               <span class="muted">${percent} %, ${plural(best?.starts ?? 0, 'start')}</span></div>`
@@ -81,7 +87,7 @@ export function createBestPanel({ root, find, store, player, signal, keys, inter
 
   function drawBody() {
     const { best, motion, message, running } = search.now;
-    const text = search.obstacle() || message || (best ? verdict(best) || (running ? 'Nothing closer has been found so far.' : '') : running ? 'Searching …' : 'The planner follows one branch of the linkage from frame to frame. Another branch may be closer to the goal.');
+    const text = search.obstacle() || message || searchWords(search.now, store.result.motion);
     setText(words, text);
     // Said once it is over; while it goes on the numbers change too often.
     if (!running) setText(status, best ? text : '');
@@ -101,7 +107,7 @@ export function createBestPanel({ root, find, store, player, signal, keys, inter
           <table class="plain best-numbers">
             <caption>Distances from the goal, ½‖q − g‖², over all frames</caption>
             <thead><tr><td></td><th scope="col">followed</th><th scope="col">best</th>${calm ? html`<th scope="col">calmer</th>` : nothing}</tr></thead>
-            <tbody>${rows.map(([name, write]) => html`<tr><th scope="row">${name}${name === 'largest joint step' && jointUnit(now) ? html` <small>${jointUnit(now)}</small>` : nothing}</th><td>${write(best.followed)}</td><td>${write(best.best)}</td>${calm ? html`<td>${write(calm)}</td>` : nothing}</tr>`)}</tbody>
+            <tbody>${rows.map(([name, write]) => html`<tr><th scope="row">${name}${name === 'largest joint step' ? unit(now) : nothing}</th><td>${write(best.followed)}</td><td>${write(best.best)}</td>${calm ? html`<td>${write(calm)}</td>` : nothing}</tr>`)}</tbody>
           </table>
           <p>${boundSentence(best)}</p>
           <p>${plural(best.starts, 'start')} made, ${plural(best.branches.length, 'branch', 'branches')} found. ${unseenSentence(best, 'branch')}</p>
@@ -123,11 +129,11 @@ export function createBestPanel({ root, find, store, player, signal, keys, inter
         <tbody>${best.branches.map(({ first, metric }, branch) => html`<tr><th scope="row">${branchName(branch)}</th><td>${jump(first)}</td><td>${first + metric.length}</td><td>${mean(metric)}</td><td>${used.has(branch) ? 'yes' : 'no'}</td></tr>`)}</tbody>
       </table>
       ${best.switches.length ? html`<table class="plain"><caption>Switches of the best motion</caption>
-        <thead><tr><th scope="col">before frame</th><th scope="col">from</th><th scope="col">to</th><th scope="col">joint motion</th><th scope="col">largest distance on the way</th></tr></thead>
+        <thead><tr><th scope="col">before frame</th><th scope="col">from</th><th scope="col">to</th><th scope="col">joint motion${unit(motion)}</th><th scope="col">largest distance on the way</th></tr></thead>
         <tbody>${best.switches.map(({ frame, from, to, length, largest }) => html`<tr><th scope="row">${jump(frame)}</th><td>${branchName(from)}</td><td>${branchName(to)}</td><td>${jointMotion(length, motion)}</td><td>${distance(largest)}</td></tr>`)}</tbody>
       </table>` : nothing}
       ${best.curve.length ? html`<table class="plain"><caption>From closer to calmer</caption>
-        <thead><tr><th scope="col">position</th><th scope="col">mean distance</th><th scope="col">largest distance</th><th scope="col">largest joint step</th></tr></thead>
+        <thead><tr><th scope="col">position</th><th scope="col">mean distance</th><th scope="col">largest distance</th><th scope="col">largest joint step${unit(motion)}</th></tr></thead>
         <tbody>${pointsOf(best, motion).map(({ point }, index) => html`<tr><th scope="row">${index + 1}</th><td>${distance(point.mean)}</td><td>${distance(point.largest)}</td><td>${jointStep(point.largest_step, motion)}</td></tr>`)}</tbody>
       </table>` : nothing}
     </div>`;

@@ -113,7 +113,8 @@ export function createWhy({ find, store, explain }) {
     }
     const driven = hasNoGoal(store);
     const byMotion = driven && !store.view.posture;
-    const kind = byMotion ? `by drivers ${end.status}` : driven ? 'driven' : ['reached', 'closure_lost'].includes(end.status) ? end.status : 'held';
+    // What is only passed on the way to somewhere is not held back.
+    const kind = byMotion ? `by drivers ${end.status}` : driven ? 'driven' : ['reached', 'closure_lost', 'passing'].includes(end.status) ? end.status : 'held';
     const { of } = why ?? {};
     const fits = of !== undefined && of.joints === what.joints && of.goal === what.goal && of.index === what.index;
     const stale = !fits && end.status !== 'closure_lost';
@@ -126,7 +127,7 @@ export function createWhy({ find, store, explain }) {
     if (unasked) root.classList.remove('waiting', 'unsaid');
     else said = kind;
     render(
-      html`<h2 id="why-title">${byMotion && ['at_limit', 'stalled'].includes(end.status) ? 'What stops the drivers' : driven ? 'What is free here' : 'Why not closer'}</h2>
+      html`<h2 id="why-title">${byMotion && ['at_limit', 'stalled'].includes(end.status) ? 'What stops the drivers' : driven || kind === 'passing' ? 'What is free here' : 'Why not closer'}</h2>
         ${ofDrivers()}${ofGoal(kind, why)}${unasked ? wish(kind) : why && end.status !== 'closure_lost' ? freedoms(why) : nothing}`,
       root,
     );

@@ -130,7 +130,7 @@ export function createHolds({ store, signal }, scene) {
   function build() {
     const now = known();
     const { show } = store.view;
-    const holds = show.holds && !hasNoGoal(store) && shownEnd(store)?.status !== 'reached';
+    const holds = show.holds && !hasNoGoal(store) && !['reached', 'passing'].includes(shownEnd(store)?.status ?? '');
     const wanted = now ? [now.why, holds, show.freedoms, scene.radius] : [];
     if (wanted.length === built.length && wanted.every((part, i) => part === built[i])) return;
     clear();
