@@ -568,6 +568,11 @@ fn standard_input_is_not_read_twice() {
         let accepted = "Accepted: one document, from a file, with it";
         assert!(err.contains(accepted), "{arguments:?}: {err}");
     }
+    for command in ["check", "best", "modes"] {
+        let (out, err, code) = run(&[command, "-", "-"]);
+        assert_eq!((out.as_str(), code), ("", 2), "{command}");
+        assert!(err.contains("Accepted: - once"), "{command}: {err}");
+    }
     let table = "x y z\n0 0 0.6\n0 0 0.61\n";
     let arguments = ["plan", "3rps.json", "--quiet", "--key-frames", "-"];
     let (out, err, code) = fed(&arguments, table);

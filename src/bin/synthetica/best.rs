@@ -25,7 +25,7 @@ const CLOSER: f64 = 1e-3;
 
 /// Says it of each document, or prints the motion of one.
 pub fn best(asked: &Best) -> Result<(), Failure> {
-    check_inputs(&asked.documents, &asked.key_frames)?;
+    check_inputs(&asked.documents, asked.key_frames.key_frames.as_deref())?;
     match (asked.format, &asked.documents[..]) {
         (None, _) if asked.tables.headings.is_some() => {
             tell("error: --headings is of a table. Accepted: --format csv with it");

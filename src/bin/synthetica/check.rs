@@ -3,7 +3,7 @@
 use crate::arguments::Check;
 use crate::failure::{AT_FAULT, Failure};
 use crate::files::Out;
-use crate::planned::{Planned, planned};
+use crate::planned::{Planned, check_inputs, planned};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use synthetica::document::comparison::MetricGaps;
@@ -14,6 +14,7 @@ use synthetica::motion::trajectory::{Status, Trajectory, Warning};
 
 /// Says it of each document; fails where one is at fault, or has a frame that is not certified.
 pub fn check(asked: &Check) -> Result<(), Failure> {
+    check_inputs(&asked.documents, None)?;
     let mut out = Out::new(None)?;
     let mut worst = 0;
     for file in &asked.documents {

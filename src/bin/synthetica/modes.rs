@@ -13,7 +13,7 @@ use synthetica::document::number::readable;
 
 /// Says it of each document, or prints one with another start.
 pub fn modes(asked: &Modes) -> Result<(), Failure> {
-    check_inputs(&asked.documents, &asked.key_frames)?;
+    check_inputs(&asked.documents, asked.key_frames.key_frames.as_deref())?;
     match (asked.start, &asked.documents[..]) {
         (None, _) => report(asked),
         (Some(mode), [document]) => restarted(asked, mode, document),

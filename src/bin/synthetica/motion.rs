@@ -44,7 +44,10 @@ pub fn warn(planned: &Planned, motion: &Trajectory) {
 }
 
 fn print(format: Format, wished: Options, options: &MotionOptions) -> Result<(), Failure> {
-    check_inputs(slice::from_ref(&options.document), &options.key_frames)?;
+    check_inputs(
+        slice::from_ref(&options.document),
+        options.key_frames.key_frames.as_deref(),
+    )?;
     let planned = planned(
         &options.document,
         &options.planning,

@@ -38,15 +38,18 @@ impl Planned {
     }
 }
 
-/// Refuses a table from standard input where that is to give another text too: its end comes once.
-pub fn check_inputs(documents: &[PathBuf], asked: &KeyFrames) -> Result<(), Failure> {
-    let is_shared = match documents {
-        [document] => is_standard(document),
-        _ => true,
-    };
-    if is_shared && asked.key_frames.as_deref().is_some_and(is_standard) {
+/// Refuses standard input where more than one text would come from it: its end comes once.
+pub fn check_inputs(documents: &[PathBuf], key_frames: Option<&Path>) -> Result<(), Failure> {
+    let from_input = documents.iter().filter(|file| is_standard(file)).count();
+    if key_frames.is_some_and(is_standard) && (documents.len() != 1 || from_input > 0) {
         tell(
             "error: --key-frames - takes the table from standard input, which gives one text. Accepted: one document, from a file, with it",
+        );
+        return Err(Failure::Said(NO_ANSWER));
+    }
+    if from_input > 1 {
+        tell(
+            "error: - is there more than once, and standard input gives one text. Accepted: - once, beside files",
         );
         return Err(Failure::Said(NO_ANSWER));
     }
