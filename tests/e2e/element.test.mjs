@@ -345,9 +345,12 @@ test('two never clash: keys, edits, selection, ids', async () => {
   const { page } = await course('<synthetica-linkage src="2tpr.json" controls panels="mechanism motion info" style="height: 400px"></synthetica-linkage>'.repeat(2));
   await planned(page);
   const [one, two] = [page.locator('synthetica-linkage').nth(0), page.locator('synthetica-linkage').nth(1)];
+  // Panels come after the motion, and all that keys do with them.
+  for (const element of [one, two]) await element.getByRole('tab', { name: 'Motion', exact: true }).waitFor();
   await two.locator('#scrub').focus();
   await page.keyboard.press('ArrowRight');
   await page.keyboard.press(' ');
+  await page.waitForFunction(() => !document.querySelectorAll('synthetica-linkage')[1].paused);
   const states = () => page.evaluate(() => [...document.querySelectorAll('synthetica-linkage')].map(({ frame, paused, document: { chains } }) => [frame > 0, paused, chains[0].base.x]));
   assert.deepEqual(await states(), [[false, true, -1], [true, false, -1]]);
   await two.evaluate((element) => element.pause());
