@@ -44,7 +44,7 @@ pub struct Lanczos {
 
 impl Lanczos {
     /// The largest eigenvalue θ of the operator of order `order` ≥ 1 by which `apply` multiplies a
-    /// vector. The first vector is [`scatter`]'s. Stops when λ = `shift` + 1 / θ has a relative error of [`RESIDUAL`]; θ
+    /// vector. The first vector is [`scatter`]'s. Stops when λ = `shift` + 1 / θ has a relative error of 1e-10; θ
     /// itself then has one of that times λ θ. Stops too when θ is found to be above `enough`.
     pub fn largest(
         &mut self,
