@@ -109,7 +109,7 @@ pub struct Curve {
 enum Segments {
     Bezier {
         reference: Vector3<f64>,
-        /// 0 where all key frames are at the reference point: its multiples of rounding would be all the distance there is.
+        /// 0 where all key frames are at the reference point: with any other, rounding would move the goal away from it.
         radius: f64,
         controls: Vec<[Bezier; 2]>,
     },
